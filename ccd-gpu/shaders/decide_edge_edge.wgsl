@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,71 +8,46 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_14 {
-    member: array<array<u32, 2>>,
-}
-
-struct type_17 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_18 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_19 {
     member: u32,
     member_1: u32,
 }
 
-struct type_21 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_14 {
+    member: i32,
+    member_1: i32,
+}
+
+struct type_15 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_17 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_24 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: f32,
-}
-
-struct type_26 {
-    member: array<array<f32, 3>, 2>,
-    member_1: array<array<f32, 3>, 2>,
-    member_2: array<array<f32, 3>, 2>,
-    member_3: f32,
-}
-
-struct type_27 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -79,126 +55,157 @@ struct type_27 {
     member_4: array<u32, 2>,
 }
 
+struct type_22 {
+    member: array<array<u32, 2>>,
+}
+
+struct type_24 {
+    member: u32,
+}
+
+struct type_25 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_24,
+}
+
+struct type_26 {
+    member: type_25,
+}
+
+struct type_28 {
+    member: array<array<f32, 3>, 2>,
+    member_1: array<array<f32, 3>, 2>,
+    member_2: array<array<f32, 3>, 2>,
+    member_3: f32,
+}
+
 struct type_29 {
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: f32,
+}
+
+struct type_31 {
     member: f32,
     member_1: f32,
 }
 
-struct type_32 {
+struct type_34 {
     member: u32,
     member_1: f32,
 }
 
-struct type_33 {
+struct type_35 {
     member: f32,
     member_1: f32,
     member_2: bool,
 }
 
-struct type_34 {
+struct type_36 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> paths: type_23;
+var<storage> paths: type_19;
+@group(0) @binding(0) 
+var<storage> params: type_26;
 @group(0) @binding(2) 
-var<storage> elements: type_14;
+var<storage> elements: type_22;
 @group(0) @binding(3) 
-var<storage> input: type_12;
+var<storage> input: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> contacts: type_37;
+var<storage, read_write> contacts: type_39;
 @group(0) @binding(5) 
-var<storage, read_write> undecided: type_37;
+var<storage, read_write> undecided: type_39;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_37;
+var<storage, read_write> earliest: type_39;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(param: f32) -> array<u32, 2> {
-    var phi_6177_: array<u32, 2>;
-    var phi_6178_: array<u32, 2>;
-    var phi_6179_: bool;
-    var phi_6183_: array<u32, 2>;
+    var phi_6187_: array<u32, 2>;
+    var phi_6188_: array<u32, 2>;
+    var phi_6189_: bool;
+    var phi_6193_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param);
     if (_e13 < 8388608u) {
-        phi_6178_ = array<u32, 2>();
-        phi_6179_ = true;
+        phi_6188_ = array<u32, 2>();
+        phi_6189_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_6177_ = array<u32, 2>();
+            phi_6187_ = array<u32, 2>();
         } else {
-            phi_6177_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_6187_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_6177_;
-        phi_6178_ = _e31;
-        phi_6179_ = _e17;
+        let _e31 = phi_6187_;
+        phi_6188_ = _e31;
+        phi_6189_ = _e17;
     }
-    let _e33 = phi_6178_;
-    let _e35 = phi_6179_;
+    let _e33 = phi_6188_;
+    let _e35 = phi_6189_;
     if _e35 {
-        phi_6183_ = array<u32, 2>(0u, 0u);
+        phi_6193_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_6183_ = _e33;
+        phi_6193_ = _e33;
     }
-    let _e37 = phi_6183_;
+    let _e37 = phi_6193_;
     return _e37;
 }
 
 fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
-    var phi_6156_: array<f32, 3>;
+    var phi_6166_: array<f32, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_6156_ = param_2;
+        phi_6166_ = param_2;
     } else {
-        phi_6156_ = param_1;
+        phi_6166_ = param_1;
     }
-    let _e26 = phi_6156_;
+    let _e26 = phi_6166_;
     return _e26;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_5748_: bool;
-    var phi_5749_: bool;
-    var phi_5750_: bool;
-    var phi_5751_: bool;
-    var phi_5755_: bool;
-    var phi_5728_: bool;
-    var phi_5729_: bool;
-    var phi_5730_: bool;
-    var phi_5731_: bool;
-    var phi_5732_: bool;
-    var phi_5733_: bool;
-    var phi_5737_: bool;
-    var phi_5756_: bool;
-    var phi_5786_: array<f32, 3>;
-    var phi_5787_: bool;
-    var phi_5788_: array<f32, 3>;
-    var phi_5789_: bool;
-    var phi_6016_: f32;
-    var phi_6017_: f32;
-    var phi_6056_: f32;
-    var phi_6057_: f32;
-    var phi_6102_: f32;
-    var phi_6103_: f32;
-    var phi_5837_: f32;
-    var phi_5838_: f32;
-    var phi_5883_: f32;
-    var phi_5884_: f32;
-    var phi_5926_: f32;
-    var phi_5927_: f32;
-    var phi_5975_: f32;
-    var phi_5976_: f32;
-    var phi_6118_: array<array<f32, 3>, 4>;
-    var phi_6126_: array<f32, 3>;
+    var phi_5758_: bool;
+    var phi_5759_: bool;
+    var phi_5760_: bool;
+    var phi_5761_: bool;
+    var phi_5765_: bool;
+    var phi_5738_: bool;
+    var phi_5739_: bool;
+    var phi_5740_: bool;
+    var phi_5741_: bool;
+    var phi_5742_: bool;
+    var phi_5743_: bool;
+    var phi_5747_: bool;
+    var phi_5766_: bool;
+    var phi_5796_: array<f32, 3>;
+    var phi_5797_: bool;
+    var phi_5798_: array<f32, 3>;
+    var phi_5799_: bool;
+    var phi_6026_: f32;
+    var phi_6027_: f32;
+    var phi_6066_: f32;
+    var phi_6067_: f32;
+    var phi_6112_: f32;
+    var phi_6113_: f32;
+    var phi_5847_: f32;
+    var phi_5848_: f32;
+    var phi_5893_: f32;
+    var phi_5894_: f32;
+    var phi_5936_: f32;
+    var phi_5937_: f32;
+    var phi_5985_: f32;
+    var phi_5986_: f32;
+    var phi_6128_: array<array<f32, 3>, 4>;
+    var phi_6136_: array<f32, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -212,83 +219,83 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
                 if (_e72 <= 1f) {
-                    phi_5728_ = (_e76 <= 1f);
-                    phi_5729_ = false;
+                    phi_5738_ = (_e76 <= 1f);
+                    phi_5739_ = false;
                 } else {
-                    phi_5728_ = bool();
-                    phi_5729_ = true;
+                    phi_5738_ = bool();
+                    phi_5739_ = true;
                 }
-                let _e97 = phi_5728_;
-                let _e99 = phi_5729_;
-                phi_5730_ = _e97;
-                phi_5731_ = _e99;
+                let _e97 = phi_5738_;
+                let _e99 = phi_5739_;
+                phi_5740_ = _e97;
+                phi_5741_ = _e99;
             } else {
-                phi_5730_ = bool();
-                phi_5731_ = true;
+                phi_5740_ = bool();
+                phi_5741_ = true;
             }
-            let _e101 = phi_5730_;
-            let _e103 = phi_5731_;
-            phi_5732_ = _e101;
-            phi_5733_ = _e103;
+            let _e101 = phi_5740_;
+            let _e103 = phi_5741_;
+            phi_5742_ = _e101;
+            phi_5743_ = _e103;
         } else {
-            phi_5732_ = bool();
-            phi_5733_ = true;
+            phi_5742_ = bool();
+            phi_5743_ = true;
         }
-        let _e105 = phi_5732_;
-        let _e107 = phi_5733_;
+        let _e105 = phi_5742_;
+        let _e107 = phi_5743_;
         if _e107 {
-            phi_5737_ = false;
+            phi_5747_ = false;
         } else {
-            phi_5737_ = _e105;
+            phi_5747_ = _e105;
         }
-        let _e109 = phi_5737_;
-        phi_5756_ = _e109;
+        let _e109 = phi_5747_;
+        phi_5766_ = _e109;
     } else {
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
-                phi_5748_ = ((_e72 + _e76) <= 1f);
-                phi_5749_ = false;
+                phi_5758_ = ((_e72 + _e76) <= 1f);
+                phi_5759_ = false;
             } else {
-                phi_5748_ = bool();
-                phi_5749_ = true;
+                phi_5758_ = bool();
+                phi_5759_ = true;
             }
-            let _e83 = phi_5748_;
-            let _e85 = phi_5749_;
-            phi_5750_ = _e83;
-            phi_5751_ = _e85;
+            let _e83 = phi_5758_;
+            let _e85 = phi_5759_;
+            phi_5760_ = _e83;
+            phi_5761_ = _e85;
         } else {
-            phi_5750_ = bool();
-            phi_5751_ = true;
+            phi_5760_ = bool();
+            phi_5761_ = true;
         }
-        let _e87 = phi_5750_;
-        let _e89 = phi_5751_;
+        let _e87 = phi_5760_;
+        let _e89 = phi_5761_;
         if _e89 {
-            phi_5755_ = false;
+            phi_5765_ = false;
         } else {
-            phi_5755_ = _e87;
+            phi_5765_ = _e87;
         }
-        let _e91 = phi_5755_;
-        phi_5756_ = _e91;
+        let _e91 = phi_5765_;
+        phi_5766_ = _e91;
     }
-    let _e111 = phi_5756_;
+    let _e111 = phi_5766_;
     if (_e68 > 0f) {
         if _e111 {
-            phi_5786_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
-            phi_5787_ = false;
+            phi_5796_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
+            phi_5797_ = false;
         } else {
-            phi_5786_ = array<f32, 3>();
-            phi_5787_ = true;
+            phi_5796_ = array<f32, 3>();
+            phi_5797_ = true;
         }
-        let _e136 = phi_5786_;
-        let _e138 = phi_5787_;
-        phi_5788_ = _e136;
-        phi_5789_ = _e138;
+        let _e136 = phi_5796_;
+        let _e138 = phi_5797_;
+        phi_5798_ = _e136;
+        phi_5799_ = _e138;
     } else {
-        phi_5788_ = array<f32, 3>();
-        phi_5789_ = true;
+        phi_5798_ = array<f32, 3>();
+        phi_5799_ = true;
     }
-    let _e140 = phi_5788_;
-    let _e142 = phi_5789_;
+    let _e140 = phi_5798_;
+    let _e142 = phi_5799_;
     if _e142 {
         let _e145 = (param_3[0] - param_4[0]);
         let _e148 = (param_3[1] - param_4[1]);
@@ -297,59 +304,59 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e293 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e293 > 0f) {
                 if (_e293 < 1f) {
-                    phi_5837_ = _e293;
+                    phi_5847_ = _e293;
                 } else {
-                    phi_5837_ = 1f;
+                    phi_5847_ = 1f;
                 }
-                let _e297 = phi_5837_;
-                phi_5838_ = _e297;
+                let _e297 = phi_5847_;
+                phi_5848_ = _e297;
             } else {
-                phi_5838_ = 0f;
+                phi_5848_ = 0f;
             }
-            let _e299 = phi_5838_;
+            let _e299 = phi_5848_;
             let _e335 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e335 > 0f) {
                 if (_e335 < 1f) {
-                    phi_5883_ = _e335;
+                    phi_5893_ = _e335;
                 } else {
-                    phi_5883_ = 1f;
+                    phi_5893_ = 1f;
                 }
-                let _e339 = phi_5883_;
-                phi_5884_ = _e339;
+                let _e339 = phi_5893_;
+                phi_5894_ = _e339;
             } else {
-                phi_5884_ = 0f;
+                phi_5894_ = 0f;
             }
-            let _e341 = phi_5884_;
+            let _e341 = phi_5894_;
             let _e374 = ((((_e145 * param_5[0]) + (_e148 * param_5[1])) + (_e151 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e374 > 0f) {
                 if (_e374 < 1f) {
-                    phi_5926_ = _e374;
+                    phi_5936_ = _e374;
                 } else {
-                    phi_5926_ = 1f;
+                    phi_5936_ = 1f;
                 }
-                let _e378 = phi_5926_;
-                phi_5927_ = _e378;
+                let _e378 = phi_5936_;
+                phi_5937_ = _e378;
             } else {
-                phi_5927_ = 0f;
+                phi_5937_ = 0f;
             }
-            let _e380 = phi_5927_;
+            let _e380 = phi_5937_;
             let _e393 = (param_3[0] - param_5[0]);
             let _e396 = (param_3[1] - param_5[1]);
             let _e399 = (param_3[2] - param_5[2]);
             let _e419 = ((((_e393 * param_4[0]) + (_e396 * param_4[1])) + (_e399 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e419 > 0f) {
                 if (_e419 < 1f) {
-                    phi_5975_ = _e419;
+                    phi_5985_ = _e419;
                 } else {
-                    phi_5975_ = 1f;
+                    phi_5985_ = 1f;
                 }
-                let _e423 = phi_5975_;
-                phi_5976_ = _e423;
+                let _e423 = phi_5985_;
+                phi_5986_ = _e423;
             } else {
-                phi_5976_ = 0f;
+                phi_5986_ = 0f;
             }
-            let _e425 = phi_5976_;
-            phi_6118_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
+            let _e425 = phi_5986_;
+            phi_6128_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
         } else {
             let _e155 = (param_5[0] - param_4[0]);
             let _e158 = (param_5[1] - param_4[1]);
@@ -357,411 +364,408 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e172 = ((((_e145 * _e155) + (_e148 * _e158)) + (_e151 * _e161)) / (((_e155 * _e155) + (_e158 * _e158)) + (_e161 * _e161)));
             if (_e172 > 0f) {
                 if (_e172 < 1f) {
-                    phi_6016_ = _e172;
+                    phi_6026_ = _e172;
                 } else {
-                    phi_6016_ = 1f;
+                    phi_6026_ = 1f;
                 }
-                let _e176 = phi_6016_;
-                phi_6017_ = _e176;
+                let _e176 = phi_6026_;
+                phi_6027_ = _e176;
             } else {
-                phi_6017_ = 0f;
+                phi_6027_ = 0f;
             }
-            let _e178 = phi_6017_;
+            let _e178 = phi_6027_;
             let _e185 = array<f32, 3>((_e145 - (_e155 * _e178)), (_e148 - (_e158 * _e178)), (_e151 - (_e161 * _e178)));
             let _e208 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e208 > 0f) {
                 if (_e208 < 1f) {
-                    phi_6056_ = _e208;
+                    phi_6066_ = _e208;
                 } else {
-                    phi_6056_ = 1f;
+                    phi_6066_ = 1f;
                 }
-                let _e212 = phi_6056_;
-                phi_6057_ = _e212;
+                let _e212 = phi_6066_;
+                phi_6067_ = _e212;
             } else {
-                phi_6057_ = 0f;
+                phi_6067_ = 0f;
             }
-            let _e214 = phi_6057_;
+            let _e214 = phi_6067_;
             let _e250 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e250 > 0f) {
                 if (_e250 < 1f) {
-                    phi_6102_ = _e250;
+                    phi_6112_ = _e250;
                 } else {
-                    phi_6102_ = 1f;
+                    phi_6112_ = 1f;
                 }
-                let _e254 = phi_6102_;
-                phi_6103_ = _e254;
+                let _e254 = phi_6112_;
+                phi_6113_ = _e254;
             } else {
-                phi_6103_ = 0f;
+                phi_6113_ = 0f;
             }
-            let _e256 = phi_6103_;
-            phi_6118_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
+            let _e256 = phi_6113_;
+            phi_6128_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
         }
-        let _e438 = phi_6118_;
+        let _e438 = phi_6128_;
         let _e441 = function_1(_e438[0], _e438[1]);
         let _e443 = function_1(_e441, _e438[2]);
         let _e445 = function_1(_e443, _e438[3]);
-        phi_6126_ = _e445;
+        phi_6136_ = _e445;
     } else {
-        phi_6126_ = _e140;
+        phi_6136_ = _e140;
     }
-    let _e447 = phi_6126_;
+    let _e447 = phi_6136_;
     return _e447;
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<array<f32, 3>, 4>;
     var local_1: array<array<f32, 3>, 4>;
-    var local_2: type_24;
-    var local_3: type_24;
-    var local_4: type_24;
-    var local_5: array<type_29, 4>;
+    var local_2: type_29;
+    var local_3: type_29;
+    var local_4: type_29;
+    var local_5: array<type_31, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
     var local_9: array<array<f32, 3>, 4>;
     var local_10: array<array<f32, 3>, 4>;
     var local_11: array<f32, 3>;
-    var local_12: type_26;
-    var phi_207_: u32;
-    var phi_223_: u32;
-    var phi_244_: u32;
-    var phi_245_: u32;
-    var phi_248_: type_19;
-    var phi_249_: type_19;
-    var phi_272_: type_19;
-    var phi_722_: f32;
-    var phi_729_: f32;
-    var phi_734_: f32;
-    var phi_741_: f32;
-    var phi_746_: f32;
-    var phi_759_: f32;
-    var phi_766_: f32;
-    var phi_771_: f32;
-    var phi_778_: f32;
-    var phi_783_: f32;
-    var phi_788_: f32;
-    var phi_805_: f32;
-    var phi_812_: f32;
-    var phi_817_: f32;
-    var phi_824_: f32;
-    var phi_829_: f32;
-    var phi_843_: f32;
-    var phi_850_: f32;
-    var phi_855_: f32;
-    var phi_862_: f32;
-    var phi_867_: f32;
-    var phi_872_: f32;
-    var phi_889_: f32;
-    var phi_896_: f32;
-    var phi_901_: f32;
-    var phi_908_: f32;
-    var phi_913_: f32;
-    var phi_927_: f32;
-    var phi_934_: f32;
-    var phi_939_: f32;
-    var phi_946_: f32;
-    var phi_951_: f32;
-    var phi_956_: f32;
-    var phi_987_: f32;
-    var phi_993_: f32;
-    var phi_1000_: f32;
-    var phi_1007_: f32;
-    var phi_1013_: f32;
-    var phi_1020_: f32;
-    var phi_1026_: f32;
-    var phi_1032_: f32;
-    var phi_1038_: f32;
-    var phi_1045_: f32;
-    var phi_1052_: f32;
-    var phi_1076_: f32;
-    var phi_1081_: f32;
-    var phi_1086_: f32;
-    var phi_1091_: f32;
-    var phi_1096_: f32;
-    var phi_1101_: f32;
-    var phi_1111_: f32;
-    var phi_2670_: f32;
-    var phi_2676_: f32;
-    var phi_2681_: f32;
-    var phi_2687_: f32;
-    var phi_2693_: f32;
-    var phi_2698_: f32;
-    var phi_2703_: f32;
-    var phi_2711_: bool;
-    var phi_2716_: f32;
-    var phi_2723_: f32;
-    var phi_2763_: type_17;
-    var phi_2766_: f32;
-    var phi_2787_: bool;
-    var phi_2793_: type_18;
-    var phi_2764_: type_17;
-    var phi_2807_: type_18;
-    var phi_2767_: f32;
+    var local_12: type_28;
+    var phi_211_: u32;
+    var phi_227_: u32;
+    var phi_248_: u32;
+    var phi_249_: u32;
+    var phi_252_: type_9;
+    var phi_253_: type_9;
+    var phi_276_: type_9;
+    var phi_725_: f32;
+    var phi_732_: f32;
+    var phi_737_: f32;
+    var phi_744_: f32;
+    var phi_749_: f32;
+    var phi_762_: f32;
+    var phi_769_: f32;
+    var phi_774_: f32;
+    var phi_781_: f32;
+    var phi_786_: f32;
+    var phi_791_: f32;
+    var phi_808_: f32;
+    var phi_815_: f32;
+    var phi_820_: f32;
+    var phi_827_: f32;
+    var phi_832_: f32;
+    var phi_846_: f32;
+    var phi_853_: f32;
+    var phi_858_: f32;
+    var phi_865_: f32;
+    var phi_870_: f32;
+    var phi_875_: f32;
+    var phi_892_: f32;
+    var phi_899_: f32;
+    var phi_904_: f32;
+    var phi_911_: f32;
+    var phi_916_: f32;
+    var phi_930_: f32;
+    var phi_937_: f32;
+    var phi_942_: f32;
+    var phi_949_: f32;
+    var phi_954_: f32;
+    var phi_959_: f32;
+    var phi_990_: f32;
+    var phi_996_: f32;
+    var phi_1003_: f32;
+    var phi_1010_: f32;
+    var phi_1016_: f32;
+    var phi_1023_: f32;
+    var phi_1029_: f32;
+    var phi_1035_: f32;
+    var phi_1041_: f32;
+    var phi_1048_: f32;
+    var phi_1055_: f32;
+    var phi_1079_: f32;
+    var phi_1084_: f32;
+    var phi_1089_: f32;
+    var phi_1094_: f32;
+    var phi_1099_: f32;
+    var phi_1104_: f32;
+    var phi_1114_: f32;
+    var phi_2673_: f32;
+    var phi_2679_: f32;
+    var phi_2684_: f32;
+    var phi_2690_: f32;
+    var phi_2696_: f32;
+    var phi_2701_: f32;
+    var phi_2706_: f32;
+    var phi_2714_: bool;
+    var phi_2719_: f32;
+    var phi_2726_: f32;
+    var phi_2766_: type_14;
+    var phi_2769_: f32;
+    var phi_2790_: bool;
+    var phi_2796_: type_15;
+    var phi_2767_: type_14;
+    var phi_2810_: type_15;
+    var phi_2770_: f32;
     var local_13: f32;
-    var phi_2756_: f32;
-    var phi_2820_: f32;
-    var phi_2826_: f32;
-    var phi_2851_: type_19;
-    var phi_2854_: u32;
-    var phi_2852_: type_19;
-    var phi_2877_: type_19;
-    var phi_2921_: u32;
-    var phi_2922_: u32;
-    var phi_2855_: u32;
-    var phi_2923_: u32;
-    var phi_2943_: type_19;
-    var phi_2944_: type_19;
-    var phi_2967_: type_19;
-    var phi_3019_: f32;
-    var phi_3026_: f32;
-    var phi_3037_: bool;
-    var phi_3038_: bool;
-    var phi_3039_: bool;
+    var phi_2759_: f32;
+    var phi_2823_: f32;
+    var phi_2829_: f32;
+    var phi_2854_: type_9;
+    var phi_2857_: u32;
+    var phi_2855_: type_9;
+    var phi_2880_: type_9;
+    var phi_2924_: u32;
+    var phi_2925_: u32;
+    var phi_2858_: u32;
+    var phi_2926_: u32;
+    var phi_2946_: type_9;
+    var phi_2947_: type_9;
+    var phi_2970_: type_9;
+    var phi_3022_: f32;
+    var phi_3029_: f32;
     var phi_3040_: bool;
-    var phi_3044_: bool;
-    var phi_3055_: type_33;
-    var phi_3056_: type_33;
-    var phi_3057_: bool;
-    var phi_3058_: type_33;
-    var phi_3059_: bool;
-    var phi_3070_: f32;
-    var phi_3080_: type_19;
-    var phi_3083_: f32;
-    var phi_3085_: f32;
-    var phi_3087_: f32;
-    var phi_3081_: type_19;
-    var phi_3110_: type_19;
-    var phi_3135_: f32;
-    var phi_3136_: f32;
-    var phi_3162_: f32;
-    var phi_3178_: f32;
-    var phi_3185_: bool;
-    var phi_3186_: bool;
-    var phi_3187_: bool;
-    var phi_3193_: f32;
-    var phi_3194_: f32;
-    var phi_3195_: bool;
-    var phi_3084_: f32;
+    var phi_3041_: bool;
+    var phi_3042_: bool;
+    var phi_3043_: bool;
+    var phi_3047_: bool;
+    var phi_3058_: type_35;
+    var phi_3059_: type_35;
+    var phi_3060_: bool;
+    var phi_3061_: type_35;
+    var phi_3062_: bool;
+    var phi_3073_: f32;
+    var phi_3083_: type_9;
     var phi_3086_: f32;
     var phi_3088_: f32;
+    var phi_3090_: f32;
+    var phi_3084_: type_9;
+    var phi_3113_: type_9;
+    var phi_3138_: f32;
+    var phi_3139_: f32;
+    var phi_3165_: f32;
+    var phi_3181_: f32;
+    var phi_3188_: bool;
+    var phi_3189_: bool;
+    var phi_3190_: bool;
     var phi_3196_: f32;
-    var phi_3197_: bool;
+    var phi_3197_: f32;
     var phi_3198_: bool;
+    var phi_3087_: f32;
+    var phi_3089_: f32;
+    var phi_3091_: f32;
+    var phi_3199_: f32;
+    var phi_3200_: bool;
+    var phi_3201_: bool;
     var local_14: bool;
-    var phi_3202_: f32;
-    var phi_3203_: f32;
-    var phi_3210_: type_19;
-    var phi_3213_: f32;
-    var phi_3211_: type_19;
-    var phi_3236_: type_19;
-    var phi_3277_: f32;
-    var phi_3287_: f32;
-    var phi_3295_: bool;
-    var phi_3297_: bool;
-    var phi_3302_: f32;
-    var phi_3303_: bool;
-    var phi_3304_: f32;
-    var phi_3305_: bool;
+    var phi_3205_: f32;
+    var phi_3206_: f32;
+    var phi_3213_: type_9;
+    var phi_3216_: f32;
+    var phi_3214_: type_9;
+    var phi_3239_: type_9;
+    var phi_3280_: f32;
+    var phi_3290_: f32;
+    var phi_3298_: bool;
+    var phi_3300_: bool;
+    var phi_3305_: f32;
     var phi_3306_: bool;
-    var phi_3307_: bool;
-    var phi_3308_: f32;
-    var phi_3214_: f32;
+    var phi_3307_: f32;
+    var phi_3308_: bool;
     var phi_3309_: bool;
     var phi_3310_: bool;
-    var phi_3311_: bool;
+    var phi_3311_: f32;
+    var phi_3217_: f32;
     var phi_3312_: bool;
+    var phi_3313_: bool;
+    var phi_3314_: bool;
+    var phi_3315_: bool;
     var local_15: bool;
-    var phi_3316_: bool;
-    var phi_3317_: bool;
-    var phi_3321_: bool;
-    var phi_3325_: f32;
-    var phi_3326_: f32;
-    var phi_3328_: type_33;
-    var phi_3357_: f32;
-    var phi_3364_: f32;
-    var phi_3369_: f32;
-    var phi_3376_: f32;
-    var phi_3381_: f32;
-    var phi_3394_: f32;
-    var phi_3401_: f32;
-    var phi_3406_: f32;
-    var phi_3413_: f32;
-    var phi_3418_: f32;
-    var phi_3423_: f32;
-    var phi_3482_: f32;
-    var phi_3488_: f32;
-    var phi_3493_: f32;
-    var phi_3499_: f32;
-    var phi_3504_: f32;
-    var phi_3516_: f32;
-    var phi_3522_: f32;
-    var phi_3527_: f32;
-    var phi_3533_: f32;
-    var phi_3538_: f32;
-    var phi_3564_: f32;
-    var phi_3571_: f32;
-    var phi_3576_: f32;
-    var phi_3583_: f32;
-    var phi_3588_: f32;
-    var phi_3601_: f32;
-    var phi_3608_: f32;
-    var phi_3613_: f32;
-    var phi_3620_: f32;
-    var phi_3625_: f32;
-    var phi_3630_: f32;
-    var phi_3689_: f32;
-    var phi_3695_: f32;
-    var phi_3700_: f32;
-    var phi_3706_: f32;
-    var phi_3711_: f32;
-    var phi_3723_: f32;
-    var phi_3729_: f32;
-    var phi_3734_: f32;
-    var phi_3740_: f32;
-    var phi_3745_: f32;
-    var phi_3771_: f32;
-    var phi_3778_: f32;
-    var phi_3783_: f32;
-    var phi_3790_: f32;
-    var phi_3795_: f32;
-    var phi_3808_: f32;
-    var phi_3815_: f32;
-    var phi_3820_: f32;
-    var phi_3827_: f32;
-    var phi_3832_: f32;
-    var phi_3837_: f32;
-    var phi_3896_: f32;
-    var phi_3902_: f32;
-    var phi_3907_: f32;
-    var phi_3913_: f32;
-    var phi_3918_: f32;
-    var phi_3930_: f32;
-    var phi_3936_: f32;
-    var phi_3941_: f32;
-    var phi_3947_: f32;
-    var phi_3952_: f32;
-    var phi_4001_: f32;
-    var phi_4007_: f32;
-    var phi_4035_: f32;
-    var phi_4041_: f32;
-    var phi_4046_: u32;
-    var phi_4047_: u32;
-    var phi_4017_: f32;
-    var phi_4023_: f32;
-    var phi_4028_: u32;
-    var phi_4029_: u32;
-    var phi_4048_: u32;
+    var phi_3319_: bool;
+    var phi_3320_: bool;
+    var phi_3324_: bool;
+    var phi_3328_: f32;
+    var phi_3329_: f32;
+    var phi_3331_: type_35;
+    var phi_3360_: f32;
+    var phi_3367_: f32;
+    var phi_3372_: f32;
+    var phi_3379_: f32;
+    var phi_3384_: f32;
+    var phi_3397_: f32;
+    var phi_3404_: f32;
+    var phi_3409_: f32;
+    var phi_3416_: f32;
+    var phi_3421_: f32;
+    var phi_3426_: f32;
+    var phi_3485_: f32;
+    var phi_3491_: f32;
+    var phi_3496_: f32;
+    var phi_3502_: f32;
+    var phi_3507_: f32;
+    var phi_3519_: f32;
+    var phi_3525_: f32;
+    var phi_3530_: f32;
+    var phi_3536_: f32;
+    var phi_3541_: f32;
+    var phi_3567_: f32;
+    var phi_3574_: f32;
+    var phi_3579_: f32;
+    var phi_3586_: f32;
+    var phi_3591_: f32;
+    var phi_3604_: f32;
+    var phi_3611_: f32;
+    var phi_3616_: f32;
+    var phi_3623_: f32;
+    var phi_3628_: f32;
+    var phi_3633_: f32;
+    var phi_3692_: f32;
+    var phi_3698_: f32;
+    var phi_3703_: f32;
+    var phi_3709_: f32;
+    var phi_3714_: f32;
+    var phi_3726_: f32;
+    var phi_3732_: f32;
+    var phi_3737_: f32;
+    var phi_3743_: f32;
+    var phi_3748_: f32;
+    var phi_3774_: f32;
+    var phi_3781_: f32;
+    var phi_3786_: f32;
+    var phi_3793_: f32;
+    var phi_3798_: f32;
+    var phi_3811_: f32;
+    var phi_3818_: f32;
+    var phi_3823_: f32;
+    var phi_3830_: f32;
+    var phi_3835_: f32;
+    var phi_3840_: f32;
+    var phi_3899_: f32;
+    var phi_3905_: f32;
+    var phi_3910_: f32;
+    var phi_3916_: f32;
+    var phi_3921_: f32;
+    var phi_3933_: f32;
+    var phi_3939_: f32;
+    var phi_3944_: f32;
+    var phi_3950_: f32;
+    var phi_3955_: f32;
+    var phi_4004_: f32;
+    var phi_4010_: f32;
+    var phi_4038_: f32;
+    var phi_4044_: f32;
     var phi_4049_: u32;
-    var phi_4116_: f32;
-    var phi_4125_: f32;
-    var phi_4256_: f32;
-    var phi_4262_: f32;
-    var phi_4269_: f32;
-    var phi_4312_: type_19;
-    var phi_4315_: bool;
-    var phi_4313_: type_19;
-    var phi_4338_: type_19;
-    var phi_4365_: bool;
-    var phi_4366_: bool;
-    var phi_4316_: bool;
-    var phi_4367_: bool;
+    var phi_4050_: u32;
+    var phi_4020_: f32;
+    var phi_4026_: f32;
+    var phi_4031_: u32;
+    var phi_4032_: u32;
+    var phi_4051_: u32;
+    var phi_4052_: u32;
+    var phi_4119_: f32;
+    var phi_4128_: f32;
+    var phi_4259_: f32;
+    var phi_4265_: f32;
+    var phi_4272_: f32;
+    var phi_4315_: type_9;
+    var phi_4318_: bool;
+    var phi_4316_: type_9;
+    var phi_4341_: type_9;
     var phi_4368_: bool;
+    var phi_4369_: bool;
+    var phi_4319_: bool;
+    var phi_4370_: bool;
+    var phi_4371_: bool;
     var local_16: bool;
-    var phi_4372_: bool;
+    var phi_4375_: bool;
     var local_17: bool;
-    var phi_4379_: u32;
-    var phi_4380_: u32;
-    var phi_4381_: bool;
     var phi_4382_: u32;
     var phi_4383_: u32;
     var phi_4384_: bool;
-    var phi_4388_: u32;
-    var phi_4408_: bool;
-    var phi_4409_: bool;
-    var phi_4410_: bool;
-    var phi_4606_: f32;
-    var phi_4613_: f32;
-    var phi_4618_: f32;
-    var phi_4625_: f32;
-    var phi_4630_: f32;
-    var phi_4643_: f32;
-    var phi_4650_: f32;
-    var phi_4655_: f32;
-    var phi_4662_: f32;
-    var phi_4667_: f32;
-    var phi_4672_: f32;
-    var phi_4689_: f32;
-    var phi_4696_: f32;
-    var phi_4701_: f32;
-    var phi_4708_: f32;
-    var phi_4713_: f32;
-    var phi_4727_: f32;
-    var phi_4734_: f32;
-    var phi_4739_: f32;
-    var phi_4746_: f32;
-    var phi_4751_: f32;
-    var phi_4756_: f32;
-    var phi_4773_: f32;
-    var phi_4780_: f32;
-    var phi_4785_: f32;
-    var phi_4792_: f32;
-    var phi_4797_: f32;
-    var phi_4811_: f32;
-    var phi_4818_: f32;
-    var phi_4823_: f32;
-    var phi_4830_: f32;
-    var phi_4835_: f32;
-    var phi_4840_: f32;
-    var phi_4856_: type_19;
-    var phi_4859_: f32;
-    var phi_4857_: type_19;
-    var phi_4882_: type_19;
-    var phi_4993_: f32;
-    var phi_5000_: f32;
-    var phi_5008_: f32;
-    var phi_5052_: type_17;
-    var phi_5055_: f32;
-    var phi_5076_: bool;
-    var phi_5082_: type_18;
-    var phi_5053_: type_17;
-    var phi_5096_: type_18;
-    var phi_5056_: f32;
+    var phi_4385_: u32;
+    var phi_4386_: u32;
+    var phi_4387_: bool;
+    var phi_4391_: u32;
+    var phi_4411_: bool;
+    var phi_4412_: bool;
+    var phi_4413_: bool;
+    var phi_4609_: f32;
+    var phi_4616_: f32;
+    var phi_4621_: f32;
+    var phi_4628_: f32;
+    var phi_4633_: f32;
+    var phi_4646_: f32;
+    var phi_4653_: f32;
+    var phi_4658_: f32;
+    var phi_4665_: f32;
+    var phi_4670_: f32;
+    var phi_4675_: f32;
+    var phi_4692_: f32;
+    var phi_4699_: f32;
+    var phi_4704_: f32;
+    var phi_4711_: f32;
+    var phi_4716_: f32;
+    var phi_4730_: f32;
+    var phi_4737_: f32;
+    var phi_4742_: f32;
+    var phi_4749_: f32;
+    var phi_4754_: f32;
+    var phi_4759_: f32;
+    var phi_4776_: f32;
+    var phi_4783_: f32;
+    var phi_4788_: f32;
+    var phi_4795_: f32;
+    var phi_4800_: f32;
+    var phi_4814_: f32;
+    var phi_4821_: f32;
+    var phi_4826_: f32;
+    var phi_4833_: f32;
+    var phi_4838_: f32;
+    var phi_4843_: f32;
+    var phi_4859_: type_9;
+    var phi_4862_: f32;
+    var phi_4860_: type_9;
+    var phi_4885_: type_9;
+    var phi_4996_: f32;
+    var phi_5003_: f32;
+    var phi_5011_: f32;
+    var phi_5055_: type_14;
+    var phi_5058_: f32;
+    var phi_5079_: bool;
+    var phi_5085_: type_15;
+    var phi_5056_: type_14;
+    var phi_5099_: type_15;
+    var phi_5059_: f32;
     var local_18: f32;
-    var phi_5045_: f32;
-    var phi_5109_: f32;
-    var phi_5118_: type_19;
-    var phi_5121_: f32;
-    var phi_5119_: type_19;
-    var phi_5144_: type_19;
-    var phi_5195_: f32;
-    var phi_5201_: f32;
-    var phi_5214_: bool;
-    var phi_5215_: bool;
-    var phi_5246_: f32;
-    var phi_5247_: f32;
-    var phi_5248_: f32;
-    var phi_5249_: bool;
-    var phi_5253_: bool;
-    var phi_5254_: f32;
-    var phi_5255_: bool;
+    var phi_5048_: f32;
+    var phi_5112_: f32;
+    var phi_5121_: type_9;
+    var phi_5124_: f32;
+    var phi_5122_: type_9;
+    var phi_5147_: type_9;
+    var phi_5198_: f32;
+    var phi_5204_: f32;
+    var phi_5217_: bool;
+    var phi_5218_: bool;
+    var phi_5249_: f32;
+    var phi_5250_: f32;
+    var phi_5251_: f32;
+    var phi_5252_: bool;
     var phi_5256_: bool;
-    var phi_5257_: bool;
-    var phi_5258_: f32;
+    var phi_5257_: f32;
+    var phi_5258_: bool;
     var phi_5259_: bool;
     var phi_5260_: bool;
-    var phi_5261_: bool;
-    var phi_5122_: f32;
+    var phi_5261_: f32;
     var phi_5262_: bool;
     var phi_5263_: bool;
     var phi_5264_: bool;
+    var phi_5125_: f32;
     var phi_5265_: bool;
+    var phi_5266_: bool;
+    var phi_5267_: bool;
+    var phi_5268_: bool;
     var local_19: bool;
     var local_20: f32;
     var local_21: f32;
     var local_22: f32;
-    var phi_5282_: bool;
-    var phi_5283_: bool;
-    var phi_5284_: bool;
     var phi_5285_: bool;
     var phi_5286_: bool;
     var phi_5287_: bool;
@@ -772,210 +776,210 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5292_: bool;
     var phi_5293_: bool;
     var phi_5294_: bool;
-    var phi_5295_: f32;
-    var phi_5296_: f32;
+    var phi_5295_: bool;
+    var phi_5296_: bool;
     var phi_5297_: bool;
-    var phi_5298_: bool;
-    var phi_5299_: bool;
+    var phi_5298_: f32;
+    var phi_5299_: f32;
     var phi_5300_: bool;
     var phi_5301_: bool;
     var phi_5302_: bool;
     var phi_5303_: bool;
-    var phi_5304_: f32;
-    var phi_5305_: f32;
+    var phi_5304_: bool;
+    var phi_5305_: bool;
     var phi_5306_: bool;
-    var phi_5307_: bool;
-    var phi_5308_: bool;
+    var phi_5307_: f32;
+    var phi_5308_: f32;
     var phi_5309_: bool;
     var phi_5310_: bool;
     var phi_5311_: bool;
     var phi_5312_: bool;
     var phi_5313_: bool;
-    var phi_5314_: f32;
-    var phi_4860_: f32;
+    var phi_5314_: bool;
     var phi_5315_: bool;
     var phi_5316_: bool;
-    var phi_5317_: bool;
+    var phi_5317_: f32;
+    var phi_4863_: f32;
     var phi_5318_: bool;
     var phi_5319_: bool;
     var phi_5320_: bool;
     var phi_5321_: bool;
     var phi_5322_: bool;
     var phi_5323_: bool;
+    var phi_5324_: bool;
+    var phi_5325_: bool;
+    var phi_5326_: bool;
     var local_23: bool;
-    var phi_5328_: type_32;
-    var phi_5329_: bool;
-    var phi_5330_: bool;
-    var phi_5331_: bool;
+    var phi_5331_: type_34;
     var phi_5332_: bool;
     var phi_5333_: bool;
     var phi_5334_: bool;
     var phi_5335_: bool;
-    var phi_5339_: f32;
-    var phi_5340_: bool;
-    var phi_5341_: bool;
-    var phi_5342_: bool;
+    var phi_5336_: bool;
+    var phi_5337_: bool;
+    var phi_5338_: bool;
+    var phi_5342_: f32;
     var phi_5343_: bool;
     var phi_5344_: bool;
     var phi_5345_: bool;
     var phi_5346_: bool;
-    var phi_5351_: type_32;
-    var phi_5352_: bool;
-    var phi_5353_: bool;
-    var phi_5354_: bool;
+    var phi_5347_: bool;
+    var phi_5348_: bool;
+    var phi_5349_: bool;
+    var phi_5354_: type_34;
     var phi_5355_: bool;
     var phi_5356_: bool;
     var phi_5357_: bool;
+    var phi_5358_: bool;
+    var phi_5359_: bool;
+    var phi_5360_: bool;
     var local_24: f32;
-    var phi_5362_: type_32;
-    var phi_5363_: bool;
-    var phi_5364_: bool;
-    var phi_5365_: bool;
+    var phi_5365_: type_34;
     var phi_5366_: bool;
     var phi_5367_: bool;
+    var phi_5368_: bool;
+    var phi_5369_: bool;
+    var phi_5370_: bool;
     var local_25: f32;
-    var phi_5372_: type_32;
-    var phi_5373_: bool;
-    var phi_5374_: bool;
-    var phi_5375_: bool;
+    var phi_5375_: type_34;
     var phi_5376_: bool;
+    var phi_5377_: bool;
+    var phi_5378_: bool;
+    var phi_5379_: bool;
     var local_26: f32;
-    var phi_5381_: type_32;
-    var phi_5382_: bool;
-    var phi_5383_: bool;
-    var phi_5384_: bool;
+    var phi_5384_: type_34;
     var phi_5385_: bool;
-    var phi_5389_: type_32;
-    var phi_5390_: bool;
-    var phi_5391_: bool;
-    var phi_5392_: bool;
-    var phi_5396_: bool;
-    var phi_5397_: bool;
-    var phi_5401_: bool;
-    var phi_5402_: bool;
-    var phi_5406_: bool;
-    var phi_5407_: bool;
+    var phi_5386_: bool;
+    var phi_5387_: bool;
+    var phi_5388_: bool;
+    var phi_5392_: type_34;
+    var phi_5393_: bool;
+    var phi_5394_: bool;
+    var phi_5395_: bool;
+    var phi_5399_: bool;
+    var phi_5400_: bool;
+    var phi_5404_: bool;
+    var phi_5405_: bool;
+    var phi_5409_: bool;
+    var phi_5410_: bool;
     var local_27: f32;
-    var phi_5412_: type_32;
-    var phi_5413_: bool;
-    var phi_5417_: type_32;
-    var phi_5424_: bool;
-    var phi_5425_: f32;
-    var phi_5426_: bool;
+    var phi_5415_: type_34;
+    var phi_5416_: bool;
+    var phi_5420_: type_34;
     var phi_5427_: bool;
-    var phi_5428_: bool;
-    var phi_5429_: f32;
+    var phi_5428_: f32;
+    var phi_5429_: bool;
     var phi_5430_: bool;
     var phi_5431_: bool;
-    var phi_5432_: bool;
-    var phi_5433_: f32;
+    var phi_5432_: f32;
+    var phi_5433_: bool;
     var phi_5434_: bool;
     var phi_5435_: bool;
-    var phi_5436_: bool;
+    var phi_5436_: f32;
     var phi_5437_: bool;
-    var phi_5441_: bool;
-    var phi_5442_: bool;
-    var phi_5443_: bool;
-    var phi_5444_: f32;
-    var phi_5445_: type_33;
+    var phi_5438_: bool;
+    var phi_5439_: bool;
+    var phi_5440_: bool;
+    var phi_5444_: bool;
+    var phi_5445_: bool;
     var phi_5446_: bool;
-    var phi_5447_: bool;
-    var phi_5448_: bool;
+    var phi_5447_: f32;
+    var phi_5448_: type_35;
     var phi_5449_: bool;
+    var phi_5450_: bool;
+    var phi_5451_: bool;
+    var phi_5452_: bool;
     var local_28: bool;
-    var phi_5454_: type_32;
-    var phi_5455_: bool;
-    var phi_5456_: bool;
+    var phi_5457_: type_34;
+    var phi_5458_: bool;
+    var phi_5459_: bool;
     var local_29: f32;
-    var phi_5461_: type_32;
-    var phi_5462_: bool;
-    var local_30: type_33;
-    var phi_5468_: type_32;
-    var phi_5469_: bool;
-    var phi_5473_: type_32;
-    var phi_1312_: f32;
-    var phi_1319_: f32;
-    var phi_1324_: f32;
-    var phi_1331_: f32;
-    var phi_1336_: f32;
-    var phi_1349_: f32;
-    var phi_1356_: f32;
-    var phi_1361_: f32;
-    var phi_1368_: f32;
-    var phi_1373_: f32;
-    var phi_1378_: f32;
-    var phi_1395_: f32;
-    var phi_1402_: f32;
-    var phi_1407_: f32;
-    var phi_1414_: f32;
-    var phi_1419_: f32;
-    var phi_1433_: f32;
-    var phi_1440_: f32;
-    var phi_1445_: f32;
-    var phi_1452_: f32;
-    var phi_1457_: f32;
-    var phi_1462_: f32;
-    var phi_1479_: f32;
-    var phi_1486_: f32;
-    var phi_1491_: f32;
-    var phi_1498_: f32;
-    var phi_1503_: f32;
-    var phi_1517_: f32;
-    var phi_1524_: f32;
-    var phi_1529_: f32;
-    var phi_1536_: f32;
-    var phi_1541_: f32;
-    var phi_1546_: f32;
-    var phi_1562_: type_19;
-    var phi_1565_: f32;
-    var phi_1563_: type_19;
-    var phi_1588_: type_19;
-    var phi_1699_: f32;
-    var phi_1706_: f32;
-    var phi_1714_: f32;
-    var phi_1758_: type_17;
-    var phi_1761_: f32;
-    var phi_1782_: bool;
-    var phi_1788_: type_18;
-    var phi_1759_: type_17;
-    var phi_1802_: type_18;
-    var phi_1762_: f32;
+    var phi_5464_: type_34;
+    var phi_5465_: bool;
+    var local_30: type_35;
+    var phi_5471_: type_34;
+    var phi_5472_: bool;
+    var phi_5476_: type_34;
+    var phi_1315_: f32;
+    var phi_1322_: f32;
+    var phi_1327_: f32;
+    var phi_1334_: f32;
+    var phi_1339_: f32;
+    var phi_1352_: f32;
+    var phi_1359_: f32;
+    var phi_1364_: f32;
+    var phi_1371_: f32;
+    var phi_1376_: f32;
+    var phi_1381_: f32;
+    var phi_1398_: f32;
+    var phi_1405_: f32;
+    var phi_1410_: f32;
+    var phi_1417_: f32;
+    var phi_1422_: f32;
+    var phi_1436_: f32;
+    var phi_1443_: f32;
+    var phi_1448_: f32;
+    var phi_1455_: f32;
+    var phi_1460_: f32;
+    var phi_1465_: f32;
+    var phi_1482_: f32;
+    var phi_1489_: f32;
+    var phi_1494_: f32;
+    var phi_1501_: f32;
+    var phi_1506_: f32;
+    var phi_1520_: f32;
+    var phi_1527_: f32;
+    var phi_1532_: f32;
+    var phi_1539_: f32;
+    var phi_1544_: f32;
+    var phi_1549_: f32;
+    var phi_1565_: type_9;
+    var phi_1568_: f32;
+    var phi_1566_: type_9;
+    var phi_1591_: type_9;
+    var phi_1702_: f32;
+    var phi_1709_: f32;
+    var phi_1717_: f32;
+    var phi_1761_: type_14;
+    var phi_1764_: f32;
+    var phi_1785_: bool;
+    var phi_1791_: type_15;
+    var phi_1762_: type_14;
+    var phi_1805_: type_15;
+    var phi_1765_: f32;
     var local_31: f32;
-    var phi_1751_: f32;
-    var phi_1815_: f32;
-    var phi_1824_: type_19;
-    var phi_1827_: f32;
-    var phi_1825_: type_19;
-    var phi_1850_: type_19;
-    var phi_1901_: f32;
-    var phi_1907_: f32;
-    var phi_1920_: bool;
-    var phi_1921_: bool;
-    var phi_1952_: f32;
-    var phi_1953_: f32;
-    var phi_1954_: f32;
-    var phi_1955_: bool;
-    var phi_1959_: bool;
-    var phi_1960_: f32;
-    var phi_1961_: bool;
+    var phi_1754_: f32;
+    var phi_1818_: f32;
+    var phi_1827_: type_9;
+    var phi_1830_: f32;
+    var phi_1828_: type_9;
+    var phi_1853_: type_9;
+    var phi_1904_: f32;
+    var phi_1910_: f32;
+    var phi_1923_: bool;
+    var phi_1924_: bool;
+    var phi_1955_: f32;
+    var phi_1956_: f32;
+    var phi_1957_: f32;
+    var phi_1958_: bool;
     var phi_1962_: bool;
-    var phi_1963_: bool;
-    var phi_1964_: f32;
+    var phi_1963_: f32;
+    var phi_1964_: bool;
     var phi_1965_: bool;
     var phi_1966_: bool;
-    var phi_1967_: bool;
-    var phi_1828_: f32;
+    var phi_1967_: f32;
     var phi_1968_: bool;
     var phi_1969_: bool;
     var phi_1970_: bool;
+    var phi_1831_: f32;
     var phi_1971_: bool;
+    var phi_1972_: bool;
+    var phi_1973_: bool;
+    var phi_1974_: bool;
     var local_32: bool;
     var local_33: f32;
     var local_34: f32;
     var local_35: f32;
-    var phi_1988_: bool;
-    var phi_1989_: bool;
-    var phi_1990_: bool;
     var phi_1991_: bool;
     var phi_1992_: bool;
     var phi_1993_: bool;
@@ -986,162 +990,165 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1998_: bool;
     var phi_1999_: bool;
     var phi_2000_: bool;
-    var phi_2001_: f32;
-    var phi_2002_: f32;
+    var phi_2001_: bool;
+    var phi_2002_: bool;
     var phi_2003_: bool;
-    var phi_2004_: bool;
-    var phi_2005_: bool;
+    var phi_2004_: f32;
+    var phi_2005_: f32;
     var phi_2006_: bool;
     var phi_2007_: bool;
     var phi_2008_: bool;
     var phi_2009_: bool;
-    var phi_2010_: f32;
-    var phi_2011_: f32;
+    var phi_2010_: bool;
+    var phi_2011_: bool;
     var phi_2012_: bool;
-    var phi_2013_: bool;
-    var phi_2014_: bool;
+    var phi_2013_: f32;
+    var phi_2014_: f32;
     var phi_2015_: bool;
     var phi_2016_: bool;
     var phi_2017_: bool;
     var phi_2018_: bool;
     var phi_2019_: bool;
-    var phi_2020_: f32;
-    var phi_1566_: f32;
+    var phi_2020_: bool;
     var phi_2021_: bool;
     var phi_2022_: bool;
-    var phi_2023_: bool;
+    var phi_2023_: f32;
+    var phi_1569_: f32;
     var phi_2024_: bool;
     var phi_2025_: bool;
     var phi_2026_: bool;
     var phi_2027_: bool;
     var phi_2028_: bool;
     var phi_2029_: bool;
+    var phi_2030_: bool;
+    var phi_2031_: bool;
+    var phi_2032_: bool;
     var local_36: bool;
-    var phi_2034_: type_32;
-    var phi_2035_: bool;
-    var phi_2036_: bool;
-    var phi_2037_: bool;
+    var phi_2037_: type_34;
     var phi_2038_: bool;
     var phi_2039_: bool;
     var phi_2040_: bool;
     var phi_2041_: bool;
-    var phi_2045_: f32;
-    var phi_2046_: bool;
-    var phi_2047_: bool;
-    var phi_2048_: bool;
+    var phi_2042_: bool;
+    var phi_2043_: bool;
+    var phi_2044_: bool;
+    var phi_2048_: f32;
     var phi_2049_: bool;
     var phi_2050_: bool;
     var phi_2051_: bool;
     var phi_2052_: bool;
-    var phi_2057_: type_32;
-    var phi_2058_: bool;
-    var phi_2059_: bool;
-    var phi_2060_: bool;
+    var phi_2053_: bool;
+    var phi_2054_: bool;
+    var phi_2055_: bool;
+    var phi_2060_: type_34;
     var phi_2061_: bool;
     var phi_2062_: bool;
     var phi_2063_: bool;
+    var phi_2064_: bool;
+    var phi_2065_: bool;
+    var phi_2066_: bool;
     var local_37: f32;
-    var phi_2068_: type_32;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2071_: bool;
+    var phi_2071_: type_34;
     var phi_2072_: bool;
     var phi_2073_: bool;
+    var phi_2074_: bool;
+    var phi_2075_: bool;
+    var phi_2076_: bool;
     var local_38: f32;
-    var phi_2078_: type_32;
-    var phi_2079_: bool;
-    var phi_2080_: bool;
-    var phi_2081_: bool;
+    var phi_2081_: type_34;
     var phi_2082_: bool;
+    var phi_2083_: bool;
+    var phi_2084_: bool;
+    var phi_2085_: bool;
     var local_39: f32;
-    var phi_2087_: type_32;
-    var phi_2088_: bool;
-    var phi_2089_: bool;
-    var phi_2090_: bool;
+    var phi_2090_: type_34;
     var phi_2091_: bool;
-    var phi_2095_: type_32;
-    var phi_2096_: bool;
-    var phi_2097_: bool;
-    var phi_2098_: bool;
-    var phi_2102_: bool;
-    var phi_2103_: bool;
-    var phi_2107_: bool;
-    var phi_2108_: bool;
-    var phi_2112_: bool;
-    var phi_2113_: bool;
+    var phi_2092_: bool;
+    var phi_2093_: bool;
+    var phi_2094_: bool;
+    var phi_2098_: type_34;
+    var phi_2099_: bool;
+    var phi_2100_: bool;
+    var phi_2101_: bool;
+    var phi_2105_: bool;
+    var phi_2106_: bool;
+    var phi_2110_: bool;
+    var phi_2111_: bool;
+    var phi_2115_: bool;
+    var phi_2116_: bool;
     var local_40: f32;
-    var phi_2118_: type_32;
-    var phi_2119_: bool;
-    var phi_2123_: type_32;
-    var phi_2137_: type_19;
-    var phi_2138_: type_19;
-    var phi_2161_: type_19;
-    var phi_2181_: f32;
-    var phi_2311_: type_17;
-    var phi_2314_: f32;
-    var phi_2335_: bool;
-    var phi_2341_: type_18;
-    var phi_2312_: type_17;
-    var phi_2355_: type_18;
-    var phi_2315_: f32;
+    var phi_2121_: type_34;
+    var phi_2122_: bool;
+    var phi_2126_: type_34;
+    var phi_2140_: type_9;
+    var phi_2141_: type_9;
+    var phi_2164_: type_9;
+    var phi_2184_: f32;
+    var phi_2314_: type_14;
+    var phi_2317_: f32;
+    var phi_2338_: bool;
+    var phi_2344_: type_15;
+    var phi_2315_: type_14;
+    var phi_2358_: type_15;
+    var phi_2318_: f32;
     var local_41: f32;
-    var phi_2304_: f32;
-    var phi_2368_: f32;
-    var phi_2384_: f32;
-    var phi_2391_: f32;
-    var phi_2396_: f32;
-    var phi_2403_: f32;
-    var phi_2408_: f32;
-    var phi_2421_: f32;
-    var phi_2428_: f32;
-    var phi_2433_: f32;
-    var phi_2440_: f32;
-    var phi_2445_: f32;
-    var phi_2450_: f32;
-    var phi_2467_: f32;
-    var phi_2474_: f32;
-    var phi_2479_: f32;
-    var phi_2486_: f32;
-    var phi_2491_: f32;
-    var phi_2505_: f32;
-    var phi_2512_: f32;
-    var phi_2517_: f32;
-    var phi_2524_: f32;
-    var phi_2529_: f32;
-    var phi_2534_: f32;
-    var phi_2551_: f32;
-    var phi_2558_: f32;
-    var phi_2563_: f32;
-    var phi_2570_: f32;
-    var phi_2575_: f32;
-    var phi_2589_: f32;
-    var phi_2596_: f32;
-    var phi_2601_: f32;
-    var phi_2608_: f32;
-    var phi_2613_: f32;
-    var phi_2618_: f32;
-    var phi_2638_: bool;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
+    var phi_2307_: f32;
+    var phi_2371_: f32;
+    var phi_2387_: f32;
+    var phi_2394_: f32;
+    var phi_2399_: f32;
+    var phi_2406_: f32;
+    var phi_2411_: f32;
+    var phi_2424_: f32;
+    var phi_2431_: f32;
+    var phi_2436_: f32;
+    var phi_2443_: f32;
+    var phi_2448_: f32;
+    var phi_2453_: f32;
+    var phi_2470_: f32;
+    var phi_2477_: f32;
+    var phi_2482_: f32;
+    var phi_2489_: f32;
+    var phi_2494_: f32;
+    var phi_2508_: f32;
+    var phi_2515_: f32;
+    var phi_2520_: f32;
+    var phi_2527_: f32;
+    var phi_2532_: f32;
+    var phi_2537_: f32;
+    var phi_2554_: f32;
+    var phi_2561_: f32;
+    var phi_2566_: f32;
+    var phi_2573_: f32;
+    var phi_2578_: f32;
+    var phi_2592_: f32;
+    var phi_2599_: f32;
+    var phi_2604_: f32;
+    var phi_2611_: f32;
+    var phi_2616_: f32;
+    var phi_2621_: f32;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
+    var phi_2643_: bool;
     var local_42: bool;
-    var phi_2645_: type_32;
-    var phi_2646_: bool;
-    var phi_2651_: type_32;
-    var phi_2652_: bool;
-    var phi_2654_: type_32;
-    var phi_2655_: type_32;
-    var phi_2656_: bool;
-    var phi_2660_: type_32;
-    var phi_5477_: type_32;
-    var phi_5478_: type_32;
-    var phi_5491_: type_34;
-    var phi_5498_: bool;
-    var phi_5522_: u32;
-    var phi_5526_: type_27;
-    var phi_5527_: bool;
-    var phi_5528_: bool;
-    var phi_5546_: u32;
-    var phi_5608_: u32;
+    var phi_2648_: type_34;
+    var phi_2649_: bool;
+    var phi_2654_: type_34;
+    var phi_2655_: bool;
+    var phi_2657_: type_34;
+    var phi_2658_: type_34;
+    var phi_2659_: bool;
+    var phi_2663_: type_34;
+    var phi_5480_: type_34;
+    var phi_5481_: type_34;
+    var phi_5494_: type_36;
+    var phi_5501_: bool;
+    var phi_5525_: u32;
+    var phi_5529_: type_20;
+    var phi_5530_: bool;
+    var phi_5531_: bool;
+    var phi_5550_: u32;
+    var phi_5613_: u32;
     var local_43: u32;
     var local_44: f32;
     var local_45: f32;
@@ -1190,3913 +1197,3912 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e94 = lane_2;
     let _e106 = ((_e92.y * _e93.x) + _e92.x);
     let _e109 = (_e93.x * _e93.y);
-    let _e111 = params.member.member_15;
-    let _e113 = input.member[0u];
-    if (_e111 < _e113) {
-        phi_207_ = _e111;
+    let _e112 = params.member.member_1.member_2;
+    let _e114 = input.member[0u];
+    if (_e112 < _e114) {
+        phi_211_ = _e112;
     } else {
-        phi_207_ = _e113;
+        phi_211_ = _e114;
     }
-    let _e116 = phi_207_;
-    let _e117 = (_e116 / 64u);
-    if ((_e116 % 64u) > 0u) {
-        phi_223_ = (_e117 + 1u);
+    let _e117 = phi_211_;
+    let _e118 = (_e117 / 64u);
+    if ((_e117 % 64u) > 0u) {
+        phi_227_ = (_e118 + 1u);
     } else {
-        phi_223_ = _e117;
+        phi_227_ = _e118;
     }
-    let _e122 = phi_223_;
-    if (_e122 > _e106) {
-        let _e124 = (_e122 - _e106);
+    let _e123 = phi_227_;
+    if (_e123 > _e106) {
+        let _e125 = (_e123 - _e106);
         if (_e109 == 0u) {
             return;
         }
-        let _e126 = (_e124 / _e109);
+        let _e127 = (_e125 / _e109);
         if (_e109 == 0u) {
             return;
         }
-        if ((_e124 % _e109) > 0u) {
-            phi_244_ = (_e126 + 1u);
+        if ((_e125 % _e109) > 0u) {
+            phi_248_ = (_e127 + 1u);
         } else {
-            phi_244_ = _e126;
+            phi_248_ = _e127;
         }
-        let _e132 = phi_244_;
-        phi_245_ = _e132;
+        let _e133 = phi_248_;
+        phi_249_ = _e133;
     } else {
-        phi_245_ = 0u;
+        phi_249_ = 0u;
     }
-    let _e134 = phi_245_;
-    phi_248_ = type_19(0u, _e134);
+    let _e135 = phi_249_;
+    phi_252_ = type_9(0u, _e135);
     loop {
-        let _e137 = phi_248_;
-        if (_e137.member < _e137.member_1) {
-            phi_249_ = type_19((_e137.member + 1u), _e137.member_1);
-            phi_272_ = type_19(1u, _e137.member);
+        let _e138 = phi_252_;
+        if (_e138.member < _e138.member_1) {
+            phi_253_ = type_9((_e138.member + 1u), _e138.member_1);
+            phi_276_ = type_9(1u, _e138.member);
         } else {
-            phi_249_ = _e137;
-            phi_272_ = type_19(0u, type_19().member_1);
+            phi_253_ = _e138;
+            phi_276_ = type_9(0u, type_9().member_1);
         }
-        let _e149 = phi_249_;
-        let _e151 = phi_272_;
-        let _e155 = (bitcast<i32>(_e151.member) != 0i);
-        if _e155 {
-            let _e159 = (((_e106 + (_e151.member_1 * _e109)) * 64u) + _e94);
-            let _e161 = params.member.member_8;
-            if (_e159 < _e116) {
-                let _e164 = (2u * _e159);
-                let _e167 = input.member[(4u + _e164)];
-                let _e170 = input.member[(_e164 + 5u)];
-                let _e172 = elements.member[_e167];
-                let _e174 = elements.member[_e170];
-                let _e180 = paths.member[_e172[0]];
-                let _e182 = paths.member[_e172[1]];
-                let _e188 = paths.member[_e174[0]];
-                let _e190 = paths.member[_e174[1]];
-                let _e220 = params.member.member_4;
-                local_12 = type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e188.member[0] - _e180.member[0]), (_e188.member[1] - _e180.member[1]), (_e188.member[2] - _e180.member[2])), array<f32, 3>((_e188.member_1[0] - _e180.member_1[0]), (_e188.member_1[1] - _e180.member_1[1]), (_e188.member_1[2] - _e180.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e182.member[0] - _e180.member[0]), (_e182.member[1] - _e180.member[1]), (_e182.member[2] - _e180.member[2])), array<f32, 3>((_e182.member_1[0] - _e180.member_1[0]), (_e182.member_1[1] - _e180.member_1[1]), (_e182.member_1[2] - _e180.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e188.member[0] - _e190.member[0]), (_e188.member[1] - _e190.member[1]), (_e188.member[2] - _e190.member[2])), array<f32, 3>((_e188.member_1[0] - _e190.member_1[0]), (_e188.member_1[1] - _e190.member_1[1]), (_e188.member_1[2] - _e190.member_1[2]))), (_e220 + _e220));
-                let _e251 = params.member.member_5;
-                let _e254 = local_12.member_1[0u];
-                let _e260 = local_12.member_2[0u];
-                let _e266 = ((_e254[1] * _e260[2]) - (_e254[2] * _e260[1]));
-                let _e269 = ((_e254[2] * _e260[0]) - (_e254[0] * _e260[2]));
-                let _e272 = ((_e254[0] * _e260[1]) - (_e254[1] * _e260[0]));
-                let _e275 = local_12.member_1[1u];
-                let _e281 = local_12.member_2[1u];
-                let _e287 = ((_e275[1] * _e281[2]) - (_e275[2] * _e281[1]));
-                let _e290 = ((_e275[2] * _e281[0]) - (_e275[0] * _e281[2]));
-                let _e293 = ((_e275[0] * _e281[1]) - (_e275[1] * _e281[0]));
-                let _e296 = local_12.member_1[0u];
-                let _e302 = local_12.member_2[1u];
-                let _e317 = local_12.member_1[1u];
-                let _e323 = local_12.member_2[0u];
-                let _e336 = (((_e296[1] * _e302[2]) - (_e296[2] * _e302[1])) + ((_e317[1] * _e323[2]) - (_e317[2] * _e323[1])));
-                let _e337 = (((_e296[2] * _e302[0]) - (_e296[0] * _e302[2])) + ((_e317[2] * _e323[0]) - (_e317[0] * _e323[2])));
-                let _e338 = (((_e296[0] * _e302[1]) - (_e296[1] * _e302[0])) + ((_e317[0] * _e323[1]) - (_e317[1] * _e323[0])));
-                let _e341 = local_12.member[0u];
-                let _e349 = (((_e341[0] * _e266) + (_e341[1] * _e269)) + (_e341[2] * _e272));
-                let _e352 = local_12.member[1u];
-                let _e363 = local_12.member[0u];
-                let _e372 = ((((_e352[0] * _e266) + (_e352[1] * _e269)) + (_e352[2] * _e272)) + (((_e363[0] * _e336) + (_e363[1] * _e337)) + (_e363[2] * _e338)));
-                let _e375 = local_12.member[0u];
-                let _e386 = local_12.member[1u];
-                let _e395 = ((((_e375[0] * _e287) + (_e375[1] * _e290)) + (_e375[2] * _e293)) + (((_e386[0] * _e336) + (_e386[1] * _e337)) + (_e386[2] * _e338)));
-                let _e398 = local_12.member[1u];
-                let _e406 = (((_e398[0] * _e287) + (_e398[1] * _e290)) + (_e398[2] * _e293));
-                let _e409 = local_12.member[0u];
-                if (_e409[0] < 0f) {
-                    phi_722_ = -(_e409[0]);
+        let _e150 = phi_253_;
+        let _e152 = phi_276_;
+        let _e156 = (bitcast<i32>(_e152.member) != 0i);
+        if _e156 {
+            let _e160 = (((_e106 + (_e152.member_1 * _e109)) * 64u) + _e94);
+            if (_e160 < _e117) {
+                let _e162 = (2u * _e160);
+                let _e165 = input.member[(4u + _e162)];
+                let _e168 = input.member[(_e162 + 5u)];
+                let _e171 = elements.member[_e165];
+                let _e173 = elements.member[_e168];
+                let _e179 = paths.member[_e171[0]];
+                let _e181 = paths.member[_e171[1]];
+                let _e187 = paths.member[_e173[0]];
+                let _e189 = paths.member[_e173[1]];
+                let _e219 = params.member.member.member_4;
+                local_12 = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e187.member[0] - _e179.member[0]), (_e187.member[1] - _e179.member[1]), (_e187.member[2] - _e179.member[2])), array<f32, 3>((_e187.member_1[0] - _e179.member_1[0]), (_e187.member_1[1] - _e179.member_1[1]), (_e187.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e181.member[0] - _e179.member[0]), (_e181.member[1] - _e179.member[1]), (_e181.member[2] - _e179.member[2])), array<f32, 3>((_e181.member_1[0] - _e179.member_1[0]), (_e181.member_1[1] - _e179.member_1[1]), (_e181.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e187.member[0] - _e189.member[0]), (_e187.member[1] - _e189.member[1]), (_e187.member[2] - _e189.member[2])), array<f32, 3>((_e187.member_1[0] - _e189.member_1[0]), (_e187.member_1[1] - _e189.member_1[1]), (_e187.member_1[2] - _e189.member_1[2]))), (_e219 + _e219));
+                let _e250 = params.member.member.member_5;
+                let _e253 = local_12.member_1[0u];
+                let _e259 = local_12.member_2[0u];
+                let _e265 = ((_e253[1] * _e259[2]) - (_e253[2] * _e259[1]));
+                let _e268 = ((_e253[2] * _e259[0]) - (_e253[0] * _e259[2]));
+                let _e271 = ((_e253[0] * _e259[1]) - (_e253[1] * _e259[0]));
+                let _e274 = local_12.member_1[1u];
+                let _e280 = local_12.member_2[1u];
+                let _e286 = ((_e274[1] * _e280[2]) - (_e274[2] * _e280[1]));
+                let _e289 = ((_e274[2] * _e280[0]) - (_e274[0] * _e280[2]));
+                let _e292 = ((_e274[0] * _e280[1]) - (_e274[1] * _e280[0]));
+                let _e295 = local_12.member_1[0u];
+                let _e301 = local_12.member_2[1u];
+                let _e316 = local_12.member_1[1u];
+                let _e322 = local_12.member_2[0u];
+                let _e335 = (((_e295[1] * _e301[2]) - (_e295[2] * _e301[1])) + ((_e316[1] * _e322[2]) - (_e316[2] * _e322[1])));
+                let _e336 = (((_e295[2] * _e301[0]) - (_e295[0] * _e301[2])) + ((_e316[2] * _e322[0]) - (_e316[0] * _e322[2])));
+                let _e337 = (((_e295[0] * _e301[1]) - (_e295[1] * _e301[0])) + ((_e316[0] * _e322[1]) - (_e316[1] * _e322[0])));
+                let _e340 = local_12.member[0u];
+                let _e348 = (((_e340[0] * _e265) + (_e340[1] * _e268)) + (_e340[2] * _e271));
+                let _e351 = local_12.member[1u];
+                let _e362 = local_12.member[0u];
+                let _e371 = ((((_e351[0] * _e265) + (_e351[1] * _e268)) + (_e351[2] * _e271)) + (((_e362[0] * _e335) + (_e362[1] * _e336)) + (_e362[2] * _e337)));
+                let _e374 = local_12.member[0u];
+                let _e385 = local_12.member[1u];
+                let _e394 = ((((_e374[0] * _e286) + (_e374[1] * _e289)) + (_e374[2] * _e292)) + (((_e385[0] * _e335) + (_e385[1] * _e336)) + (_e385[2] * _e337)));
+                let _e397 = local_12.member[1u];
+                let _e405 = (((_e397[0] * _e286) + (_e397[1] * _e289)) + (_e397[2] * _e292));
+                let _e408 = local_12.member[0u];
+                if (_e408[0] < 0f) {
+                    phi_725_ = -(_e408[0]);
                 } else {
-                    phi_722_ = _e409[0];
+                    phi_725_ = _e408[0];
                 }
-                let _e416 = phi_722_;
-                if (_e409[1] < 0f) {
-                    phi_729_ = -(_e409[1]);
+                let _e415 = phi_725_;
+                if (_e408[1] < 0f) {
+                    phi_732_ = -(_e408[1]);
                 } else {
-                    phi_729_ = _e409[1];
+                    phi_732_ = _e408[1];
                 }
-                let _e420 = phi_729_;
-                if (_e416 > _e420) {
-                    phi_734_ = _e416;
+                let _e419 = phi_732_;
+                if (_e415 > _e419) {
+                    phi_737_ = _e415;
                 } else {
-                    phi_734_ = _e420;
+                    phi_737_ = _e419;
                 }
-                let _e423 = phi_734_;
-                if (_e409[2] < 0f) {
-                    phi_741_ = -(_e409[2]);
+                let _e422 = phi_737_;
+                if (_e408[2] < 0f) {
+                    phi_744_ = -(_e408[2]);
                 } else {
-                    phi_741_ = _e409[2];
+                    phi_744_ = _e408[2];
                 }
-                let _e427 = phi_741_;
-                if (_e423 > _e427) {
-                    phi_746_ = _e423;
+                let _e426 = phi_744_;
+                if (_e422 > _e426) {
+                    phi_749_ = _e422;
                 } else {
-                    phi_746_ = _e427;
+                    phi_749_ = _e426;
                 }
-                let _e430 = phi_746_;
-                let _e433 = local_12.member[1u];
-                if (_e433[0] < 0f) {
-                    phi_759_ = -(_e433[0]);
+                let _e429 = phi_749_;
+                let _e432 = local_12.member[1u];
+                if (_e432[0] < 0f) {
+                    phi_762_ = -(_e432[0]);
                 } else {
-                    phi_759_ = _e433[0];
+                    phi_762_ = _e432[0];
                 }
-                let _e440 = phi_759_;
-                if (_e433[1] < 0f) {
-                    phi_766_ = -(_e433[1]);
+                let _e439 = phi_762_;
+                if (_e432[1] < 0f) {
+                    phi_769_ = -(_e432[1]);
                 } else {
-                    phi_766_ = _e433[1];
+                    phi_769_ = _e432[1];
                 }
-                let _e444 = phi_766_;
-                if (_e440 > _e444) {
-                    phi_771_ = _e440;
+                let _e443 = phi_769_;
+                if (_e439 > _e443) {
+                    phi_774_ = _e439;
                 } else {
-                    phi_771_ = _e444;
+                    phi_774_ = _e443;
                 }
-                let _e447 = phi_771_;
-                if (_e433[2] < 0f) {
-                    phi_778_ = -(_e433[2]);
+                let _e446 = phi_774_;
+                if (_e432[2] < 0f) {
+                    phi_781_ = -(_e432[2]);
                 } else {
-                    phi_778_ = _e433[2];
+                    phi_781_ = _e432[2];
                 }
-                let _e451 = phi_778_;
-                if (_e447 > _e451) {
-                    phi_783_ = _e447;
+                let _e450 = phi_781_;
+                if (_e446 > _e450) {
+                    phi_786_ = _e446;
                 } else {
-                    phi_783_ = _e451;
+                    phi_786_ = _e450;
                 }
-                let _e454 = phi_783_;
-                if (_e430 > _e454) {
-                    phi_788_ = _e430;
+                let _e453 = phi_786_;
+                if (_e429 > _e453) {
+                    phi_791_ = _e429;
                 } else {
-                    phi_788_ = _e454;
+                    phi_791_ = _e453;
                 }
-                let _e457 = phi_788_;
-                let _e459 = local_12.member_3;
-                let _e460 = (_e457 + _e459);
-                let _e463 = local_12.member_1[0u];
-                if (_e463[0] < 0f) {
-                    phi_805_ = -(_e463[0]);
+                let _e456 = phi_791_;
+                let _e458 = local_12.member_3;
+                let _e459 = (_e456 + _e458);
+                let _e462 = local_12.member_1[0u];
+                if (_e462[0] < 0f) {
+                    phi_808_ = -(_e462[0]);
                 } else {
-                    phi_805_ = _e463[0];
+                    phi_808_ = _e462[0];
                 }
-                let _e470 = phi_805_;
-                if (_e463[1] < 0f) {
-                    phi_812_ = -(_e463[1]);
+                let _e469 = phi_808_;
+                if (_e462[1] < 0f) {
+                    phi_815_ = -(_e462[1]);
                 } else {
-                    phi_812_ = _e463[1];
+                    phi_815_ = _e462[1];
                 }
-                let _e474 = phi_812_;
-                if (_e470 > _e474) {
-                    phi_817_ = _e470;
+                let _e473 = phi_815_;
+                if (_e469 > _e473) {
+                    phi_820_ = _e469;
                 } else {
-                    phi_817_ = _e474;
+                    phi_820_ = _e473;
                 }
-                let _e477 = phi_817_;
-                if (_e463[2] < 0f) {
-                    phi_824_ = -(_e463[2]);
+                let _e476 = phi_820_;
+                if (_e462[2] < 0f) {
+                    phi_827_ = -(_e462[2]);
                 } else {
-                    phi_824_ = _e463[2];
+                    phi_827_ = _e462[2];
                 }
-                let _e481 = phi_824_;
-                if (_e477 > _e481) {
-                    phi_829_ = _e477;
+                let _e480 = phi_827_;
+                if (_e476 > _e480) {
+                    phi_832_ = _e476;
                 } else {
-                    phi_829_ = _e481;
+                    phi_832_ = _e480;
                 }
-                let _e484 = phi_829_;
-                let _e487 = local_12.member_1[1u];
-                if (_e487[0] < 0f) {
-                    phi_843_ = -(_e487[0]);
+                let _e483 = phi_832_;
+                let _e486 = local_12.member_1[1u];
+                if (_e486[0] < 0f) {
+                    phi_846_ = -(_e486[0]);
                 } else {
-                    phi_843_ = _e487[0];
+                    phi_846_ = _e486[0];
                 }
-                let _e494 = phi_843_;
-                if (_e487[1] < 0f) {
-                    phi_850_ = -(_e487[1]);
+                let _e493 = phi_846_;
+                if (_e486[1] < 0f) {
+                    phi_853_ = -(_e486[1]);
                 } else {
-                    phi_850_ = _e487[1];
+                    phi_853_ = _e486[1];
                 }
-                let _e498 = phi_850_;
-                if (_e494 > _e498) {
-                    phi_855_ = _e494;
+                let _e497 = phi_853_;
+                if (_e493 > _e497) {
+                    phi_858_ = _e493;
                 } else {
-                    phi_855_ = _e498;
+                    phi_858_ = _e497;
                 }
-                let _e501 = phi_855_;
-                if (_e487[2] < 0f) {
-                    phi_862_ = -(_e487[2]);
+                let _e500 = phi_858_;
+                if (_e486[2] < 0f) {
+                    phi_865_ = -(_e486[2]);
                 } else {
-                    phi_862_ = _e487[2];
+                    phi_865_ = _e486[2];
                 }
-                let _e505 = phi_862_;
-                if (_e501 > _e505) {
-                    phi_867_ = _e501;
+                let _e504 = phi_865_;
+                if (_e500 > _e504) {
+                    phi_870_ = _e500;
                 } else {
-                    phi_867_ = _e505;
+                    phi_870_ = _e504;
                 }
-                let _e508 = phi_867_;
-                if (_e484 > _e508) {
-                    phi_872_ = _e484;
+                let _e507 = phi_870_;
+                if (_e483 > _e507) {
+                    phi_875_ = _e483;
                 } else {
-                    phi_872_ = _e508;
+                    phi_875_ = _e507;
                 }
-                let _e511 = phi_872_;
-                let _e513 = local_12.member_3;
-                let _e514 = (_e511 + _e513);
-                let _e517 = local_12.member_2[0u];
-                if (_e517[0] < 0f) {
-                    phi_889_ = -(_e517[0]);
+                let _e510 = phi_875_;
+                let _e512 = local_12.member_3;
+                let _e513 = (_e510 + _e512);
+                let _e516 = local_12.member_2[0u];
+                if (_e516[0] < 0f) {
+                    phi_892_ = -(_e516[0]);
                 } else {
-                    phi_889_ = _e517[0];
+                    phi_892_ = _e516[0];
                 }
-                let _e524 = phi_889_;
-                if (_e517[1] < 0f) {
-                    phi_896_ = -(_e517[1]);
+                let _e523 = phi_892_;
+                if (_e516[1] < 0f) {
+                    phi_899_ = -(_e516[1]);
                 } else {
-                    phi_896_ = _e517[1];
+                    phi_899_ = _e516[1];
                 }
-                let _e528 = phi_896_;
-                if (_e524 > _e528) {
-                    phi_901_ = _e524;
+                let _e527 = phi_899_;
+                if (_e523 > _e527) {
+                    phi_904_ = _e523;
                 } else {
-                    phi_901_ = _e528;
+                    phi_904_ = _e527;
                 }
-                let _e531 = phi_901_;
-                if (_e517[2] < 0f) {
-                    phi_908_ = -(_e517[2]);
+                let _e530 = phi_904_;
+                if (_e516[2] < 0f) {
+                    phi_911_ = -(_e516[2]);
                 } else {
-                    phi_908_ = _e517[2];
+                    phi_911_ = _e516[2];
                 }
-                let _e535 = phi_908_;
-                if (_e531 > _e535) {
-                    phi_913_ = _e531;
+                let _e534 = phi_911_;
+                if (_e530 > _e534) {
+                    phi_916_ = _e530;
                 } else {
-                    phi_913_ = _e535;
+                    phi_916_ = _e534;
                 }
-                let _e538 = phi_913_;
-                let _e541 = local_12.member_2[1u];
-                if (_e541[0] < 0f) {
-                    phi_927_ = -(_e541[0]);
+                let _e537 = phi_916_;
+                let _e540 = local_12.member_2[1u];
+                if (_e540[0] < 0f) {
+                    phi_930_ = -(_e540[0]);
                 } else {
-                    phi_927_ = _e541[0];
+                    phi_930_ = _e540[0];
                 }
-                let _e548 = phi_927_;
-                if (_e541[1] < 0f) {
-                    phi_934_ = -(_e541[1]);
+                let _e547 = phi_930_;
+                if (_e540[1] < 0f) {
+                    phi_937_ = -(_e540[1]);
                 } else {
-                    phi_934_ = _e541[1];
+                    phi_937_ = _e540[1];
                 }
-                let _e552 = phi_934_;
-                if (_e548 > _e552) {
-                    phi_939_ = _e548;
+                let _e551 = phi_937_;
+                if (_e547 > _e551) {
+                    phi_942_ = _e547;
                 } else {
-                    phi_939_ = _e552;
+                    phi_942_ = _e551;
                 }
-                let _e555 = phi_939_;
-                if (_e541[2] < 0f) {
-                    phi_946_ = -(_e541[2]);
+                let _e554 = phi_942_;
+                if (_e540[2] < 0f) {
+                    phi_949_ = -(_e540[2]);
                 } else {
-                    phi_946_ = _e541[2];
+                    phi_949_ = _e540[2];
                 }
-                let _e559 = phi_946_;
-                if (_e555 > _e559) {
-                    phi_951_ = _e555;
+                let _e558 = phi_949_;
+                if (_e554 > _e558) {
+                    phi_954_ = _e554;
                 } else {
-                    phi_951_ = _e559;
+                    phi_954_ = _e558;
                 }
-                let _e562 = phi_951_;
-                if (_e538 > _e562) {
-                    phi_956_ = _e538;
+                let _e561 = phi_954_;
+                if (_e537 > _e561) {
+                    phi_959_ = _e537;
                 } else {
-                    phi_956_ = _e562;
+                    phi_959_ = _e561;
                 }
-                let _e565 = phi_956_;
-                let _e567 = local_12.member_3;
-                let _e568 = (_e565 + _e567);
-                let _e570 = ((_e514 * 8f) * _e568);
-                let _e577 = local_12.member_3;
-                if (_e266 < 0f) {
-                    phi_987_ = -(_e266);
+                let _e564 = phi_959_;
+                let _e566 = local_12.member_3;
+                let _e567 = (_e564 + _e566);
+                let _e569 = ((_e513 * 8f) * _e567);
+                let _e576 = local_12.member_3;
+                if (_e265 < 0f) {
+                    phi_990_ = -(_e265);
                 } else {
-                    phi_987_ = _e266;
+                    phi_990_ = _e265;
                 }
-                let _e594 = phi_987_;
-                if (_e269 < 0f) {
-                    phi_993_ = -(_e269);
+                let _e593 = phi_990_;
+                if (_e268 < 0f) {
+                    phi_996_ = -(_e268);
                 } else {
-                    phi_993_ = _e269;
+                    phi_996_ = _e268;
                 }
-                let _e598 = phi_993_;
-                if (_e272 < 0f) {
-                    phi_1000_ = -(_e272);
+                let _e597 = phi_996_;
+                if (_e271 < 0f) {
+                    phi_1003_ = -(_e271);
                 } else {
-                    phi_1000_ = _e272;
+                    phi_1003_ = _e271;
                 }
-                let _e603 = phi_1000_;
-                let _e604 = ((_e594 + _e598) + _e603);
-                if (_e287 < 0f) {
-                    phi_1007_ = -(_e287);
+                let _e602 = phi_1003_;
+                let _e603 = ((_e593 + _e597) + _e602);
+                if (_e286 < 0f) {
+                    phi_1010_ = -(_e286);
                 } else {
-                    phi_1007_ = _e287;
+                    phi_1010_ = _e286;
                 }
-                let _e608 = phi_1007_;
-                if (_e290 < 0f) {
-                    phi_1013_ = -(_e290);
+                let _e607 = phi_1010_;
+                if (_e289 < 0f) {
+                    phi_1016_ = -(_e289);
                 } else {
-                    phi_1013_ = _e290;
+                    phi_1016_ = _e289;
                 }
-                let _e612 = phi_1013_;
-                if (_e293 < 0f) {
-                    phi_1020_ = -(_e293);
+                let _e611 = phi_1016_;
+                if (_e292 < 0f) {
+                    phi_1023_ = -(_e292);
                 } else {
-                    phi_1020_ = _e293;
+                    phi_1023_ = _e292;
                 }
-                let _e617 = phi_1020_;
-                let _e618 = ((_e608 + _e612) + _e617);
-                if (_e604 > _e618) {
-                    phi_1026_ = _e604;
+                let _e616 = phi_1023_;
+                let _e617 = ((_e607 + _e611) + _e616);
+                if (_e603 > _e617) {
+                    phi_1029_ = _e603;
                 } else {
-                    phi_1026_ = _e618;
+                    phi_1029_ = _e617;
                 }
-                let _e621 = phi_1026_;
+                let _e620 = phi_1029_;
+                if (_e335 < 0f) {
+                    phi_1035_ = -(_e335);
+                } else {
+                    phi_1035_ = _e335;
+                }
+                let _e624 = phi_1035_;
                 if (_e336 < 0f) {
-                    phi_1032_ = -(_e336);
+                    phi_1041_ = -(_e336);
                 } else {
-                    phi_1032_ = _e336;
+                    phi_1041_ = _e336;
                 }
-                let _e625 = phi_1032_;
+                let _e628 = phi_1041_;
                 if (_e337 < 0f) {
-                    phi_1038_ = -(_e337);
+                    phi_1048_ = -(_e337);
                 } else {
-                    phi_1038_ = _e337;
+                    phi_1048_ = _e337;
                 }
-                let _e629 = phi_1038_;
-                if (_e338 < 0f) {
-                    phi_1045_ = -(_e338);
+                let _e633 = phi_1048_;
+                let _e635 = (((_e624 + _e628) + _e633) * 0.5f);
+                if (_e620 > _e635) {
+                    phi_1055_ = _e620;
                 } else {
-                    phi_1045_ = _e338;
+                    phi_1055_ = _e635;
                 }
-                let _e634 = phi_1045_;
-                let _e636 = (((_e625 + _e629) + _e634) * 0.5f);
-                if (_e621 > _e636) {
-                    phi_1052_ = _e621;
+                let _e638 = phi_1055_;
+                let _e643 = local_12.member_3;
+                let _e655 = (((((_e459 * 8f) * _e569) * (0.000000059604645f * (490f / 64f))) + ((_e576 * 19f) * ((_e459 * (_e513 + _e567)) + (_e513 * _e567)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e459) * ((1f + _e513) * (1f + _e567)))));
+                let _e656 = (_e348 * 3f);
+                let _e657 = (_e405 * 3f);
+                if (_e656 < _e657) {
+                    phi_1079_ = _e656;
                 } else {
-                    phi_1052_ = _e636;
+                    phi_1079_ = _e657;
                 }
-                let _e639 = phi_1052_;
-                let _e644 = local_12.member_3;
-                let _e656 = (((((_e460 * 8f) * _e570) * (0.000000059604645f * (490f / 64f))) + ((_e577 * 19f) * ((_e460 * (_e514 + _e568)) + (_e514 * _e568)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e460) * ((1f + _e514) * (1f + _e568)))));
-                let _e657 = (_e349 * 3f);
-                let _e658 = (_e406 * 3f);
-                if (_e657 < _e658) {
-                    phi_1076_ = _e657;
+                let _e660 = phi_1079_;
+                if (_e371 < _e394) {
+                    phi_1084_ = _e371;
                 } else {
-                    phi_1076_ = _e658;
+                    phi_1084_ = _e394;
                 }
-                let _e661 = phi_1076_;
-                if (_e372 < _e395) {
-                    phi_1081_ = _e372;
+                let _e663 = phi_1084_;
+                if (_e660 < _e663) {
+                    phi_1089_ = _e660;
                 } else {
-                    phi_1081_ = _e395;
+                    phi_1089_ = _e663;
                 }
-                let _e664 = phi_1081_;
-                if (_e661 < _e664) {
-                    phi_1086_ = _e661;
+                let _e666 = phi_1089_;
+                if (_e656 > _e657) {
+                    phi_1094_ = _e656;
                 } else {
-                    phi_1086_ = _e664;
+                    phi_1094_ = _e657;
                 }
-                let _e667 = phi_1086_;
-                if (_e657 > _e658) {
-                    phi_1091_ = _e657;
+                let _e669 = phi_1094_;
+                if (_e371 > _e394) {
+                    phi_1099_ = _e371;
                 } else {
-                    phi_1091_ = _e658;
+                    phi_1099_ = _e394;
                 }
-                let _e670 = phi_1091_;
-                if (_e372 > _e395) {
-                    phi_1096_ = _e372;
+                let _e672 = phi_1099_;
+                if (_e669 > _e672) {
+                    phi_1104_ = _e669;
                 } else {
-                    phi_1096_ = _e395;
+                    phi_1104_ = _e672;
                 }
-                let _e673 = phi_1096_;
-                if (_e670 > _e673) {
-                    phi_1101_ = _e670;
+                let _e675 = phi_1104_;
+                let _e680 = -(_e675);
+                if (_e666 > _e680) {
+                    phi_1114_ = _e666;
                 } else {
-                    phi_1101_ = _e673;
+                    phi_1114_ = _e680;
                 }
-                let _e676 = phi_1101_;
-                let _e681 = -(_e676);
-                if (_e667 > _e681) {
-                    phi_1111_ = _e667;
+                let _e683 = phi_1114_;
+                if ((_e683 - (_e655 + ((_e250 * (((_e638 + (_e569 * (0.000000059604645f * 4f))) + ((_e643 * 6f) * (_e513 + _e567))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e513) * (1f + _e567))))) * (3f * 1.0001f)))) > 0f) {
+                    phi_5481_ = type_34(0u, type_34().member_1);
                 } else {
-                    phi_1111_ = _e681;
-                }
-                let _e684 = phi_1111_;
-                if ((_e684 - (_e656 + ((_e251 * (((_e639 + (_e570 * (0.000000059604645f * 4f))) + ((_e644 * 6f) * (_e514 + _e568))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e514) * (1f + _e568))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_5478_ = type_32(0u, type_32().member_1);
-                } else {
-                    if (_e251 > 0f) {
-                        let _e2719 = local_12.member[0u];
-                        let _e2725 = local_12.member_1[0u];
-                        let _e2731 = local_12.member_2[0u];
-                        let _e2735 = (_e2719[0] - _e2725[0]);
-                        let _e2736 = (_e2719[1] - _e2725[1]);
-                        let _e2737 = (_e2719[2] - _e2725[2]);
-                        local_9 = array<array<f32, 3>, 4>(_e2719, array<f32, 3>(_e2735, _e2736, _e2737), array<f32, 3>((_e2719[0] - _e2731[0]), (_e2719[1] - _e2731[1]), (_e2719[2] - _e2731[2])), array<f32, 3>((_e2735 - _e2731[0]), (_e2736 - _e2731[1]), (_e2737 - _e2731[2])));
-                        let _e2750 = local_12.member[1u];
-                        let _e2756 = local_12.member_1[1u];
-                        let _e2762 = local_12.member_2[1u];
-                        let _e2766 = (_e2750[0] - _e2756[0]);
-                        let _e2767 = (_e2750[1] - _e2756[1]);
-                        let _e2768 = (_e2750[2] - _e2756[2]);
-                        local_10 = array<array<f32, 3>, 4>(_e2750, array<f32, 3>(_e2766, _e2767, _e2768), array<f32, 3>((_e2750[0] - _e2762[0]), (_e2750[1] - _e2762[1]), (_e2750[2] - _e2762[2])), array<f32, 3>((_e2766 - _e2762[0]), (_e2767 - _e2762[1]), (_e2768 - _e2762[2])));
-                        let _e2781 = local_12.member[0u];
-                        if (_e2781[0] < 0f) {
-                            phi_1312_ = -(_e2781[0]);
+                    if (_e250 > 0f) {
+                        let _e2718 = local_12.member[0u];
+                        let _e2724 = local_12.member_1[0u];
+                        let _e2730 = local_12.member_2[0u];
+                        let _e2734 = (_e2718[0] - _e2724[0]);
+                        let _e2735 = (_e2718[1] - _e2724[1]);
+                        let _e2736 = (_e2718[2] - _e2724[2]);
+                        local_9 = array<array<f32, 3>, 4>(_e2718, array<f32, 3>(_e2734, _e2735, _e2736), array<f32, 3>((_e2718[0] - _e2730[0]), (_e2718[1] - _e2730[1]), (_e2718[2] - _e2730[2])), array<f32, 3>((_e2734 - _e2730[0]), (_e2735 - _e2730[1]), (_e2736 - _e2730[2])));
+                        let _e2749 = local_12.member[1u];
+                        let _e2755 = local_12.member_1[1u];
+                        let _e2761 = local_12.member_2[1u];
+                        let _e2765 = (_e2749[0] - _e2755[0]);
+                        let _e2766 = (_e2749[1] - _e2755[1]);
+                        let _e2767 = (_e2749[2] - _e2755[2]);
+                        local_10 = array<array<f32, 3>, 4>(_e2749, array<f32, 3>(_e2765, _e2766, _e2767), array<f32, 3>((_e2749[0] - _e2761[0]), (_e2749[1] - _e2761[1]), (_e2749[2] - _e2761[2])), array<f32, 3>((_e2765 - _e2761[0]), (_e2766 - _e2761[1]), (_e2767 - _e2761[2])));
+                        let _e2780 = local_12.member[0u];
+                        if (_e2780[0] < 0f) {
+                            phi_1315_ = -(_e2780[0]);
                         } else {
-                            phi_1312_ = _e2781[0];
+                            phi_1315_ = _e2780[0];
                         }
-                        let _e2788 = phi_1312_;
-                        if (_e2781[1] < 0f) {
-                            phi_1319_ = -(_e2781[1]);
+                        let _e2787 = phi_1315_;
+                        if (_e2780[1] < 0f) {
+                            phi_1322_ = -(_e2780[1]);
                         } else {
-                            phi_1319_ = _e2781[1];
+                            phi_1322_ = _e2780[1];
                         }
-                        let _e2792 = phi_1319_;
-                        if (_e2788 > _e2792) {
-                            phi_1324_ = _e2788;
+                        let _e2791 = phi_1322_;
+                        if (_e2787 > _e2791) {
+                            phi_1327_ = _e2787;
                         } else {
-                            phi_1324_ = _e2792;
+                            phi_1327_ = _e2791;
                         }
-                        let _e2795 = phi_1324_;
-                        if (_e2781[2] < 0f) {
-                            phi_1331_ = -(_e2781[2]);
+                        let _e2794 = phi_1327_;
+                        if (_e2780[2] < 0f) {
+                            phi_1334_ = -(_e2780[2]);
                         } else {
-                            phi_1331_ = _e2781[2];
+                            phi_1334_ = _e2780[2];
                         }
-                        let _e2799 = phi_1331_;
-                        if (_e2795 > _e2799) {
-                            phi_1336_ = _e2795;
+                        let _e2798 = phi_1334_;
+                        if (_e2794 > _e2798) {
+                            phi_1339_ = _e2794;
                         } else {
-                            phi_1336_ = _e2799;
+                            phi_1339_ = _e2798;
                         }
-                        let _e2802 = phi_1336_;
-                        let _e2805 = local_12.member[1u];
-                        if (_e2805[0] < 0f) {
-                            phi_1349_ = -(_e2805[0]);
+                        let _e2801 = phi_1339_;
+                        let _e2804 = local_12.member[1u];
+                        if (_e2804[0] < 0f) {
+                            phi_1352_ = -(_e2804[0]);
                         } else {
-                            phi_1349_ = _e2805[0];
+                            phi_1352_ = _e2804[0];
                         }
-                        let _e2812 = phi_1349_;
-                        if (_e2805[1] < 0f) {
-                            phi_1356_ = -(_e2805[1]);
+                        let _e2811 = phi_1352_;
+                        if (_e2804[1] < 0f) {
+                            phi_1359_ = -(_e2804[1]);
                         } else {
-                            phi_1356_ = _e2805[1];
+                            phi_1359_ = _e2804[1];
                         }
-                        let _e2816 = phi_1356_;
-                        if (_e2812 > _e2816) {
-                            phi_1361_ = _e2812;
+                        let _e2815 = phi_1359_;
+                        if (_e2811 > _e2815) {
+                            phi_1364_ = _e2811;
                         } else {
-                            phi_1361_ = _e2816;
+                            phi_1364_ = _e2815;
                         }
-                        let _e2819 = phi_1361_;
-                        if (_e2805[2] < 0f) {
-                            phi_1368_ = -(_e2805[2]);
+                        let _e2818 = phi_1364_;
+                        if (_e2804[2] < 0f) {
+                            phi_1371_ = -(_e2804[2]);
                         } else {
-                            phi_1368_ = _e2805[2];
+                            phi_1371_ = _e2804[2];
                         }
-                        let _e2823 = phi_1368_;
-                        if (_e2819 > _e2823) {
-                            phi_1373_ = _e2819;
+                        let _e2822 = phi_1371_;
+                        if (_e2818 > _e2822) {
+                            phi_1376_ = _e2818;
                         } else {
-                            phi_1373_ = _e2823;
+                            phi_1376_ = _e2822;
                         }
-                        let _e2826 = phi_1373_;
-                        if (_e2802 > _e2826) {
-                            phi_1378_ = _e2802;
+                        let _e2825 = phi_1376_;
+                        if (_e2801 > _e2825) {
+                            phi_1381_ = _e2801;
                         } else {
-                            phi_1378_ = _e2826;
+                            phi_1381_ = _e2825;
                         }
-                        let _e2829 = phi_1378_;
-                        let _e2831 = local_12.member_3;
-                        let _e2835 = local_12.member_1[0u];
-                        if (_e2835[0] < 0f) {
-                            phi_1395_ = -(_e2835[0]);
+                        let _e2828 = phi_1381_;
+                        let _e2830 = local_12.member_3;
+                        let _e2834 = local_12.member_1[0u];
+                        if (_e2834[0] < 0f) {
+                            phi_1398_ = -(_e2834[0]);
                         } else {
-                            phi_1395_ = _e2835[0];
+                            phi_1398_ = _e2834[0];
                         }
-                        let _e2842 = phi_1395_;
-                        if (_e2835[1] < 0f) {
-                            phi_1402_ = -(_e2835[1]);
+                        let _e2841 = phi_1398_;
+                        if (_e2834[1] < 0f) {
+                            phi_1405_ = -(_e2834[1]);
                         } else {
-                            phi_1402_ = _e2835[1];
+                            phi_1405_ = _e2834[1];
                         }
-                        let _e2846 = phi_1402_;
-                        if (_e2842 > _e2846) {
-                            phi_1407_ = _e2842;
+                        let _e2845 = phi_1405_;
+                        if (_e2841 > _e2845) {
+                            phi_1410_ = _e2841;
                         } else {
-                            phi_1407_ = _e2846;
+                            phi_1410_ = _e2845;
                         }
-                        let _e2849 = phi_1407_;
-                        if (_e2835[2] < 0f) {
-                            phi_1414_ = -(_e2835[2]);
+                        let _e2848 = phi_1410_;
+                        if (_e2834[2] < 0f) {
+                            phi_1417_ = -(_e2834[2]);
                         } else {
-                            phi_1414_ = _e2835[2];
+                            phi_1417_ = _e2834[2];
                         }
-                        let _e2853 = phi_1414_;
-                        if (_e2849 > _e2853) {
-                            phi_1419_ = _e2849;
+                        let _e2852 = phi_1417_;
+                        if (_e2848 > _e2852) {
+                            phi_1422_ = _e2848;
                         } else {
-                            phi_1419_ = _e2853;
+                            phi_1422_ = _e2852;
                         }
-                        let _e2856 = phi_1419_;
-                        let _e2859 = local_12.member_1[1u];
-                        if (_e2859[0] < 0f) {
-                            phi_1433_ = -(_e2859[0]);
+                        let _e2855 = phi_1422_;
+                        let _e2858 = local_12.member_1[1u];
+                        if (_e2858[0] < 0f) {
+                            phi_1436_ = -(_e2858[0]);
                         } else {
-                            phi_1433_ = _e2859[0];
+                            phi_1436_ = _e2858[0];
                         }
-                        let _e2866 = phi_1433_;
-                        if (_e2859[1] < 0f) {
-                            phi_1440_ = -(_e2859[1]);
+                        let _e2865 = phi_1436_;
+                        if (_e2858[1] < 0f) {
+                            phi_1443_ = -(_e2858[1]);
                         } else {
-                            phi_1440_ = _e2859[1];
+                            phi_1443_ = _e2858[1];
                         }
-                        let _e2870 = phi_1440_;
-                        if (_e2866 > _e2870) {
-                            phi_1445_ = _e2866;
+                        let _e2869 = phi_1443_;
+                        if (_e2865 > _e2869) {
+                            phi_1448_ = _e2865;
                         } else {
-                            phi_1445_ = _e2870;
+                            phi_1448_ = _e2869;
                         }
-                        let _e2873 = phi_1445_;
-                        if (_e2859[2] < 0f) {
-                            phi_1452_ = -(_e2859[2]);
+                        let _e2872 = phi_1448_;
+                        if (_e2858[2] < 0f) {
+                            phi_1455_ = -(_e2858[2]);
                         } else {
-                            phi_1452_ = _e2859[2];
+                            phi_1455_ = _e2858[2];
                         }
-                        let _e2877 = phi_1452_;
-                        if (_e2873 > _e2877) {
-                            phi_1457_ = _e2873;
+                        let _e2876 = phi_1455_;
+                        if (_e2872 > _e2876) {
+                            phi_1460_ = _e2872;
                         } else {
-                            phi_1457_ = _e2877;
+                            phi_1460_ = _e2876;
                         }
-                        let _e2880 = phi_1457_;
-                        if (_e2856 > _e2880) {
-                            phi_1462_ = _e2856;
+                        let _e2879 = phi_1460_;
+                        if (_e2855 > _e2879) {
+                            phi_1465_ = _e2855;
                         } else {
-                            phi_1462_ = _e2880;
+                            phi_1465_ = _e2879;
                         }
-                        let _e2883 = phi_1462_;
-                        let _e2885 = local_12.member_3;
-                        let _e2889 = local_12.member_2[0u];
-                        if (_e2889[0] < 0f) {
-                            phi_1479_ = -(_e2889[0]);
+                        let _e2882 = phi_1465_;
+                        let _e2884 = local_12.member_3;
+                        let _e2888 = local_12.member_2[0u];
+                        if (_e2888[0] < 0f) {
+                            phi_1482_ = -(_e2888[0]);
                         } else {
-                            phi_1479_ = _e2889[0];
+                            phi_1482_ = _e2888[0];
                         }
-                        let _e2896 = phi_1479_;
-                        if (_e2889[1] < 0f) {
-                            phi_1486_ = -(_e2889[1]);
+                        let _e2895 = phi_1482_;
+                        if (_e2888[1] < 0f) {
+                            phi_1489_ = -(_e2888[1]);
                         } else {
-                            phi_1486_ = _e2889[1];
+                            phi_1489_ = _e2888[1];
                         }
-                        let _e2900 = phi_1486_;
-                        if (_e2896 > _e2900) {
-                            phi_1491_ = _e2896;
+                        let _e2899 = phi_1489_;
+                        if (_e2895 > _e2899) {
+                            phi_1494_ = _e2895;
                         } else {
-                            phi_1491_ = _e2900;
+                            phi_1494_ = _e2899;
                         }
-                        let _e2903 = phi_1491_;
-                        if (_e2889[2] < 0f) {
-                            phi_1498_ = -(_e2889[2]);
+                        let _e2902 = phi_1494_;
+                        if (_e2888[2] < 0f) {
+                            phi_1501_ = -(_e2888[2]);
                         } else {
-                            phi_1498_ = _e2889[2];
+                            phi_1501_ = _e2888[2];
                         }
-                        let _e2907 = phi_1498_;
-                        if (_e2903 > _e2907) {
-                            phi_1503_ = _e2903;
+                        let _e2906 = phi_1501_;
+                        if (_e2902 > _e2906) {
+                            phi_1506_ = _e2902;
                         } else {
-                            phi_1503_ = _e2907;
+                            phi_1506_ = _e2906;
                         }
-                        let _e2910 = phi_1503_;
-                        let _e2913 = local_12.member_2[1u];
-                        if (_e2913[0] < 0f) {
-                            phi_1517_ = -(_e2913[0]);
+                        let _e2909 = phi_1506_;
+                        let _e2912 = local_12.member_2[1u];
+                        if (_e2912[0] < 0f) {
+                            phi_1520_ = -(_e2912[0]);
                         } else {
-                            phi_1517_ = _e2913[0];
+                            phi_1520_ = _e2912[0];
                         }
-                        let _e2920 = phi_1517_;
-                        if (_e2913[1] < 0f) {
-                            phi_1524_ = -(_e2913[1]);
+                        let _e2919 = phi_1520_;
+                        if (_e2912[1] < 0f) {
+                            phi_1527_ = -(_e2912[1]);
                         } else {
-                            phi_1524_ = _e2913[1];
+                            phi_1527_ = _e2912[1];
                         }
-                        let _e2924 = phi_1524_;
-                        if (_e2920 > _e2924) {
-                            phi_1529_ = _e2920;
+                        let _e2923 = phi_1527_;
+                        if (_e2919 > _e2923) {
+                            phi_1532_ = _e2919;
                         } else {
-                            phi_1529_ = _e2924;
+                            phi_1532_ = _e2923;
                         }
-                        let _e2927 = phi_1529_;
-                        if (_e2913[2] < 0f) {
-                            phi_1536_ = -(_e2913[2]);
+                        let _e2926 = phi_1532_;
+                        if (_e2912[2] < 0f) {
+                            phi_1539_ = -(_e2912[2]);
                         } else {
-                            phi_1536_ = _e2913[2];
+                            phi_1539_ = _e2912[2];
                         }
-                        let _e2931 = phi_1536_;
-                        if (_e2927 > _e2931) {
-                            phi_1541_ = _e2927;
+                        let _e2930 = phi_1539_;
+                        if (_e2926 > _e2930) {
+                            phi_1544_ = _e2926;
                         } else {
-                            phi_1541_ = _e2931;
+                            phi_1544_ = _e2930;
                         }
-                        let _e2934 = phi_1541_;
-                        if (_e2910 > _e2934) {
-                            phi_1546_ = _e2910;
+                        let _e2933 = phi_1544_;
+                        if (_e2909 > _e2933) {
+                            phi_1549_ = _e2909;
                         } else {
-                            phi_1546_ = _e2934;
+                            phi_1549_ = _e2933;
                         }
-                        let _e2937 = phi_1546_;
-                        let _e2939 = local_12.member_3;
-                        let _e2946 = local_12.member_3;
-                        phi_1562_ = type_19(0u, 48u);
-                        phi_1565_ = 0f;
+                        let _e2936 = phi_1549_;
+                        let _e2938 = local_12.member_3;
+                        let _e2945 = local_12.member_3;
+                        phi_1565_ = type_9(0u, 48u);
+                        phi_1568_ = 0f;
                         loop {
-                            let _e2952 = phi_1562_;
-                            let _e2954 = phi_1565_;
-                            local_77 = _e2954;
-                            local_37 = _e2954;
-                            local_38 = _e2954;
-                            local_39 = _e2954;
-                            local_40 = _e2954;
-                            if (_e2952.member < _e2952.member_1) {
-                                phi_1563_ = type_19((_e2952.member + 1u), _e2952.member_1);
-                                phi_1588_ = type_19(1u, _e2952.member);
+                            let _e2951 = phi_1565_;
+                            let _e2953 = phi_1568_;
+                            local_77 = _e2953;
+                            local_37 = _e2953;
+                            local_38 = _e2953;
+                            local_39 = _e2953;
+                            local_40 = _e2953;
+                            if (_e2951.member < _e2951.member_1) {
+                                phi_1566_ = type_9((_e2951.member + 1u), _e2951.member_1);
+                                phi_1591_ = type_9(1u, _e2951.member);
                             } else {
-                                phi_1563_ = _e2952;
-                                phi_1588_ = type_19(0u, type_19().member_1);
+                                phi_1566_ = _e2951;
+                                phi_1591_ = type_9(0u, type_9().member_1);
                             }
-                            let _e2966 = phi_1563_;
-                            let _e2968 = phi_1588_;
-                            if (bitcast<i32>(_e2968.member) != 0i) {
-                                let _e2974 = local_12.member[0u];
-                                let _e2980 = local_12.member[1u];
-                                let _e2996 = local_12.member_1[0u];
-                                let _e3002 = local_12.member_1[1u];
-                                let _e3018 = local_12.member_2[0u];
-                                let _e3024 = local_12.member_2[1u];
-                                let _e3038 = function_2(array<f32, 3>((_e2974[0] + ((_e2980[0] - _e2974[0]) * _e2954)), (_e2974[1] + ((_e2980[1] - _e2974[1]) * _e2954)), (_e2974[2] + ((_e2980[2] - _e2974[2]) * _e2954))), array<f32, 3>((_e2996[0] + ((_e3002[0] - _e2996[0]) * _e2954)), (_e2996[1] + ((_e3002[1] - _e2996[1]) * _e2954)), (_e2996[2] + ((_e3002[2] - _e2996[2]) * _e2954))), array<f32, 3>((_e3018[0] + ((_e3024[0] - _e3018[0]) * _e2954)), (_e3018[1] + ((_e3024[1] - _e3018[1]) * _e2954)), (_e3018[2] + ((_e3024[2] - _e3018[2]) * _e2954))), 1u);
-                                if (_e3038[0] < 0f) {
-                                    phi_1699_ = -(_e3038[0]);
+                            let _e2965 = phi_1566_;
+                            let _e2967 = phi_1591_;
+                            if (bitcast<i32>(_e2967.member) != 0i) {
+                                let _e2973 = local_12.member[0u];
+                                let _e2979 = local_12.member[1u];
+                                let _e2995 = local_12.member_1[0u];
+                                let _e3001 = local_12.member_1[1u];
+                                let _e3017 = local_12.member_2[0u];
+                                let _e3023 = local_12.member_2[1u];
+                                let _e3037 = function_2(array<f32, 3>((_e2973[0] + ((_e2979[0] - _e2973[0]) * _e2953)), (_e2973[1] + ((_e2979[1] - _e2973[1]) * _e2953)), (_e2973[2] + ((_e2979[2] - _e2973[2]) * _e2953))), array<f32, 3>((_e2995[0] + ((_e3001[0] - _e2995[0]) * _e2953)), (_e2995[1] + ((_e3001[1] - _e2995[1]) * _e2953)), (_e2995[2] + ((_e3001[2] - _e2995[2]) * _e2953))), array<f32, 3>((_e3017[0] + ((_e3023[0] - _e3017[0]) * _e2953)), (_e3017[1] + ((_e3023[1] - _e3017[1]) * _e2953)), (_e3017[2] + ((_e3023[2] - _e3017[2]) * _e2953))), 1u);
+                                if (_e3037[0] < 0f) {
+                                    phi_1702_ = -(_e3037[0]);
                                 } else {
-                                    phi_1699_ = _e3038[0];
+                                    phi_1702_ = _e3037[0];
                                 }
-                                let _e3043 = phi_1699_;
-                                if (_e3038[1] < 0f) {
-                                    phi_1706_ = -(_e3038[1]);
+                                let _e3042 = phi_1702_;
+                                if (_e3037[1] < 0f) {
+                                    phi_1709_ = -(_e3037[1]);
                                 } else {
-                                    phi_1706_ = _e3038[1];
+                                    phi_1709_ = _e3037[1];
                                 }
-                                let _e3048 = phi_1706_;
-                                if (_e3038[2] < 0f) {
-                                    phi_1714_ = -(_e3038[2]);
+                                let _e3047 = phi_1709_;
+                                if (_e3037[2] < 0f) {
+                                    phi_1717_ = -(_e3037[2]);
                                 } else {
-                                    phi_1714_ = _e3038[2];
+                                    phi_1717_ = _e3037[2];
                                 }
-                                let _e3054 = phi_1714_;
-                                let _e3055 = ((_e3043 + _e3048) + _e3054);
-                                if (_e3055 > 0f) {
-                                    if ((bitcast<u32>(_e3055) & 2139095040u) != 2139095040u) {
-                                        let _e3060 = (1f / _e3055);
-                                        let _e3062 = (_e3038[0] * _e3060);
-                                        let _e3064 = (_e3038[1] * _e3060);
-                                        let _e3066 = (_e3038[2] * _e3060);
-                                        let _e3071 = (((_e3062 * _e3062) + (_e3064 * _e3064)) + (_e3066 * _e3066));
-                                        if (_e3071 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3071 > 0f) {
-                                                phi_1751_ = (0.000000000000000000106433627f * 2f);
+                                let _e3053 = phi_1717_;
+                                let _e3054 = ((_e3042 + _e3047) + _e3053);
+                                if (_e3054 > 0f) {
+                                    if ((bitcast<u32>(_e3054) & 2139095040u) != 2139095040u) {
+                                        let _e3059 = (1f / _e3054);
+                                        let _e3061 = (_e3037[0] * _e3059);
+                                        let _e3063 = (_e3037[1] * _e3059);
+                                        let _e3065 = (_e3037[2] * _e3059);
+                                        let _e3070 = (((_e3061 * _e3061) + (_e3063 * _e3063)) + (_e3065 * _e3065));
+                                        if (_e3070 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3070 > 0f) {
+                                                phi_1754_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_1751_ = 0f;
+                                                phi_1754_ = 0f;
                                             }
-                                            let _e3124 = phi_1751_;
-                                            phi_1815_ = _e3124;
+                                            let _e3123 = phi_1754_;
+                                            phi_1818_ = _e3123;
                                         } else {
-                                            phi_1758_ = type_17(0i, 5i);
-                                            phi_1761_ = bitcast<f32>(((bitcast<u32>(_e3071) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_1761_ = type_14(0i, 5i);
+                                            phi_1764_ = bitcast<f32>(((bitcast<u32>(_e3070) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3079 = phi_1758_;
-                                                let _e3081 = phi_1761_;
-                                                local_31 = _e3081;
-                                                if (_e3079.member < _e3079.member_1) {
-                                                    let _e3088 = (_e3079.member + 1i);
-                                                    if ((false == (_e3088 > _e3079.member)) != false) {
-                                                        phi_1782_ = true;
+                                                let _e3078 = phi_1761_;
+                                                let _e3080 = phi_1764_;
+                                                local_31 = _e3080;
+                                                if (_e3078.member < _e3078.member_1) {
+                                                    let _e3087 = (_e3078.member + 1i);
+                                                    if ((false == (_e3087 > _e3078.member)) != false) {
+                                                        phi_1785_ = true;
                                                     } else {
-                                                        phi_1782_ = false;
+                                                        phi_1785_ = false;
                                                     }
-                                                    let _e3093 = phi_1782_;
-                                                    if _e3093 {
-                                                        phi_1788_ = type_18(0u, type_18().member_1);
+                                                    let _e3092 = phi_1785_;
+                                                    if _e3092 {
+                                                        phi_1791_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_1788_ = type_18(1u, _e3088);
+                                                        phi_1791_ = type_15(1u, _e3087);
                                                     }
-                                                    let _e3098 = phi_1788_;
-                                                    phi_1759_ = type_17(_e3098.member_1, _e3079.member_1);
-                                                    phi_1802_ = type_18(1u, _e3079.member);
+                                                    let _e3097 = phi_1791_;
+                                                    phi_1762_ = type_14(_e3097.member_1, _e3078.member_1);
+                                                    phi_1805_ = type_15(1u, _e3078.member);
                                                 } else {
-                                                    phi_1759_ = _e3079;
-                                                    phi_1802_ = type_18(0u, type_18().member_1);
+                                                    phi_1762_ = _e3078;
+                                                    phi_1805_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3104 = phi_1759_;
-                                                let _e3106 = phi_1802_;
-                                                let _e3109 = (bitcast<i32>(_e3106.member) != 0i);
-                                                if _e3109 {
-                                                    phi_1762_ = (0.5f * (_e3081 + (_e3071 / _e3081)));
+                                                let _e3103 = phi_1762_;
+                                                let _e3105 = phi_1805_;
+                                                let _e3108 = (bitcast<i32>(_e3105.member) != 0i);
+                                                if _e3108 {
+                                                    phi_1765_ = (0.5f * (_e3080 + (_e3070 / _e3080)));
                                                 } else {
-                                                    phi_1762_ = f32();
+                                                    phi_1765_ = f32();
                                                 }
-                                                let _e3114 = phi_1762_;
+                                                let _e3113 = phi_1765_;
                                                 continue;
                                                 continuing {
-                                                    phi_1758_ = _e3104;
-                                                    phi_1761_ = _e3114;
-                                                    break if !(_e3109);
+                                                    phi_1761_ = _e3103;
+                                                    phi_1764_ = _e3113;
+                                                    break if !(_e3108);
                                                 }
                                             }
-                                            let _e3119 = local_31;
-                                            phi_1815_ = (_e3119 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3118 = local_31;
+                                            phi_1818_ = (_e3118 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3126 = phi_1815_;
-                                        phi_1824_ = type_19(0u, 4u);
-                                        phi_1827_ = 2f;
+                                        let _e3125 = phi_1818_;
+                                        phi_1827_ = type_9(0u, 4u);
+                                        phi_1830_ = 2f;
                                         loop {
-                                            let _e3134 = phi_1824_;
-                                            let _e3136 = phi_1827_;
-                                            local_33 = _e3136;
-                                            local_34 = _e3136;
-                                            local_35 = _e3136;
-                                            local_67 = _e3136;
-                                            local_68 = _e3136;
-                                            if (_e3134.member < _e3134.member_1) {
-                                                phi_1825_ = type_19((_e3134.member + 1u), _e3134.member_1);
-                                                phi_1850_ = type_19(1u, _e3134.member);
+                                            let _e3133 = phi_1827_;
+                                            let _e3135 = phi_1830_;
+                                            local_33 = _e3135;
+                                            local_34 = _e3135;
+                                            local_35 = _e3135;
+                                            local_67 = _e3135;
+                                            local_68 = _e3135;
+                                            if (_e3133.member < _e3133.member_1) {
+                                                phi_1828_ = type_9((_e3133.member + 1u), _e3133.member_1);
+                                                phi_1853_ = type_9(1u, _e3133.member);
                                             } else {
-                                                phi_1825_ = _e3134;
-                                                phi_1850_ = type_19(0u, type_19().member_1);
+                                                phi_1828_ = _e3133;
+                                                phi_1853_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e3148 = phi_1825_;
-                                            let _e3150 = phi_1850_;
-                                            if (bitcast<i32>(_e3150.member) != 0i) {
-                                                let _e3156 = local_9[_e3150.member_1];
-                                                let _e3164 = (((_e3062 * _e3156[0]) + (_e3064 * _e3156[1])) + (_e3066 * _e3156[2]));
-                                                let _e3166 = local_10[_e3150.member_1];
-                                                let _e3174 = (((_e3062 * _e3166[0]) + (_e3064 * _e3166[1])) + (_e3066 * _e3166[2]));
-                                                if (_e3164 < 0f) {
-                                                    phi_1901_ = -(_e3164);
+                                            let _e3147 = phi_1828_;
+                                            let _e3149 = phi_1853_;
+                                            if (bitcast<i32>(_e3149.member) != 0i) {
+                                                let _e3155 = local_9[_e3149.member_1];
+                                                let _e3163 = (((_e3061 * _e3155[0]) + (_e3063 * _e3155[1])) + (_e3065 * _e3155[2]));
+                                                let _e3165 = local_10[_e3149.member_1];
+                                                let _e3173 = (((_e3061 * _e3165[0]) + (_e3063 * _e3165[1])) + (_e3065 * _e3165[2]));
+                                                if (_e3163 < 0f) {
+                                                    phi_1904_ = -(_e3163);
                                                 } else {
-                                                    phi_1901_ = _e3164;
+                                                    phi_1904_ = _e3163;
                                                 }
-                                                let _e3178 = phi_1901_;
-                                                if (_e3174 < 0f) {
-                                                    phi_1907_ = -(_e3174);
+                                                let _e3177 = phi_1904_;
+                                                if (_e3173 < 0f) {
+                                                    phi_1910_ = -(_e3173);
                                                 } else {
-                                                    phi_1907_ = _e3174;
+                                                    phi_1910_ = _e3173;
                                                 }
-                                                let _e3182 = phi_1907_;
-                                                let _e3186 = (((((((((_e2829 + _e2831) + (_e2883 + _e2885)) + (_e2937 + _e2939)) * (0.000000059604645f * 16f)) + (_e2946 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e251 * _e3126) * (1f + (0.000000059604645f * 8f)))) + ((_e3178 + _e3182) * (0.000000059604645f * 8f)));
-                                                if (_e3164 > _e3186) {
-                                                    if (_e3174 > _e3186) {
-                                                        phi_1920_ = false;
+                                                let _e3181 = phi_1910_;
+                                                let _e3185 = (((((((((_e2828 + _e2830) + (_e2882 + _e2884)) + (_e2936 + _e2938)) * (0.000000059604645f * 16f)) + (_e2945 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e250 * _e3125) * (1f + (0.000000059604645f * 8f)))) + ((_e3177 + _e3181) * (0.000000059604645f * 8f)));
+                                                if (_e3163 > _e3185) {
+                                                    if (_e3173 > _e3185) {
+                                                        phi_1923_ = false;
                                                     } else {
-                                                        phi_1920_ = true;
+                                                        phi_1923_ = true;
                                                     }
-                                                    let _e3190 = phi_1920_;
-                                                    phi_1921_ = _e3190;
+                                                    let _e3189 = phi_1923_;
+                                                    phi_1924_ = _e3189;
                                                 } else {
-                                                    phi_1921_ = true;
+                                                    phi_1924_ = true;
                                                 }
-                                                let _e3192 = phi_1921_;
-                                                if _e3192 {
-                                                    if ((_e3164 + ((_e3174 - _e3164) * _e2954)) > _e3186) {
-                                                        if (_e3174 < _e3164) {
-                                                            let _e3200 = ((_e3164 - _e3174) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                            if _e3200 {
-                                                                let _e3206 = (((_e3164 - _e3186) / (_e3164 - _e3174)) * (1f - (0.000000059604645f * 16f)));
-                                                                if (_e3136 < _e3206) {
-                                                                    phi_1952_ = _e3136;
+                                                let _e3191 = phi_1924_;
+                                                if _e3191 {
+                                                    if ((_e3163 + ((_e3173 - _e3163) * _e2953)) > _e3185) {
+                                                        if (_e3173 < _e3163) {
+                                                            let _e3199 = ((_e3163 - _e3173) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                            if _e3199 {
+                                                                let _e3205 = (((_e3163 - _e3185) / (_e3163 - _e3173)) * (1f - (0.000000059604645f * 16f)));
+                                                                if (_e3135 < _e3205) {
+                                                                    phi_1955_ = _e3135;
                                                                 } else {
-                                                                    phi_1952_ = _e3206;
+                                                                    phi_1955_ = _e3205;
                                                                 }
-                                                                let _e3209 = phi_1952_;
-                                                                phi_1953_ = _e3209;
+                                                                let _e3208 = phi_1955_;
+                                                                phi_1956_ = _e3208;
                                                             } else {
-                                                                phi_1953_ = f32();
+                                                                phi_1956_ = f32();
                                                             }
-                                                            let _e3211 = phi_1953_;
-                                                            phi_1954_ = _e3211;
-                                                            phi_1955_ = _e3200;
+                                                            let _e3210 = phi_1956_;
+                                                            phi_1957_ = _e3210;
+                                                            phi_1958_ = _e3199;
                                                         } else {
-                                                            phi_1954_ = _e3136;
-                                                            phi_1955_ = true;
+                                                            phi_1957_ = _e3135;
+                                                            phi_1958_ = true;
                                                         }
-                                                        let _e3213 = phi_1954_;
-                                                        let _e3215 = phi_1955_;
-                                                        if _e3215 {
-                                                            phi_1959_ = false;
+                                                        let _e3212 = phi_1957_;
+                                                        let _e3214 = phi_1958_;
+                                                        if _e3214 {
+                                                            phi_1962_ = false;
                                                         } else {
-                                                            phi_1959_ = true;
+                                                            phi_1962_ = true;
                                                         }
-                                                        let _e3217 = phi_1959_;
-                                                        phi_1960_ = _e3213;
-                                                        phi_1961_ = _e3215;
-                                                        phi_1962_ = _e3217;
-                                                        phi_1963_ = false;
+                                                        let _e3216 = phi_1962_;
+                                                        phi_1963_ = _e3212;
+                                                        phi_1964_ = _e3214;
+                                                        phi_1965_ = _e3216;
+                                                        phi_1966_ = false;
                                                     } else {
-                                                        phi_1960_ = f32();
-                                                        phi_1961_ = false;
-                                                        phi_1962_ = false;
-                                                        phi_1963_ = true;
+                                                        phi_1963_ = f32();
+                                                        phi_1964_ = false;
+                                                        phi_1965_ = false;
+                                                        phi_1966_ = true;
                                                     }
-                                                    let _e3219 = phi_1960_;
-                                                    let _e3221 = phi_1961_;
-                                                    let _e3223 = phi_1962_;
-                                                    let _e3225 = phi_1963_;
-                                                    phi_1964_ = _e3219;
-                                                    phi_1965_ = _e3221;
-                                                    phi_1966_ = _e3223;
-                                                    phi_1967_ = _e3225;
+                                                    let _e3218 = phi_1963_;
+                                                    let _e3220 = phi_1964_;
+                                                    let _e3222 = phi_1965_;
+                                                    let _e3224 = phi_1966_;
+                                                    phi_1967_ = _e3218;
+                                                    phi_1968_ = _e3220;
+                                                    phi_1969_ = _e3222;
+                                                    phi_1970_ = _e3224;
                                                 } else {
-                                                    phi_1964_ = _e3136;
-                                                    phi_1965_ = true;
-                                                    phi_1966_ = false;
-                                                    phi_1967_ = false;
+                                                    phi_1967_ = _e3135;
+                                                    phi_1968_ = true;
+                                                    phi_1969_ = false;
+                                                    phi_1970_ = false;
                                                 }
-                                                let _e3227 = phi_1964_;
-                                                let _e3229 = phi_1965_;
-                                                let _e3231 = phi_1966_;
-                                                let _e3233 = phi_1967_;
-                                                phi_1828_ = _e3227;
-                                                phi_1968_ = _e3229;
-                                                phi_1969_ = false;
-                                                phi_1970_ = _e3231;
-                                                phi_1971_ = _e3233;
+                                                let _e3226 = phi_1967_;
+                                                let _e3228 = phi_1968_;
+                                                let _e3230 = phi_1969_;
+                                                let _e3232 = phi_1970_;
+                                                phi_1831_ = _e3226;
+                                                phi_1971_ = _e3228;
+                                                phi_1972_ = false;
+                                                phi_1973_ = _e3230;
+                                                phi_1974_ = _e3232;
                                             } else {
-                                                phi_1828_ = f32();
-                                                phi_1968_ = false;
-                                                phi_1969_ = true;
-                                                phi_1970_ = false;
+                                                phi_1831_ = f32();
                                                 phi_1971_ = false;
+                                                phi_1972_ = true;
+                                                phi_1973_ = false;
+                                                phi_1974_ = false;
                                             }
-                                            let _e3235 = phi_1828_;
-                                            let _e3237 = phi_1968_;
-                                            let _e3239 = phi_1969_;
-                                            let _e3241 = phi_1970_;
-                                            let _e3243 = phi_1971_;
-                                            local_32 = _e3239;
-                                            local_65 = _e3241;
-                                            local_66 = _e3243;
+                                            let _e3234 = phi_1831_;
+                                            let _e3236 = phi_1971_;
+                                            let _e3238 = phi_1972_;
+                                            let _e3240 = phi_1973_;
+                                            let _e3242 = phi_1974_;
+                                            local_32 = _e3238;
+                                            local_65 = _e3240;
+                                            local_66 = _e3242;
                                             continue;
                                             continuing {
-                                                phi_1824_ = _e3148;
-                                                phi_1827_ = _e3235;
-                                                break if !(_e3237);
+                                                phi_1827_ = _e3147;
+                                                phi_1830_ = _e3234;
+                                                break if !(_e3236);
                                             }
                                         }
-                                        let _e3246 = local_32;
-                                        if _e3246 {
-                                            let _e3248 = local_33;
-                                            let _e3249 = (_e3248 > 1f);
-                                            if _e3249 {
-                                                phi_1992_ = false;
-                                                phi_1993_ = false;
-                                                phi_1994_ = false;
+                                        let _e3245 = local_32;
+                                        if _e3245 {
+                                            let _e3247 = local_33;
+                                            let _e3248 = (_e3247 > 1f);
+                                            if _e3248 {
+                                                phi_1995_ = false;
+                                                phi_1996_ = false;
+                                                phi_1997_ = false;
                                             } else {
-                                                let _e3251 = local_34;
-                                                if (_e3251 > _e2954) {
-                                                    let _e3254 = local_35;
-                                                    let _e3256 = ((_e3254 - _e2954) < 0.00000000023283064f);
-                                                    if _e3256 {
-                                                        phi_1988_ = false;
+                                                let _e3250 = local_34;
+                                                if (_e3250 > _e2953) {
+                                                    let _e3253 = local_35;
+                                                    let _e3255 = ((_e3253 - _e2953) < 0.00000000023283064f);
+                                                    if _e3255 {
+                                                        phi_1991_ = false;
                                                     } else {
-                                                        phi_1988_ = true;
+                                                        phi_1991_ = true;
                                                     }
-                                                    let _e3258 = phi_1988_;
-                                                    phi_1989_ = _e3258;
-                                                    phi_1990_ = _e3256;
-                                                    phi_1991_ = false;
+                                                    let _e3257 = phi_1991_;
+                                                    phi_1992_ = _e3257;
+                                                    phi_1993_ = _e3255;
+                                                    phi_1994_ = false;
                                                 } else {
-                                                    phi_1989_ = false;
-                                                    phi_1990_ = false;
-                                                    phi_1991_ = true;
+                                                    phi_1992_ = false;
+                                                    phi_1993_ = false;
+                                                    phi_1994_ = true;
                                                 }
-                                                let _e3260 = phi_1989_;
-                                                let _e3262 = phi_1990_;
-                                                let _e3264 = phi_1991_;
-                                                phi_1992_ = _e3260;
-                                                phi_1993_ = _e3262;
-                                                phi_1994_ = _e3264;
+                                                let _e3259 = phi_1992_;
+                                                let _e3261 = phi_1993_;
+                                                let _e3263 = phi_1994_;
+                                                phi_1995_ = _e3259;
+                                                phi_1996_ = _e3261;
+                                                phi_1997_ = _e3263;
                                             }
-                                            let _e3266 = phi_1992_;
-                                            let _e3268 = phi_1993_;
-                                            let _e3270 = phi_1994_;
-                                            phi_1995_ = _e3266;
-                                            phi_1996_ = _e3249;
-                                            phi_1997_ = _e3268;
-                                            phi_1998_ = _e3270;
+                                            let _e3265 = phi_1995_;
+                                            let _e3267 = phi_1996_;
+                                            let _e3269 = phi_1997_;
+                                            phi_1998_ = _e3265;
+                                            phi_1999_ = _e3248;
+                                            phi_2000_ = _e3267;
+                                            phi_2001_ = _e3269;
+                                            phi_2002_ = false;
+                                            phi_2003_ = false;
+                                        } else {
+                                            phi_1998_ = false;
                                             phi_1999_ = false;
                                             phi_2000_ = false;
-                                        } else {
-                                            phi_1995_ = false;
-                                            phi_1996_ = false;
-                                            phi_1997_ = false;
-                                            phi_1998_ = false;
-                                            let _e4567 = local_65;
-                                            phi_1999_ = _e4567;
-                                            let _e4570 = local_66;
-                                            phi_2000_ = _e4570;
+                                            phi_2001_ = false;
+                                            let _e4571 = local_65;
+                                            phi_2002_ = _e4571;
+                                            let _e4574 = local_66;
+                                            phi_2003_ = _e4574;
                                         }
-                                        let _e3272 = phi_1995_;
-                                        let _e3274 = phi_1996_;
-                                        let _e3276 = phi_1997_;
-                                        let _e3278 = phi_1998_;
-                                        let _e3280 = phi_1999_;
-                                        let _e3282 = phi_2000_;
-                                        let _e4573 = local_67;
-                                        phi_2001_ = _e4573;
-                                        let _e4576 = local_68;
-                                        phi_2002_ = _e4576;
-                                        phi_2003_ = _e3272;
-                                        phi_2004_ = _e3274;
-                                        phi_2005_ = _e3276;
-                                        phi_2006_ = _e3278;
-                                        phi_2007_ = _e3280;
-                                        phi_2008_ = _e3282;
-                                        phi_2009_ = false;
+                                        let _e3271 = phi_1998_;
+                                        let _e3273 = phi_1999_;
+                                        let _e3275 = phi_2000_;
+                                        let _e3277 = phi_2001_;
+                                        let _e3279 = phi_2002_;
+                                        let _e3281 = phi_2003_;
+                                        let _e4577 = local_67;
+                                        phi_2004_ = _e4577;
+                                        let _e4580 = local_68;
+                                        phi_2005_ = _e4580;
+                                        phi_2006_ = _e3271;
+                                        phi_2007_ = _e3273;
+                                        phi_2008_ = _e3275;
+                                        phi_2009_ = _e3277;
+                                        phi_2010_ = _e3279;
+                                        phi_2011_ = _e3281;
+                                        phi_2012_ = false;
                                     } else {
-                                        phi_2001_ = f32();
-                                        phi_2002_ = f32();
-                                        phi_2003_ = false;
-                                        phi_2004_ = false;
-                                        phi_2005_ = false;
+                                        phi_2004_ = f32();
+                                        phi_2005_ = f32();
                                         phi_2006_ = false;
                                         phi_2007_ = false;
                                         phi_2008_ = false;
-                                        phi_2009_ = true;
+                                        phi_2009_ = false;
+                                        phi_2010_ = false;
+                                        phi_2011_ = false;
+                                        phi_2012_ = true;
                                     }
-                                    let _e3284 = phi_2001_;
-                                    let _e3286 = phi_2002_;
-                                    let _e3288 = phi_2003_;
-                                    let _e3290 = phi_2004_;
-                                    let _e3292 = phi_2005_;
-                                    let _e3294 = phi_2006_;
-                                    let _e3296 = phi_2007_;
-                                    let _e3298 = phi_2008_;
-                                    let _e3300 = phi_2009_;
-                                    phi_2010_ = _e3284;
-                                    phi_2011_ = _e3286;
-                                    phi_2012_ = _e3288;
-                                    phi_2013_ = _e3290;
-                                    phi_2014_ = _e3292;
-                                    phi_2015_ = _e3294;
-                                    phi_2016_ = _e3296;
-                                    phi_2017_ = _e3298;
-                                    phi_2018_ = _e3300;
-                                    phi_2019_ = false;
+                                    let _e3283 = phi_2004_;
+                                    let _e3285 = phi_2005_;
+                                    let _e3287 = phi_2006_;
+                                    let _e3289 = phi_2007_;
+                                    let _e3291 = phi_2008_;
+                                    let _e3293 = phi_2009_;
+                                    let _e3295 = phi_2010_;
+                                    let _e3297 = phi_2011_;
+                                    let _e3299 = phi_2012_;
+                                    phi_2013_ = _e3283;
+                                    phi_2014_ = _e3285;
+                                    phi_2015_ = _e3287;
+                                    phi_2016_ = _e3289;
+                                    phi_2017_ = _e3291;
+                                    phi_2018_ = _e3293;
+                                    phi_2019_ = _e3295;
+                                    phi_2020_ = _e3297;
+                                    phi_2021_ = _e3299;
+                                    phi_2022_ = false;
                                 } else {
-                                    phi_2010_ = f32();
-                                    phi_2011_ = f32();
-                                    phi_2012_ = false;
-                                    phi_2013_ = false;
-                                    phi_2014_ = false;
+                                    phi_2013_ = f32();
+                                    phi_2014_ = f32();
                                     phi_2015_ = false;
                                     phi_2016_ = false;
                                     phi_2017_ = false;
                                     phi_2018_ = false;
-                                    phi_2019_ = true;
+                                    phi_2019_ = false;
+                                    phi_2020_ = false;
+                                    phi_2021_ = false;
+                                    phi_2022_ = true;
                                 }
-                                let _e3302 = phi_2010_;
-                                let _e3304 = phi_2011_;
-                                let _e3306 = phi_2012_;
-                                let _e3308 = phi_2013_;
-                                let _e3310 = phi_2014_;
-                                let _e3312 = phi_2015_;
-                                let _e3314 = phi_2016_;
-                                let _e3316 = phi_2017_;
-                                let _e3318 = phi_2018_;
-                                let _e3320 = phi_2019_;
-                                phi_2020_ = _e3302;
-                                phi_1566_ = _e3304;
-                                phi_2021_ = _e3306;
-                                phi_2022_ = _e3308;
-                                phi_2023_ = _e3310;
-                                phi_2024_ = false;
-                                phi_2025_ = _e3312;
-                                phi_2026_ = _e3314;
-                                phi_2027_ = _e3316;
-                                phi_2028_ = _e3318;
-                                phi_2029_ = _e3320;
+                                let _e3301 = phi_2013_;
+                                let _e3303 = phi_2014_;
+                                let _e3305 = phi_2015_;
+                                let _e3307 = phi_2016_;
+                                let _e3309 = phi_2017_;
+                                let _e3311 = phi_2018_;
+                                let _e3313 = phi_2019_;
+                                let _e3315 = phi_2020_;
+                                let _e3317 = phi_2021_;
+                                let _e3319 = phi_2022_;
+                                phi_2023_ = _e3301;
+                                phi_1569_ = _e3303;
+                                phi_2024_ = _e3305;
+                                phi_2025_ = _e3307;
+                                phi_2026_ = _e3309;
+                                phi_2027_ = false;
+                                phi_2028_ = _e3311;
+                                phi_2029_ = _e3313;
+                                phi_2030_ = _e3315;
+                                phi_2031_ = _e3317;
+                                phi_2032_ = _e3319;
                             } else {
-                                phi_2020_ = f32();
-                                phi_1566_ = f32();
-                                phi_2021_ = false;
-                                phi_2022_ = false;
-                                phi_2023_ = false;
-                                phi_2024_ = true;
+                                phi_2023_ = f32();
+                                phi_1569_ = f32();
+                                phi_2024_ = false;
                                 phi_2025_ = false;
                                 phi_2026_ = false;
-                                phi_2027_ = false;
+                                phi_2027_ = true;
                                 phi_2028_ = false;
                                 phi_2029_ = false;
+                                phi_2030_ = false;
+                                phi_2031_ = false;
+                                phi_2032_ = false;
                             }
-                            let _e3322 = phi_2020_;
-                            let _e3324 = phi_1566_;
-                            let _e3326 = phi_2021_;
-                            let _e3328 = phi_2022_;
-                            let _e3330 = phi_2023_;
-                            let _e3332 = phi_2024_;
-                            let _e3334 = phi_2025_;
-                            let _e3336 = phi_2026_;
-                            let _e3338 = phi_2027_;
-                            let _e3340 = phi_2028_;
-                            let _e3342 = phi_2029_;
-                            local_36 = _e3328;
-                            local_69 = _e3330;
-                            local_70 = _e3332;
-                            local_71 = _e3334;
-                            local_72 = _e3336;
-                            local_73 = _e3338;
-                            local_74 = _e3340;
-                            local_75 = _e3342;
-                            local_76 = _e3322;
-                            local_78 = _e3328;
+                            let _e3321 = phi_2023_;
+                            let _e3323 = phi_1569_;
+                            let _e3325 = phi_2024_;
+                            let _e3327 = phi_2025_;
+                            let _e3329 = phi_2026_;
+                            let _e3331 = phi_2027_;
+                            let _e3333 = phi_2028_;
+                            let _e3335 = phi_2029_;
+                            let _e3337 = phi_2030_;
+                            let _e3339 = phi_2031_;
+                            let _e3341 = phi_2032_;
+                            local_36 = _e3327;
+                            local_69 = _e3329;
+                            local_70 = _e3331;
+                            local_71 = _e3333;
+                            local_72 = _e3335;
+                            local_73 = _e3337;
+                            local_74 = _e3339;
+                            local_75 = _e3341;
+                            local_76 = _e3321;
+                            local_78 = _e3327;
                             continue;
                             continuing {
-                                phi_1562_ = _e2966;
-                                phi_1565_ = _e3324;
-                                break if !(_e3326);
+                                phi_1565_ = _e2965;
+                                phi_1568_ = _e3323;
+                                break if !(_e3325);
                             }
                         }
-                        let _e3345 = local_36;
-                        if _e3345 {
-                            phi_2034_ = type_32(0u, type_32().member_1);
-                            phi_2035_ = false;
-                            phi_2036_ = false;
-                            phi_2037_ = false;
+                        let _e3344 = local_36;
+                        if _e3344 {
+                            phi_2037_ = type_34(0u, type_34().member_1);
                             phi_2038_ = false;
                             phi_2039_ = false;
                             phi_2040_ = false;
                             phi_2041_ = false;
+                            phi_2042_ = false;
+                            phi_2043_ = false;
+                            phi_2044_ = false;
                         } else {
-                            phi_2034_ = type_32();
-                            let _e4609 = local_69;
-                            phi_2035_ = _e4609;
-                            let _e4612 = local_70;
-                            phi_2036_ = _e4612;
-                            let _e4615 = local_71;
-                            phi_2037_ = _e4615;
-                            let _e4618 = local_72;
-                            phi_2038_ = _e4618;
-                            let _e4621 = local_73;
-                            phi_2039_ = _e4621;
-                            let _e4624 = local_74;
-                            phi_2040_ = _e4624;
-                            let _e4627 = local_75;
-                            phi_2041_ = _e4627;
+                            phi_2037_ = type_34();
+                            let _e4613 = local_69;
+                            phi_2038_ = _e4613;
+                            let _e4616 = local_70;
+                            phi_2039_ = _e4616;
+                            let _e4619 = local_71;
+                            phi_2040_ = _e4619;
+                            let _e4622 = local_72;
+                            phi_2041_ = _e4622;
+                            let _e4625 = local_73;
+                            phi_2042_ = _e4625;
+                            let _e4628 = local_74;
+                            phi_2043_ = _e4628;
+                            let _e4631 = local_75;
+                            phi_2044_ = _e4631;
                         }
-                        let _e3349 = phi_2034_;
-                        let _e3351 = phi_2035_;
-                        let _e3353 = phi_2036_;
-                        let _e3355 = phi_2037_;
-                        let _e3357 = phi_2038_;
-                        let _e3359 = phi_2039_;
-                        let _e3361 = phi_2040_;
-                        let _e3363 = phi_2041_;
-                        if _e3351 {
-                            let _e4630 = local_76;
-                            phi_2045_ = _e4630;
-                            phi_2046_ = true;
-                            phi_2047_ = false;
-                            phi_2048_ = false;
-                            phi_2049_ = false;
+                        let _e3348 = phi_2037_;
+                        let _e3350 = phi_2038_;
+                        let _e3352 = phi_2039_;
+                        let _e3354 = phi_2040_;
+                        let _e3356 = phi_2041_;
+                        let _e3358 = phi_2042_;
+                        let _e3360 = phi_2043_;
+                        let _e3362 = phi_2044_;
+                        if _e3350 {
+                            let _e4634 = local_76;
+                            phi_2048_ = _e4634;
+                            phi_2049_ = true;
                             phi_2050_ = false;
                             phi_2051_ = false;
                             phi_2052_ = false;
+                            phi_2053_ = false;
+                            phi_2054_ = false;
+                            phi_2055_ = false;
                         } else {
-                            let _e4632 = local_77;
-                            phi_2045_ = _e4632;
-                            phi_2046_ = _e3353;
-                            phi_2047_ = _e3355;
-                            phi_2048_ = _e3357;
-                            phi_2049_ = _e3359;
-                            let _e4639 = local_78;
-                            phi_2050_ = _e4639;
-                            phi_2051_ = _e3361;
-                            phi_2052_ = _e3363;
+                            let _e4636 = local_77;
+                            phi_2048_ = _e4636;
+                            phi_2049_ = _e3352;
+                            phi_2050_ = _e3354;
+                            phi_2051_ = _e3356;
+                            phi_2052_ = _e3358;
+                            let _e4643 = local_78;
+                            phi_2053_ = _e4643;
+                            phi_2054_ = _e3360;
+                            phi_2055_ = _e3362;
                         }
-                        let _e3365 = phi_2045_;
-                        let _e3367 = phi_2046_;
-                        let _e3369 = phi_2047_;
-                        let _e3371 = phi_2048_;
-                        let _e3373 = phi_2049_;
-                        let _e3375 = phi_2050_;
-                        let _e3377 = phi_2051_;
-                        let _e3379 = phi_2052_;
-                        if _e3367 {
-                            phi_2057_ = type_32(1u, _e3365);
-                            phi_2058_ = false;
-                            phi_2059_ = false;
-                            phi_2060_ = false;
+                        let _e3364 = phi_2048_;
+                        let _e3366 = phi_2049_;
+                        let _e3368 = phi_2050_;
+                        let _e3370 = phi_2051_;
+                        let _e3372 = phi_2052_;
+                        let _e3374 = phi_2053_;
+                        let _e3376 = phi_2054_;
+                        let _e3378 = phi_2055_;
+                        if _e3366 {
+                            phi_2060_ = type_34(1u, _e3364);
                             phi_2061_ = false;
                             phi_2062_ = false;
                             phi_2063_ = false;
+                            phi_2064_ = false;
+                            phi_2065_ = false;
+                            phi_2066_ = false;
                         } else {
-                            phi_2057_ = type_32();
-                            phi_2058_ = _e3369;
-                            phi_2059_ = _e3371;
-                            phi_2060_ = _e3373;
-                            phi_2061_ = _e3375;
-                            phi_2062_ = _e3377;
-                            phi_2063_ = _e3379;
+                            phi_2060_ = type_34();
+                            phi_2061_ = _e3368;
+                            phi_2062_ = _e3370;
+                            phi_2063_ = _e3372;
+                            phi_2064_ = _e3374;
+                            phi_2065_ = _e3376;
+                            phi_2066_ = _e3378;
                         }
-                        let _e3382 = phi_2057_;
-                        let _e3384 = phi_2058_;
-                        let _e3386 = phi_2059_;
-                        let _e3388 = phi_2060_;
-                        let _e3390 = phi_2061_;
-                        let _e3392 = phi_2062_;
-                        let _e3394 = phi_2063_;
-                        if _e3384 {
-                            let _e3396 = local_37;
-                            phi_2068_ = type_32(1u, _e3396);
-                            phi_2069_ = false;
-                            phi_2070_ = false;
-                            phi_2071_ = true;
+                        let _e3381 = phi_2060_;
+                        let _e3383 = phi_2061_;
+                        let _e3385 = phi_2062_;
+                        let _e3387 = phi_2063_;
+                        let _e3389 = phi_2064_;
+                        let _e3391 = phi_2065_;
+                        let _e3393 = phi_2066_;
+                        if _e3383 {
+                            let _e3395 = local_37;
+                            phi_2071_ = type_34(1u, _e3395);
                             phi_2072_ = false;
                             phi_2073_ = false;
+                            phi_2074_ = true;
+                            phi_2075_ = false;
+                            phi_2076_ = false;
                         } else {
-                            phi_2068_ = _e3349;
-                            phi_2069_ = _e3386;
-                            phi_2070_ = _e3388;
-                            phi_2071_ = _e3390;
-                            phi_2072_ = _e3392;
-                            phi_2073_ = _e3394;
+                            phi_2071_ = _e3348;
+                            phi_2072_ = _e3385;
+                            phi_2073_ = _e3387;
+                            phi_2074_ = _e3389;
+                            phi_2075_ = _e3391;
+                            phi_2076_ = _e3393;
                         }
-                        let _e3399 = phi_2068_;
-                        let _e3401 = phi_2069_;
-                        let _e3403 = phi_2070_;
-                        let _e3405 = phi_2071_;
-                        let _e3407 = phi_2072_;
-                        let _e3409 = phi_2073_;
-                        if _e3401 {
-                            let _e3411 = local_38;
-                            phi_2078_ = type_32(1u, _e3411);
-                            phi_2079_ = false;
-                            phi_2080_ = false;
-                            phi_2081_ = false;
+                        let _e3398 = phi_2071_;
+                        let _e3400 = phi_2072_;
+                        let _e3402 = phi_2073_;
+                        let _e3404 = phi_2074_;
+                        let _e3406 = phi_2075_;
+                        let _e3408 = phi_2076_;
+                        if _e3400 {
+                            let _e3410 = local_38;
+                            phi_2081_ = type_34(1u, _e3410);
                             phi_2082_ = false;
+                            phi_2083_ = false;
+                            phi_2084_ = false;
+                            phi_2085_ = false;
                         } else {
-                            phi_2078_ = type_32();
-                            phi_2079_ = _e3403;
-                            phi_2080_ = _e3405;
-                            phi_2081_ = _e3407;
-                            phi_2082_ = _e3409;
+                            phi_2081_ = type_34();
+                            phi_2082_ = _e3402;
+                            phi_2083_ = _e3404;
+                            phi_2084_ = _e3406;
+                            phi_2085_ = _e3408;
                         }
-                        let _e3414 = phi_2078_;
-                        let _e3416 = phi_2079_;
-                        let _e3418 = phi_2080_;
-                        let _e3420 = phi_2081_;
-                        let _e3422 = phi_2082_;
-                        if _e3416 {
-                            let _e3424 = local_39;
-                            phi_2087_ = type_32(1u, _e3424);
-                            phi_2088_ = true;
-                            phi_2089_ = false;
-                            phi_2090_ = false;
-                            phi_2091_ = false;
+                        let _e3413 = phi_2081_;
+                        let _e3415 = phi_2082_;
+                        let _e3417 = phi_2083_;
+                        let _e3419 = phi_2084_;
+                        let _e3421 = phi_2085_;
+                        if _e3415 {
+                            let _e3423 = local_39;
+                            phi_2090_ = type_34(1u, _e3423);
+                            phi_2091_ = true;
+                            phi_2092_ = false;
+                            phi_2093_ = false;
+                            phi_2094_ = false;
                         } else {
-                            phi_2087_ = _e3414;
-                            phi_2088_ = _e3401;
-                            phi_2089_ = _e3418;
-                            phi_2090_ = _e3420;
-                            phi_2091_ = _e3422;
+                            phi_2090_ = _e3413;
+                            phi_2091_ = _e3400;
+                            phi_2092_ = _e3417;
+                            phi_2093_ = _e3419;
+                            phi_2094_ = _e3421;
                         }
-                        let _e3427 = phi_2087_;
-                        let _e3429 = phi_2088_;
-                        let _e3431 = phi_2089_;
-                        let _e3433 = phi_2090_;
-                        let _e3435 = phi_2091_;
-                        if _e3429 {
-                            phi_2095_ = _e3427;
-                            phi_2096_ = true;
-                            phi_2097_ = false;
-                            phi_2098_ = false;
+                        let _e3426 = phi_2090_;
+                        let _e3428 = phi_2091_;
+                        let _e3430 = phi_2092_;
+                        let _e3432 = phi_2093_;
+                        let _e3434 = phi_2094_;
+                        if _e3428 {
+                            phi_2098_ = _e3426;
+                            phi_2099_ = true;
+                            phi_2100_ = false;
+                            phi_2101_ = false;
                         } else {
-                            phi_2095_ = _e3399;
-                            phi_2096_ = _e3431;
-                            phi_2097_ = _e3433;
-                            phi_2098_ = _e3435;
+                            phi_2098_ = _e3398;
+                            phi_2099_ = _e3430;
+                            phi_2100_ = _e3432;
+                            phi_2101_ = _e3434;
                         }
-                        let _e3437 = phi_2095_;
-                        let _e3439 = phi_2096_;
-                        let _e3441 = phi_2097_;
-                        let _e3443 = phi_2098_;
-                        if _e3439 {
-                            phi_2102_ = false;
-                            phi_2103_ = false;
+                        let _e3436 = phi_2098_;
+                        let _e3438 = phi_2099_;
+                        let _e3440 = phi_2100_;
+                        let _e3442 = phi_2101_;
+                        if _e3438 {
+                            phi_2105_ = false;
+                            phi_2106_ = false;
                         } else {
-                            phi_2102_ = _e3441;
-                            phi_2103_ = _e3443;
+                            phi_2105_ = _e3440;
+                            phi_2106_ = _e3442;
                         }
-                        let _e3445 = phi_2102_;
-                        let _e3447 = phi_2103_;
-                        if _e3445 {
-                            phi_2107_ = false;
-                            phi_2108_ = false;
+                        let _e3444 = phi_2105_;
+                        let _e3446 = phi_2106_;
+                        if _e3444 {
+                            phi_2110_ = false;
+                            phi_2111_ = false;
                         } else {
-                            phi_2107_ = _e3447;
-                            phi_2108_ = _e3439;
+                            phi_2110_ = _e3446;
+                            phi_2111_ = _e3438;
                         }
-                        let _e3449 = phi_2107_;
-                        let _e3451 = phi_2108_;
-                        if _e3449 {
-                            phi_2112_ = true;
-                            phi_2113_ = false;
+                        let _e3448 = phi_2110_;
+                        let _e3450 = phi_2111_;
+                        if _e3448 {
+                            phi_2115_ = true;
+                            phi_2116_ = false;
                         } else {
-                            phi_2112_ = _e3445;
-                            phi_2113_ = _e3451;
+                            phi_2115_ = _e3444;
+                            phi_2116_ = _e3450;
                         }
-                        let _e3453 = phi_2112_;
-                        let _e3455 = phi_2113_;
-                        if _e3453 {
-                            let _e3457 = local_40;
-                            phi_2118_ = type_32(1u, _e3457);
-                            phi_2119_ = true;
+                        let _e3452 = phi_2115_;
+                        let _e3454 = phi_2116_;
+                        if _e3452 {
+                            let _e3456 = local_40;
+                            phi_2121_ = type_34(1u, _e3456);
+                            phi_2122_ = true;
                         } else {
-                            phi_2118_ = _e3437;
-                            phi_2119_ = _e3455;
+                            phi_2121_ = _e3436;
+                            phi_2122_ = _e3454;
                         }
-                        let _e3460 = phi_2118_;
-                        let _e3462 = phi_2119_;
-                        if _e3462 {
-                            phi_2123_ = _e3460;
+                        let _e3459 = phi_2121_;
+                        let _e3461 = phi_2122_;
+                        if _e3461 {
+                            phi_2126_ = _e3459;
                         } else {
-                            phi_2123_ = _e3382;
+                            phi_2126_ = _e3381;
                         }
-                        let _e3464 = phi_2123_;
-                        if (_e3464.member != 0u) {
+                        let _e3463 = phi_2126_;
+                        if (_e3463.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2137_ = type_19(0u, 3u);
+                            phi_2140_ = type_9(0u, 3u);
                             loop {
-                                let _e3476 = phi_2137_;
-                                if (_e3476.member < _e3476.member_1) {
-                                    phi_2138_ = type_19((_e3476.member + 1u), _e3476.member_1);
-                                    phi_2161_ = type_19(1u, _e3476.member);
+                                let _e3475 = phi_2140_;
+                                if (_e3475.member < _e3475.member_1) {
+                                    phi_2141_ = type_9((_e3475.member + 1u), _e3475.member_1);
+                                    phi_2164_ = type_9(1u, _e3475.member);
                                 } else {
-                                    phi_2138_ = _e3476;
-                                    phi_2161_ = type_19(0u, type_19().member_1);
+                                    phi_2141_ = _e3475;
+                                    phi_2164_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3488 = phi_2138_;
-                                let _e3490 = phi_2161_;
-                                if (bitcast<i32>(_e3490.member) != 0i) {
-                                    let _e3496 = local_11[_e3490.member_1];
-                                    let _e3497 = (_e3464.member_1 + _e3496);
-                                    if (_e3497 < 1f) {
-                                        phi_2181_ = _e3497;
+                                let _e3487 = phi_2141_;
+                                let _e3489 = phi_2164_;
+                                if (bitcast<i32>(_e3489.member) != 0i) {
+                                    let _e3495 = local_11[_e3489.member_1];
+                                    let _e3496 = (_e3463.member_1 + _e3495);
+                                    if (_e3496 < 1f) {
+                                        phi_2184_ = _e3496;
                                     } else {
-                                        phi_2181_ = 1f;
+                                        phi_2184_ = 1f;
                                     }
-                                    let _e3500 = phi_2181_;
-                                    let _e3503 = local_12.member[0u];
-                                    let _e3509 = local_12.member[1u];
-                                    let _e3525 = local_12.member_1[0u];
-                                    let _e3531 = local_12.member_1[1u];
-                                    let _e3547 = local_12.member_2[0u];
-                                    let _e3553 = local_12.member_2[1u];
-                                    let _e3567 = function_2(array<f32, 3>((_e3503[0] + ((_e3509[0] - _e3503[0]) * _e3500)), (_e3503[1] + ((_e3509[1] - _e3503[1]) * _e3500)), (_e3503[2] + ((_e3509[2] - _e3503[2]) * _e3500))), array<f32, 3>((_e3525[0] + ((_e3531[0] - _e3525[0]) * _e3500)), (_e3525[1] + ((_e3531[1] - _e3525[1]) * _e3500)), (_e3525[2] + ((_e3531[2] - _e3525[2]) * _e3500))), array<f32, 3>((_e3547[0] + ((_e3553[0] - _e3547[0]) * _e3500)), (_e3547[1] + ((_e3553[1] - _e3547[1]) * _e3500)), (_e3547[2] + ((_e3553[2] - _e3547[2]) * _e3500))), 1u);
-                                    let _e3578 = (((_e3567[0] * _e3567[0]) + (_e3567[1] * _e3567[1])) + (_e3567[2] * _e3567[2]));
-                                    if (_e3578 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e3578 > 0f) {
-                                            phi_2304_ = (0.000000000000000000106433627f * 2f);
+                                    let _e3499 = phi_2184_;
+                                    let _e3502 = local_12.member[0u];
+                                    let _e3508 = local_12.member[1u];
+                                    let _e3524 = local_12.member_1[0u];
+                                    let _e3530 = local_12.member_1[1u];
+                                    let _e3546 = local_12.member_2[0u];
+                                    let _e3552 = local_12.member_2[1u];
+                                    let _e3566 = function_2(array<f32, 3>((_e3502[0] + ((_e3508[0] - _e3502[0]) * _e3499)), (_e3502[1] + ((_e3508[1] - _e3502[1]) * _e3499)), (_e3502[2] + ((_e3508[2] - _e3502[2]) * _e3499))), array<f32, 3>((_e3524[0] + ((_e3530[0] - _e3524[0]) * _e3499)), (_e3524[1] + ((_e3530[1] - _e3524[1]) * _e3499)), (_e3524[2] + ((_e3530[2] - _e3524[2]) * _e3499))), array<f32, 3>((_e3546[0] + ((_e3552[0] - _e3546[0]) * _e3499)), (_e3546[1] + ((_e3552[1] - _e3546[1]) * _e3499)), (_e3546[2] + ((_e3552[2] - _e3546[2]) * _e3499))), 1u);
+                                    let _e3577 = (((_e3566[0] * _e3566[0]) + (_e3566[1] * _e3566[1])) + (_e3566[2] * _e3566[2]));
+                                    if (_e3577 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e3577 > 0f) {
+                                            phi_2307_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_2304_ = 0f;
+                                            phi_2307_ = 0f;
                                         }
-                                        let _e3631 = phi_2304_;
-                                        phi_2368_ = _e3631;
+                                        let _e3630 = phi_2307_;
+                                        phi_2371_ = _e3630;
                                     } else {
-                                        phi_2311_ = type_17(0i, 5i);
-                                        phi_2314_ = bitcast<f32>(((bitcast<u32>(_e3578) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_2314_ = type_14(0i, 5i);
+                                        phi_2317_ = bitcast<f32>(((bitcast<u32>(_e3577) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e3586 = phi_2311_;
-                                            let _e3588 = phi_2314_;
-                                            local_41 = _e3588;
-                                            if (_e3586.member < _e3586.member_1) {
-                                                let _e3595 = (_e3586.member + 1i);
-                                                if ((false == (_e3595 > _e3586.member)) != false) {
-                                                    phi_2335_ = true;
+                                            let _e3585 = phi_2314_;
+                                            let _e3587 = phi_2317_;
+                                            local_41 = _e3587;
+                                            if (_e3585.member < _e3585.member_1) {
+                                                let _e3594 = (_e3585.member + 1i);
+                                                if ((false == (_e3594 > _e3585.member)) != false) {
+                                                    phi_2338_ = true;
                                                 } else {
-                                                    phi_2335_ = false;
+                                                    phi_2338_ = false;
                                                 }
-                                                let _e3600 = phi_2335_;
-                                                if _e3600 {
-                                                    phi_2341_ = type_18(0u, type_18().member_1);
+                                                let _e3599 = phi_2338_;
+                                                if _e3599 {
+                                                    phi_2344_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_2341_ = type_18(1u, _e3595);
+                                                    phi_2344_ = type_15(1u, _e3594);
                                                 }
-                                                let _e3605 = phi_2341_;
-                                                phi_2312_ = type_17(_e3605.member_1, _e3586.member_1);
-                                                phi_2355_ = type_18(1u, _e3586.member);
+                                                let _e3604 = phi_2344_;
+                                                phi_2315_ = type_14(_e3604.member_1, _e3585.member_1);
+                                                phi_2358_ = type_15(1u, _e3585.member);
                                             } else {
-                                                phi_2312_ = _e3586;
-                                                phi_2355_ = type_18(0u, type_18().member_1);
+                                                phi_2315_ = _e3585;
+                                                phi_2358_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e3611 = phi_2312_;
-                                            let _e3613 = phi_2355_;
-                                            let _e3616 = (bitcast<i32>(_e3613.member) != 0i);
-                                            if _e3616 {
-                                                phi_2315_ = (0.5f * (_e3588 + (_e3578 / _e3588)));
+                                            let _e3610 = phi_2315_;
+                                            let _e3612 = phi_2358_;
+                                            let _e3615 = (bitcast<i32>(_e3612.member) != 0i);
+                                            if _e3615 {
+                                                phi_2318_ = (0.5f * (_e3587 + (_e3577 / _e3587)));
                                             } else {
-                                                phi_2315_ = f32();
+                                                phi_2318_ = f32();
                                             }
-                                            let _e3621 = phi_2315_;
+                                            let _e3620 = phi_2318_;
                                             continue;
                                             continuing {
-                                                phi_2311_ = _e3611;
-                                                phi_2314_ = _e3621;
-                                                break if !(_e3616);
+                                                phi_2314_ = _e3610;
+                                                phi_2317_ = _e3620;
+                                                break if !(_e3615);
                                             }
                                         }
-                                        let _e3626 = local_41;
-                                        phi_2368_ = (_e3626 * (1f + (8f * 0.000000059604645f)));
+                                        let _e3625 = local_41;
+                                        phi_2371_ = (_e3625 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e3633 = phi_2368_;
-                                    let _e3639 = local_12.member[0u];
-                                    if (_e3639[0] < 0f) {
-                                        phi_2384_ = -(_e3639[0]);
+                                    let _e3632 = phi_2371_;
+                                    let _e3638 = local_12.member[0u];
+                                    if (_e3638[0] < 0f) {
+                                        phi_2387_ = -(_e3638[0]);
                                     } else {
-                                        phi_2384_ = _e3639[0];
+                                        phi_2387_ = _e3638[0];
                                     }
-                                    let _e3646 = phi_2384_;
-                                    if (_e3639[1] < 0f) {
-                                        phi_2391_ = -(_e3639[1]);
+                                    let _e3645 = phi_2387_;
+                                    if (_e3638[1] < 0f) {
+                                        phi_2394_ = -(_e3638[1]);
                                     } else {
-                                        phi_2391_ = _e3639[1];
+                                        phi_2394_ = _e3638[1];
                                     }
-                                    let _e3650 = phi_2391_;
-                                    if (_e3646 > _e3650) {
-                                        phi_2396_ = _e3646;
+                                    let _e3649 = phi_2394_;
+                                    if (_e3645 > _e3649) {
+                                        phi_2399_ = _e3645;
                                     } else {
-                                        phi_2396_ = _e3650;
+                                        phi_2399_ = _e3649;
                                     }
-                                    let _e3653 = phi_2396_;
-                                    if (_e3639[2] < 0f) {
-                                        phi_2403_ = -(_e3639[2]);
+                                    let _e3652 = phi_2399_;
+                                    if (_e3638[2] < 0f) {
+                                        phi_2406_ = -(_e3638[2]);
                                     } else {
-                                        phi_2403_ = _e3639[2];
+                                        phi_2406_ = _e3638[2];
                                     }
-                                    let _e3657 = phi_2403_;
-                                    if (_e3653 > _e3657) {
-                                        phi_2408_ = _e3653;
+                                    let _e3656 = phi_2406_;
+                                    if (_e3652 > _e3656) {
+                                        phi_2411_ = _e3652;
                                     } else {
-                                        phi_2408_ = _e3657;
+                                        phi_2411_ = _e3656;
                                     }
-                                    let _e3660 = phi_2408_;
-                                    let _e3663 = local_12.member[1u];
-                                    if (_e3663[0] < 0f) {
-                                        phi_2421_ = -(_e3663[0]);
+                                    let _e3659 = phi_2411_;
+                                    let _e3662 = local_12.member[1u];
+                                    if (_e3662[0] < 0f) {
+                                        phi_2424_ = -(_e3662[0]);
                                     } else {
-                                        phi_2421_ = _e3663[0];
+                                        phi_2424_ = _e3662[0];
                                     }
-                                    let _e3670 = phi_2421_;
-                                    if (_e3663[1] < 0f) {
-                                        phi_2428_ = -(_e3663[1]);
+                                    let _e3669 = phi_2424_;
+                                    if (_e3662[1] < 0f) {
+                                        phi_2431_ = -(_e3662[1]);
                                     } else {
-                                        phi_2428_ = _e3663[1];
+                                        phi_2431_ = _e3662[1];
                                     }
-                                    let _e3674 = phi_2428_;
-                                    if (_e3670 > _e3674) {
-                                        phi_2433_ = _e3670;
+                                    let _e3673 = phi_2431_;
+                                    if (_e3669 > _e3673) {
+                                        phi_2436_ = _e3669;
                                     } else {
-                                        phi_2433_ = _e3674;
+                                        phi_2436_ = _e3673;
                                     }
-                                    let _e3677 = phi_2433_;
-                                    if (_e3663[2] < 0f) {
-                                        phi_2440_ = -(_e3663[2]);
+                                    let _e3676 = phi_2436_;
+                                    if (_e3662[2] < 0f) {
+                                        phi_2443_ = -(_e3662[2]);
                                     } else {
-                                        phi_2440_ = _e3663[2];
+                                        phi_2443_ = _e3662[2];
                                     }
-                                    let _e3681 = phi_2440_;
-                                    if (_e3677 > _e3681) {
-                                        phi_2445_ = _e3677;
+                                    let _e3680 = phi_2443_;
+                                    if (_e3676 > _e3680) {
+                                        phi_2448_ = _e3676;
                                     } else {
-                                        phi_2445_ = _e3681;
+                                        phi_2448_ = _e3680;
                                     }
-                                    let _e3684 = phi_2445_;
-                                    if (_e3660 > _e3684) {
-                                        phi_2450_ = _e3660;
+                                    let _e3683 = phi_2448_;
+                                    if (_e3659 > _e3683) {
+                                        phi_2453_ = _e3659;
                                     } else {
-                                        phi_2450_ = _e3684;
+                                        phi_2453_ = _e3683;
                                     }
-                                    let _e3687 = phi_2450_;
-                                    let _e3689 = local_12.member_3;
-                                    let _e3693 = local_12.member_1[0u];
-                                    if (_e3693[0] < 0f) {
-                                        phi_2467_ = -(_e3693[0]);
+                                    let _e3686 = phi_2453_;
+                                    let _e3688 = local_12.member_3;
+                                    let _e3692 = local_12.member_1[0u];
+                                    if (_e3692[0] < 0f) {
+                                        phi_2470_ = -(_e3692[0]);
                                     } else {
-                                        phi_2467_ = _e3693[0];
+                                        phi_2470_ = _e3692[0];
                                     }
-                                    let _e3700 = phi_2467_;
-                                    if (_e3693[1] < 0f) {
-                                        phi_2474_ = -(_e3693[1]);
+                                    let _e3699 = phi_2470_;
+                                    if (_e3692[1] < 0f) {
+                                        phi_2477_ = -(_e3692[1]);
                                     } else {
-                                        phi_2474_ = _e3693[1];
+                                        phi_2477_ = _e3692[1];
                                     }
-                                    let _e3704 = phi_2474_;
-                                    if (_e3700 > _e3704) {
-                                        phi_2479_ = _e3700;
+                                    let _e3703 = phi_2477_;
+                                    if (_e3699 > _e3703) {
+                                        phi_2482_ = _e3699;
                                     } else {
-                                        phi_2479_ = _e3704;
+                                        phi_2482_ = _e3703;
                                     }
-                                    let _e3707 = phi_2479_;
-                                    if (_e3693[2] < 0f) {
-                                        phi_2486_ = -(_e3693[2]);
+                                    let _e3706 = phi_2482_;
+                                    if (_e3692[2] < 0f) {
+                                        phi_2489_ = -(_e3692[2]);
                                     } else {
-                                        phi_2486_ = _e3693[2];
+                                        phi_2489_ = _e3692[2];
                                     }
-                                    let _e3711 = phi_2486_;
-                                    if (_e3707 > _e3711) {
-                                        phi_2491_ = _e3707;
+                                    let _e3710 = phi_2489_;
+                                    if (_e3706 > _e3710) {
+                                        phi_2494_ = _e3706;
                                     } else {
-                                        phi_2491_ = _e3711;
+                                        phi_2494_ = _e3710;
                                     }
-                                    let _e3714 = phi_2491_;
-                                    let _e3717 = local_12.member_1[1u];
-                                    if (_e3717[0] < 0f) {
-                                        phi_2505_ = -(_e3717[0]);
+                                    let _e3713 = phi_2494_;
+                                    let _e3716 = local_12.member_1[1u];
+                                    if (_e3716[0] < 0f) {
+                                        phi_2508_ = -(_e3716[0]);
                                     } else {
-                                        phi_2505_ = _e3717[0];
+                                        phi_2508_ = _e3716[0];
                                     }
-                                    let _e3724 = phi_2505_;
-                                    if (_e3717[1] < 0f) {
-                                        phi_2512_ = -(_e3717[1]);
+                                    let _e3723 = phi_2508_;
+                                    if (_e3716[1] < 0f) {
+                                        phi_2515_ = -(_e3716[1]);
                                     } else {
-                                        phi_2512_ = _e3717[1];
+                                        phi_2515_ = _e3716[1];
                                     }
-                                    let _e3728 = phi_2512_;
-                                    if (_e3724 > _e3728) {
-                                        phi_2517_ = _e3724;
+                                    let _e3727 = phi_2515_;
+                                    if (_e3723 > _e3727) {
+                                        phi_2520_ = _e3723;
                                     } else {
-                                        phi_2517_ = _e3728;
+                                        phi_2520_ = _e3727;
                                     }
-                                    let _e3731 = phi_2517_;
-                                    if (_e3717[2] < 0f) {
-                                        phi_2524_ = -(_e3717[2]);
+                                    let _e3730 = phi_2520_;
+                                    if (_e3716[2] < 0f) {
+                                        phi_2527_ = -(_e3716[2]);
                                     } else {
-                                        phi_2524_ = _e3717[2];
+                                        phi_2527_ = _e3716[2];
                                     }
-                                    let _e3735 = phi_2524_;
-                                    if (_e3731 > _e3735) {
-                                        phi_2529_ = _e3731;
+                                    let _e3734 = phi_2527_;
+                                    if (_e3730 > _e3734) {
+                                        phi_2532_ = _e3730;
                                     } else {
-                                        phi_2529_ = _e3735;
+                                        phi_2532_ = _e3734;
                                     }
-                                    let _e3738 = phi_2529_;
-                                    if (_e3714 > _e3738) {
-                                        phi_2534_ = _e3714;
+                                    let _e3737 = phi_2532_;
+                                    if (_e3713 > _e3737) {
+                                        phi_2537_ = _e3713;
                                     } else {
-                                        phi_2534_ = _e3738;
+                                        phi_2537_ = _e3737;
                                     }
-                                    let _e3741 = phi_2534_;
-                                    let _e3743 = local_12.member_3;
-                                    let _e3747 = local_12.member_2[0u];
-                                    if (_e3747[0] < 0f) {
-                                        phi_2551_ = -(_e3747[0]);
+                                    let _e3740 = phi_2537_;
+                                    let _e3742 = local_12.member_3;
+                                    let _e3746 = local_12.member_2[0u];
+                                    if (_e3746[0] < 0f) {
+                                        phi_2554_ = -(_e3746[0]);
                                     } else {
-                                        phi_2551_ = _e3747[0];
+                                        phi_2554_ = _e3746[0];
                                     }
-                                    let _e3754 = phi_2551_;
-                                    if (_e3747[1] < 0f) {
-                                        phi_2558_ = -(_e3747[1]);
+                                    let _e3753 = phi_2554_;
+                                    if (_e3746[1] < 0f) {
+                                        phi_2561_ = -(_e3746[1]);
                                     } else {
-                                        phi_2558_ = _e3747[1];
+                                        phi_2561_ = _e3746[1];
                                     }
-                                    let _e3758 = phi_2558_;
-                                    if (_e3754 > _e3758) {
-                                        phi_2563_ = _e3754;
+                                    let _e3757 = phi_2561_;
+                                    if (_e3753 > _e3757) {
+                                        phi_2566_ = _e3753;
                                     } else {
-                                        phi_2563_ = _e3758;
+                                        phi_2566_ = _e3757;
                                     }
-                                    let _e3761 = phi_2563_;
-                                    if (_e3747[2] < 0f) {
-                                        phi_2570_ = -(_e3747[2]);
+                                    let _e3760 = phi_2566_;
+                                    if (_e3746[2] < 0f) {
+                                        phi_2573_ = -(_e3746[2]);
                                     } else {
-                                        phi_2570_ = _e3747[2];
+                                        phi_2573_ = _e3746[2];
                                     }
-                                    let _e3765 = phi_2570_;
-                                    if (_e3761 > _e3765) {
-                                        phi_2575_ = _e3761;
+                                    let _e3764 = phi_2573_;
+                                    if (_e3760 > _e3764) {
+                                        phi_2578_ = _e3760;
                                     } else {
-                                        phi_2575_ = _e3765;
+                                        phi_2578_ = _e3764;
                                     }
-                                    let _e3768 = phi_2575_;
-                                    let _e3771 = local_12.member_2[1u];
-                                    if (_e3771[0] < 0f) {
-                                        phi_2589_ = -(_e3771[0]);
+                                    let _e3767 = phi_2578_;
+                                    let _e3770 = local_12.member_2[1u];
+                                    if (_e3770[0] < 0f) {
+                                        phi_2592_ = -(_e3770[0]);
                                     } else {
-                                        phi_2589_ = _e3771[0];
+                                        phi_2592_ = _e3770[0];
                                     }
-                                    let _e3778 = phi_2589_;
-                                    if (_e3771[1] < 0f) {
-                                        phi_2596_ = -(_e3771[1]);
+                                    let _e3777 = phi_2592_;
+                                    if (_e3770[1] < 0f) {
+                                        phi_2599_ = -(_e3770[1]);
                                     } else {
-                                        phi_2596_ = _e3771[1];
+                                        phi_2599_ = _e3770[1];
                                     }
-                                    let _e3782 = phi_2596_;
-                                    if (_e3778 > _e3782) {
-                                        phi_2601_ = _e3778;
+                                    let _e3781 = phi_2599_;
+                                    if (_e3777 > _e3781) {
+                                        phi_2604_ = _e3777;
                                     } else {
-                                        phi_2601_ = _e3782;
+                                        phi_2604_ = _e3781;
                                     }
-                                    let _e3785 = phi_2601_;
-                                    if (_e3771[2] < 0f) {
-                                        phi_2608_ = -(_e3771[2]);
+                                    let _e3784 = phi_2604_;
+                                    if (_e3770[2] < 0f) {
+                                        phi_2611_ = -(_e3770[2]);
                                     } else {
-                                        phi_2608_ = _e3771[2];
+                                        phi_2611_ = _e3770[2];
                                     }
-                                    let _e3789 = phi_2608_;
-                                    if (_e3785 > _e3789) {
-                                        phi_2613_ = _e3785;
+                                    let _e3788 = phi_2611_;
+                                    if (_e3784 > _e3788) {
+                                        phi_2616_ = _e3784;
                                     } else {
-                                        phi_2613_ = _e3789;
+                                        phi_2616_ = _e3788;
                                     }
-                                    let _e3792 = phi_2613_;
-                                    if (_e3768 > _e3792) {
-                                        phi_2618_ = _e3768;
+                                    let _e3791 = phi_2616_;
+                                    if (_e3767 > _e3791) {
+                                        phi_2621_ = _e3767;
                                     } else {
-                                        phi_2618_ = _e3792;
+                                        phi_2621_ = _e3791;
                                     }
-                                    let _e3795 = phi_2618_;
-                                    let _e3797 = local_12.member_3;
-                                    let _e3804 = local_12.member_3;
-                                    let _e3811 = (((_e3633 * (1f + (0.000000059604645f * 8f))) + (((((((_e3687 + _e3689) + (_e3741 + _e3743)) + (_e3795 + _e3797)) * (0.000000059604645f * 16f)) + (_e3804 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e251);
-                                    if _e3811 {
-                                        phi_2638_ = false;
+                                    let _e3794 = phi_2621_;
+                                    let _e3796 = local_12.member_3;
+                                    let _e3803 = local_12.member_3;
+                                    let _e3810 = (((_e3632 * (1f + (0.000000059604645f * 8f))) + (((((((_e3686 + _e3688) + (_e3740 + _e3742)) + (_e3794 + _e3796)) * (0.000000059604645f * 16f)) + (_e3803 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e250);
+                                    if _e3810 {
+                                        phi_2641_ = false;
                                     } else {
-                                        phi_2638_ = true;
+                                        phi_2641_ = true;
                                     }
-                                    let _e3813 = phi_2638_;
-                                    phi_2639_ = _e3813;
-                                    phi_2640_ = _e3811;
+                                    let _e3812 = phi_2641_;
+                                    phi_2642_ = _e3812;
+                                    phi_2643_ = _e3810;
                                 } else {
-                                    phi_2639_ = false;
-                                    phi_2640_ = false;
+                                    phi_2642_ = false;
+                                    phi_2643_ = false;
                                 }
-                                let _e3815 = phi_2639_;
-                                let _e3817 = phi_2640_;
-                                local_42 = _e3817;
+                                let _e3814 = phi_2642_;
+                                let _e3816 = phi_2643_;
+                                local_42 = _e3816;
                                 continue;
                                 continuing {
-                                    phi_2137_ = _e3488;
-                                    break if !(_e3815);
+                                    phi_2140_ = _e3487;
+                                    break if !(_e3814);
                                 }
                             }
-                            let _e3820 = local_42;
-                            if _e3820 {
-                                phi_2645_ = type_32(1u, _e3464.member_1);
-                                phi_2646_ = false;
+                            let _e3819 = local_42;
+                            if _e3819 {
+                                phi_2648_ = type_34(1u, _e3463.member_1);
+                                phi_2649_ = false;
                             } else {
-                                phi_2645_ = type_32();
-                                phi_2646_ = true;
+                                phi_2648_ = type_34();
+                                phi_2649_ = true;
                             }
-                            let _e3823 = phi_2645_;
-                            let _e3825 = phi_2646_;
-                            if _e3825 {
-                                phi_2651_ = type_32(2u, _e3464.member_1);
-                                phi_2652_ = false;
+                            let _e3822 = phi_2648_;
+                            let _e3824 = phi_2649_;
+                            if _e3824 {
+                                phi_2654_ = type_34(2u, _e3463.member_1);
+                                phi_2655_ = false;
                             } else {
-                                phi_2651_ = type_32();
-                                phi_2652_ = true;
+                                phi_2654_ = type_34();
+                                phi_2655_ = true;
                             }
-                            let _e3828 = phi_2651_;
-                            let _e3830 = phi_2652_;
-                            phi_2654_ = _e3828;
-                            phi_2655_ = _e3823;
-                            phi_2656_ = _e3830;
+                            let _e3827 = phi_2654_;
+                            let _e3829 = phi_2655_;
+                            phi_2657_ = _e3827;
+                            phi_2658_ = _e3822;
+                            phi_2659_ = _e3829;
                         } else {
-                            phi_2654_ = type_32();
-                            phi_2655_ = type_32(0u, type_32().member_1);
-                            phi_2656_ = true;
+                            phi_2657_ = type_34();
+                            phi_2658_ = type_34(0u, type_34().member_1);
+                            phi_2659_ = true;
                         }
-                        let _e3832 = phi_2654_;
-                        let _e3834 = phi_2655_;
-                        let _e3836 = phi_2656_;
-                        if _e3836 {
-                            phi_2660_ = _e3834;
+                        let _e3831 = phi_2657_;
+                        let _e3833 = phi_2658_;
+                        let _e3835 = phi_2659_;
+                        if _e3835 {
+                            phi_2663_ = _e3833;
                         } else {
-                            phi_2660_ = _e3832;
+                            phi_2663_ = _e3831;
                         }
-                        let _e3838 = phi_2660_;
-                        phi_5477_ = _e3838;
+                        let _e3837 = phi_2663_;
+                        phi_5480_ = _e3837;
                     } else {
-                        if (_e349 < 0f) {
-                            phi_2670_ = -(_e349);
+                        if (_e348 < 0f) {
+                            phi_2673_ = -(_e348);
                         } else {
-                            phi_2670_ = _e349;
+                            phi_2673_ = _e348;
                         }
-                        let _e692 = phi_2670_;
-                        if (_e372 < 0f) {
-                            phi_2676_ = -(_e372);
+                        let _e691 = phi_2673_;
+                        if (_e371 < 0f) {
+                            phi_2679_ = -(_e371);
                         } else {
-                            phi_2676_ = _e372;
+                            phi_2679_ = _e371;
                         }
-                        let _e696 = phi_2676_;
-                        if (_e692 > _e696) {
-                            phi_2681_ = _e692;
+                        let _e695 = phi_2679_;
+                        if (_e691 > _e695) {
+                            phi_2684_ = _e691;
                         } else {
-                            phi_2681_ = _e696;
+                            phi_2684_ = _e695;
                         }
-                        let _e699 = phi_2681_;
-                        if (_e395 < 0f) {
-                            phi_2687_ = -(_e395);
+                        let _e698 = phi_2684_;
+                        if (_e394 < 0f) {
+                            phi_2690_ = -(_e394);
                         } else {
-                            phi_2687_ = _e395;
+                            phi_2690_ = _e394;
                         }
-                        let _e703 = phi_2687_;
-                        if (_e406 < 0f) {
-                            phi_2693_ = -(_e406);
+                        let _e702 = phi_2690_;
+                        if (_e405 < 0f) {
+                            phi_2696_ = -(_e405);
                         } else {
-                            phi_2693_ = _e406;
+                            phi_2696_ = _e405;
                         }
-                        let _e707 = phi_2693_;
-                        if (_e703 > _e707) {
-                            phi_2698_ = _e703;
+                        let _e706 = phi_2696_;
+                        if (_e702 > _e706) {
+                            phi_2701_ = _e702;
                         } else {
-                            phi_2698_ = _e707;
+                            phi_2701_ = _e706;
                         }
-                        let _e710 = phi_2698_;
-                        if (_e699 > _e710) {
-                            phi_2703_ = _e699;
+                        let _e709 = phi_2701_;
+                        if (_e698 > _e709) {
+                            phi_2706_ = _e698;
                         } else {
-                            phi_2703_ = _e710;
+                            phi_2706_ = _e709;
                         }
-                        let _e713 = phi_2703_;
-                        let _e714 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                        if (_e713 >= _e714) {
-                            phi_2711_ = (_e713 <= (1f / _e714));
+                        let _e712 = phi_2706_;
+                        let _e713 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e712 >= _e713) {
+                            phi_2714_ = (_e712 <= (1f / _e713));
                         } else {
-                            phi_2711_ = false;
+                            phi_2714_ = false;
                         }
-                        let _e719 = phi_2711_;
-                        if _e719 {
-                            phi_2716_ = (0.000000059604645f * 256f);
+                        let _e718 = phi_2714_;
+                        if _e718 {
+                            phi_2719_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_2716_ = 2f;
+                            phi_2719_ = 2f;
                         }
-                        let _e722 = phi_2716_;
-                        let _e724 = ((_e656 * 0.34f) + (_e713 * _e722));
-                        if _e719 {
-                            phi_2723_ = (1f / _e713);
+                        let _e721 = phi_2719_;
+                        let _e723 = ((_e655 * 0.34f) + (_e712 * _e721));
+                        if _e718 {
+                            phi_2726_ = (1f / _e712);
                         } else {
-                            phi_2723_ = 0f;
+                            phi_2726_ = 0f;
                         }
-                        let _e727 = phi_2723_;
-                        let _e733 = ((_e372 - (3f * _e349)) * _e727);
-                        let _e734 = ((_e395 - _e372) * _e727);
-                        let _e735 = (((3f * _e406) - _e395) * _e727);
+                        let _e726 = phi_2726_;
+                        let _e732 = ((_e371 - (3f * _e348)) * _e726);
+                        let _e733 = ((_e394 - _e371) * _e726);
+                        let _e734 = (((3f * _e405) - _e394) * _e726);
                         local_6[0u] = 0f;
                         local_6[1u] = 1f;
                         local_6[2u] = 1f;
                         local_6[3u] = 1f;
-                        let _e742 = ((_e734 * _e734) - (_e733 * _e735));
-                        if (_e742 > 0f) {
-                            if (_e742 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e742 > 0f) {
-                                    phi_2756_ = (0.000000000000000000106433627f * 2f);
+                        let _e741 = ((_e733 * _e733) - (_e732 * _e734));
+                        if (_e741 > 0f) {
+                            if (_e741 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e741 > 0f) {
+                                    phi_2759_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_2756_ = 0f;
+                                    phi_2759_ = 0f;
                                 }
-                                let _e796 = phi_2756_;
-                                phi_2820_ = _e796;
+                                let _e795 = phi_2759_;
+                                phi_2823_ = _e795;
                             } else {
-                                phi_2763_ = type_17(0i, 5i);
-                                phi_2766_ = bitcast<f32>(((bitcast<u32>(_e742) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_2766_ = type_14(0i, 5i);
+                                phi_2769_ = bitcast<f32>(((bitcast<u32>(_e741) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e751 = phi_2763_;
-                                    let _e753 = phi_2766_;
-                                    local_13 = _e753;
-                                    if (_e751.member < _e751.member_1) {
-                                        let _e760 = (_e751.member + 1i);
-                                        if ((false == (_e760 > _e751.member)) != false) {
-                                            phi_2787_ = true;
+                                    let _e750 = phi_2766_;
+                                    let _e752 = phi_2769_;
+                                    local_13 = _e752;
+                                    if (_e750.member < _e750.member_1) {
+                                        let _e759 = (_e750.member + 1i);
+                                        if ((false == (_e759 > _e750.member)) != false) {
+                                            phi_2790_ = true;
                                         } else {
-                                            phi_2787_ = false;
+                                            phi_2790_ = false;
                                         }
-                                        let _e765 = phi_2787_;
-                                        if _e765 {
-                                            phi_2793_ = type_18(0u, type_18().member_1);
+                                        let _e764 = phi_2790_;
+                                        if _e764 {
+                                            phi_2796_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_2793_ = type_18(1u, _e760);
+                                            phi_2796_ = type_15(1u, _e759);
                                         }
-                                        let _e770 = phi_2793_;
-                                        phi_2764_ = type_17(_e770.member_1, _e751.member_1);
-                                        phi_2807_ = type_18(1u, _e751.member);
+                                        let _e769 = phi_2796_;
+                                        phi_2767_ = type_14(_e769.member_1, _e750.member_1);
+                                        phi_2810_ = type_15(1u, _e750.member);
                                     } else {
-                                        phi_2764_ = _e751;
-                                        phi_2807_ = type_18(0u, type_18().member_1);
+                                        phi_2767_ = _e750;
+                                        phi_2810_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e776 = phi_2764_;
-                                    let _e778 = phi_2807_;
-                                    let _e781 = (bitcast<i32>(_e778.member) != 0i);
-                                    if _e781 {
-                                        phi_2767_ = (0.5f * (_e753 + (_e742 / _e753)));
+                                    let _e775 = phi_2767_;
+                                    let _e777 = phi_2810_;
+                                    let _e780 = (bitcast<i32>(_e777.member) != 0i);
+                                    if _e780 {
+                                        phi_2770_ = (0.5f * (_e752 + (_e741 / _e752)));
                                     } else {
-                                        phi_2767_ = f32();
+                                        phi_2770_ = f32();
                                     }
-                                    let _e786 = phi_2767_;
+                                    let _e785 = phi_2770_;
                                     continue;
                                     continuing {
-                                        phi_2763_ = _e776;
-                                        phi_2766_ = _e786;
-                                        break if !(_e781);
+                                        phi_2766_ = _e775;
+                                        phi_2769_ = _e785;
+                                        break if !(_e780);
                                     }
                                 }
-                                let _e791 = local_13;
-                                phi_2820_ = (_e791 * (1f + (8f * 0.000000059604645f)));
+                                let _e790 = local_13;
+                                phi_2823_ = (_e790 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e798 = phi_2820_;
-                            if (_e734 < 0f) {
-                                phi_2826_ = -(_e798);
+                            let _e797 = phi_2823_;
+                            if (_e733 < 0f) {
+                                phi_2829_ = -(_e797);
                             } else {
-                                phi_2826_ = _e798;
+                                phi_2829_ = _e797;
                             }
-                            let _e802 = phi_2826_;
-                            let _e804 = -((_e734 + _e802));
-                            local_7[0u] = (_e804 / (_e804 + _e735));
-                            local_7[1u] = (_e733 / (_e733 + _e804));
-                            let _e813 = local_7[1u];
-                            let _e814 = local_7[0u];
-                            if (_e813 < _e814) {
-                                let _e817 = local_7[1u];
-                                let _e819 = local_7[0u];
-                                local_7[0u] = _e817;
-                                local_7[1u] = _e819;
+                            let _e801 = phi_2829_;
+                            let _e803 = -((_e733 + _e801));
+                            local_7[0u] = (_e803 / (_e803 + _e734));
+                            local_7[1u] = (_e732 / (_e732 + _e803));
+                            let _e812 = local_7[1u];
+                            let _e813 = local_7[0u];
+                            if (_e812 < _e813) {
+                                let _e816 = local_7[1u];
+                                let _e818 = local_7[0u];
+                                local_7[0u] = _e816;
+                                local_7[1u] = _e818;
                             }
-                            phi_2851_ = type_19(0u, 2u);
-                            phi_2854_ = 1u;
+                            phi_2854_ = type_9(0u, 2u);
+                            phi_2857_ = 1u;
                             loop {
-                                let _e823 = phi_2851_;
-                                let _e825 = phi_2854_;
-                                local_43 = _e825;
-                                if (_e823.member < _e823.member_1) {
-                                    phi_2852_ = type_19((_e823.member + 1u), _e823.member_1);
-                                    phi_2877_ = type_19(1u, _e823.member);
+                                let _e822 = phi_2854_;
+                                let _e824 = phi_2857_;
+                                local_43 = _e824;
+                                if (_e822.member < _e822.member_1) {
+                                    phi_2855_ = type_9((_e822.member + 1u), _e822.member_1);
+                                    phi_2880_ = type_9(1u, _e822.member);
                                 } else {
-                                    phi_2852_ = _e823;
-                                    phi_2877_ = type_19(0u, type_19().member_1);
+                                    phi_2855_ = _e822;
+                                    phi_2880_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e837 = phi_2852_;
-                                let _e839 = phi_2877_;
-                                let _e843 = (bitcast<i32>(_e839.member) != 0i);
-                                if _e843 {
-                                    let _e845 = local_7[_e839.member_1];
-                                    if (_e845 > 0f) {
-                                        let _e848 = local_7[_e839.member_1];
-                                        if (_e848 < 1f) {
-                                            let _e851 = local_7[_e839.member_1];
-                                            local_6[_e825] = _e851;
-                                            phi_2921_ = (_e825 + 1u);
+                                let _e836 = phi_2855_;
+                                let _e838 = phi_2880_;
+                                let _e842 = (bitcast<i32>(_e838.member) != 0i);
+                                if _e842 {
+                                    let _e844 = local_7[_e838.member_1];
+                                    if (_e844 > 0f) {
+                                        let _e847 = local_7[_e838.member_1];
+                                        if (_e847 < 1f) {
+                                            let _e850 = local_7[_e838.member_1];
+                                            local_6[_e824] = _e850;
+                                            phi_2924_ = (_e824 + 1u);
                                         } else {
-                                            phi_2921_ = _e825;
+                                            phi_2924_ = _e824;
                                         }
-                                        let _e855 = phi_2921_;
-                                        phi_2922_ = _e855;
+                                        let _e854 = phi_2924_;
+                                        phi_2925_ = _e854;
                                     } else {
-                                        phi_2922_ = _e825;
+                                        phi_2925_ = _e824;
                                     }
-                                    let _e857 = phi_2922_;
-                                    phi_2855_ = _e857;
+                                    let _e856 = phi_2925_;
+                                    phi_2858_ = _e856;
                                 } else {
-                                    phi_2855_ = u32();
+                                    phi_2858_ = u32();
                                 }
-                                let _e859 = phi_2855_;
+                                let _e858 = phi_2858_;
                                 continue;
                                 continuing {
-                                    phi_2851_ = _e837;
-                                    phi_2854_ = _e859;
-                                    break if !(_e843);
+                                    phi_2854_ = _e836;
+                                    phi_2857_ = _e858;
+                                    break if !(_e842);
                                 }
                             }
-                            let _e4047 = local_43;
-                            phi_2923_ = _e4047;
+                            let _e4051 = local_43;
+                            phi_2926_ = _e4051;
                         } else {
-                            phi_2923_ = 1u;
+                            phi_2926_ = 1u;
                         }
-                        let _e862 = phi_2923_;
-                        local_6[_e862] = 1f;
-                        let _e864 = local_6;
-                        local_8 = _e864;
-                        phi_2943_ = type_19(0u, _e862);
+                        let _e861 = phi_2926_;
+                        local_6[_e861] = 1f;
+                        let _e863 = local_6;
+                        local_8 = _e863;
+                        phi_2946_ = type_9(0u, _e861);
                         loop {
-                            let _e867 = phi_2943_;
-                            if (_e867.member < _e867.member_1) {
-                                phi_2944_ = type_19((_e867.member + 1u), _e867.member_1);
-                                phi_2967_ = type_19(1u, _e867.member);
+                            let _e866 = phi_2946_;
+                            if (_e866.member < _e866.member_1) {
+                                phi_2947_ = type_9((_e866.member + 1u), _e866.member_1);
+                                phi_2970_ = type_9(1u, _e866.member);
                             } else {
-                                phi_2944_ = _e867;
-                                phi_2967_ = type_19(0u, type_19().member_1);
+                                phi_2947_ = _e866;
+                                phi_2970_ = type_9(0u, type_9().member_1);
                             }
-                            let _e879 = phi_2944_;
-                            let _e881 = phi_2967_;
-                            if (bitcast<i32>(_e881.member) != 0i) {
-                                let _e887 = local_8[_e881.member_1];
-                                let _e890 = local_8[(_e881.member_1 + 1u)];
-                                let _e891 = (1f - _e887);
-                                let _e902 = ((((_e349 * _e891) + (_e372 * _e887)) * (_e891 * _e891)) + (((_e395 * _e891) + (_e406 * _e887)) * (_e887 * _e887)));
-                                let _e903 = (1f - _e890);
-                                let _e914 = ((((_e349 * _e903) + (_e372 * _e890)) * (_e903 * _e903)) + (((_e395 * _e903) + (_e406 * _e890)) * (_e890 * _e890)));
-                                if (_e902 < 0f) {
-                                    phi_3019_ = -(_e902);
+                            let _e878 = phi_2947_;
+                            let _e880 = phi_2970_;
+                            if (bitcast<i32>(_e880.member) != 0i) {
+                                let _e886 = local_8[_e880.member_1];
+                                let _e889 = local_8[(_e880.member_1 + 1u)];
+                                let _e890 = (1f - _e886);
+                                let _e901 = ((((_e348 * _e890) + (_e371 * _e886)) * (_e890 * _e890)) + (((_e394 * _e890) + (_e405 * _e886)) * (_e886 * _e886)));
+                                let _e902 = (1f - _e889);
+                                let _e913 = ((((_e348 * _e902) + (_e371 * _e889)) * (_e902 * _e902)) + (((_e394 * _e902) + (_e405 * _e889)) * (_e889 * _e889)));
+                                if (_e901 < 0f) {
+                                    phi_3022_ = -(_e901);
                                 } else {
-                                    phi_3019_ = _e902;
+                                    phi_3022_ = _e901;
                                 }
-                                let _e918 = phi_3019_;
-                                let _e919 = (_e918 > _e724);
-                                if (_e914 < 0f) {
-                                    phi_3026_ = -(_e914);
+                                let _e917 = phi_3022_;
+                                let _e918 = (_e917 > _e723);
+                                if (_e913 < 0f) {
+                                    phi_3029_ = -(_e913);
                                 } else {
-                                    phi_3026_ = _e914;
+                                    phi_3029_ = _e913;
                                 }
-                                let _e923 = phi_3026_;
-                                let _e924 = (_e923 > _e724);
-                                if _e919 {
-                                    if _e924 {
-                                        phi_3037_ = ((_e902 > 0f) != (_e914 > 0f));
-                                        phi_3038_ = false;
+                                let _e922 = phi_3029_;
+                                let _e923 = (_e922 > _e723);
+                                if _e918 {
+                                    if _e923 {
+                                        phi_3040_ = ((_e901 > 0f) != (_e913 > 0f));
+                                        phi_3041_ = false;
                                     } else {
-                                        phi_3037_ = bool();
-                                        phi_3038_ = true;
+                                        phi_3040_ = bool();
+                                        phi_3041_ = true;
                                     }
-                                    let _e929 = phi_3037_;
-                                    let _e931 = phi_3038_;
-                                    phi_3039_ = _e929;
-                                    phi_3040_ = _e931;
+                                    let _e928 = phi_3040_;
+                                    let _e930 = phi_3041_;
+                                    phi_3042_ = _e928;
+                                    phi_3043_ = _e930;
                                 } else {
-                                    phi_3039_ = bool();
-                                    phi_3040_ = true;
+                                    phi_3042_ = bool();
+                                    phi_3043_ = true;
                                 }
-                                let _e933 = phi_3039_;
-                                let _e935 = phi_3040_;
-                                if _e935 {
-                                    phi_3044_ = false;
+                                let _e932 = phi_3042_;
+                                let _e934 = phi_3043_;
+                                if _e934 {
+                                    phi_3047_ = false;
                                 } else {
-                                    phi_3044_ = _e933;
+                                    phi_3047_ = _e932;
                                 }
-                                let _e937 = phi_3044_;
-                                if _e919 {
-                                    if _e924 {
-                                        if _e937 {
-                                            phi_3055_ = type_33();
+                                let _e936 = phi_3047_;
+                                if _e918 {
+                                    if _e923 {
+                                        if _e936 {
+                                            phi_3058_ = type_35();
                                         } else {
-                                            phi_3055_ = type_33(1f, 0f, _e937);
+                                            phi_3058_ = type_35(1f, 0f, _e936);
                                         }
-                                        let _e940 = phi_3055_;
-                                        phi_3056_ = _e940;
-                                        phi_3057_ = _e937;
+                                        let _e939 = phi_3058_;
+                                        phi_3059_ = _e939;
+                                        phi_3060_ = _e936;
                                     } else {
-                                        phi_3056_ = type_33();
-                                        phi_3057_ = true;
+                                        phi_3059_ = type_35();
+                                        phi_3060_ = true;
                                     }
-                                    let _e942 = phi_3056_;
-                                    let _e944 = phi_3057_;
-                                    phi_3058_ = _e942;
-                                    phi_3059_ = _e944;
+                                    let _e941 = phi_3059_;
+                                    let _e943 = phi_3060_;
+                                    phi_3061_ = _e941;
+                                    phi_3062_ = _e943;
                                 } else {
-                                    phi_3058_ = type_33();
-                                    phi_3059_ = true;
+                                    phi_3061_ = type_35();
+                                    phi_3062_ = true;
                                 }
-                                let _e946 = phi_3058_;
-                                let _e948 = phi_3059_;
-                                if _e948 {
-                                    if _e919 {
-                                        if (_e902 < 0f) {
-                                            phi_3070_ = -1f;
+                                let _e945 = phi_3061_;
+                                let _e947 = phi_3062_;
+                                if _e947 {
+                                    if _e918 {
+                                        if (_e901 < 0f) {
+                                            phi_3073_ = -1f;
                                         } else {
-                                            phi_3070_ = 1f;
+                                            phi_3073_ = 1f;
                                         }
-                                        let _e951 = phi_3070_;
-                                        let _e954 = (_e395 - _e372);
-                                        phi_3080_ = type_19(0u, 64u);
-                                        phi_3083_ = _e890;
-                                        phi_3085_ = _e887;
-                                        phi_3087_ = (0.5f * (_e887 + _e890));
+                                        let _e950 = phi_3073_;
+                                        let _e953 = (_e394 - _e371);
+                                        phi_3083_ = type_9(0u, 64u);
+                                        phi_3086_ = _e889;
+                                        phi_3088_ = _e886;
+                                        phi_3090_ = (0.5f * (_e886 + _e889));
                                         loop {
-                                            let _e960 = phi_3080_;
-                                            let _e962 = phi_3083_;
-                                            let _e964 = phi_3085_;
-                                            let _e966 = phi_3087_;
-                                            local_45 = _e964;
-                                            if (_e960.member < _e960.member_1) {
-                                                phi_3081_ = type_19((_e960.member + 1u), _e960.member_1);
-                                                phi_3110_ = type_19(1u, _e960.member);
+                                            let _e959 = phi_3083_;
+                                            let _e961 = phi_3086_;
+                                            let _e963 = phi_3088_;
+                                            let _e965 = phi_3090_;
+                                            local_45 = _e963;
+                                            if (_e959.member < _e959.member_1) {
+                                                phi_3084_ = type_9((_e959.member + 1u), _e959.member_1);
+                                                phi_3113_ = type_9(1u, _e959.member);
                                             } else {
-                                                phi_3081_ = _e960;
-                                                phi_3110_ = type_19(0u, type_19().member_1);
+                                                phi_3084_ = _e959;
+                                                phi_3113_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e978 = phi_3081_;
-                                            let _e980 = phi_3110_;
-                                            if (bitcast<i32>(_e980.member) != 0i) {
-                                                let _e984 = (1f - _e966);
-                                                let _e997 = ((_e951 * ((((_e349 * _e984) + (_e372 * _e966)) * (_e984 * _e984)) + (((_e395 * _e984) + (_e406 * _e966)) * (_e966 * _e966)))) - _e724);
-                                                if (_e997 > 0f) {
-                                                    phi_3135_ = _e962;
-                                                    phi_3136_ = _e966;
+                                            let _e977 = phi_3084_;
+                                            let _e979 = phi_3113_;
+                                            if (bitcast<i32>(_e979.member) != 0i) {
+                                                let _e983 = (1f - _e965);
+                                                let _e996 = ((_e950 * ((((_e348 * _e983) + (_e371 * _e965)) * (_e983 * _e983)) + (((_e394 * _e983) + (_e405 * _e965)) * (_e965 * _e965)))) - _e723);
+                                                if (_e996 > 0f) {
+                                                    phi_3138_ = _e961;
+                                                    phi_3139_ = _e965;
                                                 } else {
-                                                    phi_3135_ = _e966;
-                                                    phi_3136_ = _e964;
+                                                    phi_3138_ = _e965;
+                                                    phi_3139_ = _e963;
                                                 }
-                                                let _e1000 = phi_3135_;
-                                                let _e1002 = phi_3136_;
-                                                let _e1004 = ((_e1000 - _e1002) > 0.00000000000022737368f);
-                                                if _e1004 {
-                                                    let _e1005 = (1f - _e966);
-                                                    let _e1017 = (-(_e997) / (_e951 * (((((_e372 - (3f * _e349)) * _e1005) + (_e954 * _e966)) * _e1005) + (((_e954 * _e1005) + (((3f * _e406) - _e395) * _e966)) * _e966))));
-                                                    if (_e997 > 0f) {
-                                                        phi_3162_ = (0.5f * 0.00000000000022737368f);
+                                                let _e999 = phi_3138_;
+                                                let _e1001 = phi_3139_;
+                                                let _e1003 = ((_e999 - _e1001) > 0.00000000000022737368f);
+                                                if _e1003 {
+                                                    let _e1004 = (1f - _e965);
+                                                    let _e1016 = (-(_e996) / (_e950 * (((((_e371 - (3f * _e348)) * _e1004) + (_e953 * _e965)) * _e1004) + (((_e953 * _e1004) + (((3f * _e405) - _e394) * _e965)) * _e965))));
+                                                    if (_e996 > 0f) {
+                                                        phi_3165_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_3162_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_3165_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1023 = phi_3162_;
-                                                    let _e1025 = ((_e966 + _e1017) + _e1023);
-                                                    if (_e1025 > _e1002) {
-                                                        if (_e1025 < _e1000) {
-                                                            if (_e1017 < 0f) {
-                                                                phi_3178_ = -(_e1017);
+                                                    let _e1022 = phi_3165_;
+                                                    let _e1024 = ((_e965 + _e1016) + _e1022);
+                                                    if (_e1024 > _e1001) {
+                                                        if (_e1024 < _e999) {
+                                                            if (_e1016 < 0f) {
+                                                                phi_3181_ = -(_e1016);
                                                             } else {
-                                                                phi_3178_ = _e1017;
+                                                                phi_3181_ = _e1016;
                                                             }
-                                                            let _e1031 = phi_3178_;
-                                                            if (_e1031 < (0.5f * (_e1000 - _e1002))) {
-                                                                phi_3185_ = false;
+                                                            let _e1030 = phi_3181_;
+                                                            if (_e1030 < (0.5f * (_e999 - _e1001))) {
+                                                                phi_3188_ = false;
                                                             } else {
-                                                                phi_3185_ = true;
+                                                                phi_3188_ = true;
                                                             }
-                                                            let _e1036 = phi_3185_;
-                                                            phi_3186_ = _e1036;
+                                                            let _e1035 = phi_3188_;
+                                                            phi_3189_ = _e1035;
                                                         } else {
-                                                            phi_3186_ = true;
+                                                            phi_3189_ = true;
                                                         }
-                                                        let _e1038 = phi_3186_;
-                                                        phi_3187_ = _e1038;
+                                                        let _e1037 = phi_3189_;
+                                                        phi_3190_ = _e1037;
                                                     } else {
-                                                        phi_3187_ = true;
+                                                        phi_3190_ = true;
                                                     }
-                                                    let _e1040 = phi_3187_;
-                                                    if _e1040 {
-                                                        phi_3193_ = (0.5f * (_e1002 + _e1000));
+                                                    let _e1039 = phi_3190_;
+                                                    if _e1039 {
+                                                        phi_3196_ = (0.5f * (_e1001 + _e999));
                                                     } else {
-                                                        phi_3193_ = _e1025;
+                                                        phi_3196_ = _e1024;
                                                     }
-                                                    let _e1044 = phi_3193_;
-                                                    phi_3194_ = _e1044;
-                                                    phi_3195_ = false;
+                                                    let _e1043 = phi_3196_;
+                                                    phi_3197_ = _e1043;
+                                                    phi_3198_ = false;
                                                 } else {
-                                                    phi_3194_ = f32();
-                                                    phi_3195_ = true;
+                                                    phi_3197_ = f32();
+                                                    phi_3198_ = true;
                                                 }
-                                                let _e1046 = phi_3194_;
-                                                let _e1048 = phi_3195_;
-                                                phi_3084_ = _e1000;
-                                                phi_3086_ = _e1002;
-                                                phi_3088_ = _e1046;
-                                                phi_3196_ = _e1002;
-                                                phi_3197_ = _e1004;
-                                                phi_3198_ = _e1048;
+                                                let _e1045 = phi_3197_;
+                                                let _e1047 = phi_3198_;
+                                                phi_3087_ = _e999;
+                                                phi_3089_ = _e1001;
+                                                phi_3091_ = _e1045;
+                                                phi_3199_ = _e1001;
+                                                phi_3200_ = _e1003;
+                                                phi_3201_ = _e1047;
                                             } else {
-                                                phi_3084_ = f32();
-                                                phi_3086_ = f32();
-                                                phi_3088_ = f32();
-                                                phi_3196_ = f32();
-                                                phi_3197_ = false;
-                                                phi_3198_ = false;
+                                                phi_3087_ = f32();
+                                                phi_3089_ = f32();
+                                                phi_3091_ = f32();
+                                                phi_3199_ = f32();
+                                                phi_3200_ = false;
+                                                phi_3201_ = false;
                                             }
-                                            let _e1050 = phi_3084_;
-                                            let _e1052 = phi_3086_;
-                                            let _e1054 = phi_3088_;
-                                            let _e1056 = phi_3196_;
-                                            let _e1058 = phi_3197_;
-                                            let _e1060 = phi_3198_;
-                                            local_14 = _e1060;
-                                            local_44 = _e1056;
+                                            let _e1049 = phi_3087_;
+                                            let _e1051 = phi_3089_;
+                                            let _e1053 = phi_3091_;
+                                            let _e1055 = phi_3199_;
+                                            let _e1057 = phi_3200_;
+                                            let _e1059 = phi_3201_;
+                                            local_14 = _e1059;
+                                            local_44 = _e1055;
                                             continue;
                                             continuing {
-                                                phi_3080_ = _e978;
-                                                phi_3083_ = _e1050;
-                                                phi_3085_ = _e1052;
-                                                phi_3087_ = _e1054;
-                                                break if !(_e1058);
+                                                phi_3083_ = _e977;
+                                                phi_3086_ = _e1049;
+                                                phi_3088_ = _e1051;
+                                                phi_3090_ = _e1053;
+                                                break if !(_e1057);
                                             }
                                         }
-                                        let _e1063 = local_14;
-                                        if _e1063 {
-                                            let _e4089 = local_44;
-                                            phi_3202_ = _e4089;
+                                        let _e1062 = local_14;
+                                        if _e1062 {
+                                            let _e4093 = local_44;
+                                            phi_3205_ = _e4093;
                                         } else {
-                                            let _e4091 = local_45;
-                                            phi_3202_ = _e4091;
+                                            let _e4095 = local_45;
+                                            phi_3205_ = _e4095;
                                         }
-                                        let _e1065 = phi_3202_;
-                                        phi_3203_ = _e1065;
+                                        let _e1064 = phi_3205_;
+                                        phi_3206_ = _e1064;
                                     } else {
-                                        phi_3203_ = _e887;
+                                        phi_3206_ = _e886;
                                     }
-                                    let _e1067 = phi_3203_;
-                                    if _e924 {
-                                        phi_3210_ = type_19(0u, 64u);
-                                        phi_3213_ = (2f * 0.00000000000022737368f);
+                                    let _e1066 = phi_3206_;
+                                    if _e923 {
+                                        phi_3213_ = type_9(0u, 64u);
+                                        phi_3216_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1070 = phi_3210_;
-                                            let _e1072 = phi_3213_;
-                                            if (_e1070.member < _e1070.member_1) {
-                                                phi_3211_ = type_19((_e1070.member + 1u), _e1070.member_1);
-                                                phi_3236_ = type_19(1u, _e1070.member);
+                                            let _e1069 = phi_3213_;
+                                            let _e1071 = phi_3216_;
+                                            if (_e1069.member < _e1069.member_1) {
+                                                phi_3214_ = type_9((_e1069.member + 1u), _e1069.member_1);
+                                                phi_3239_ = type_9(1u, _e1069.member);
                                             } else {
-                                                phi_3211_ = _e1070;
-                                                phi_3236_ = type_19(0u, type_19().member_1);
+                                                phi_3214_ = _e1069;
+                                                phi_3239_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1084 = phi_3211_;
-                                            let _e1086 = phi_3236_;
-                                            if (bitcast<i32>(_e1086.member) != 0i) {
-                                                let _e1090 = (_e1067 + _e1072);
-                                                if (_e1090 < _e890) {
-                                                    let _e1092 = (1f - _e1090);
-                                                    let _e1103 = ((((_e349 * _e1092) + (_e372 * _e1090)) * (_e1092 * _e1092)) + (((_e395 * _e1092) + (_e406 * _e1090)) * (_e1090 * _e1090)));
-                                                    let _e1104 = (1f - _e1067);
-                                                    let _e1115 = ((((_e349 * _e1104) + (_e372 * _e1067)) * (_e1104 * _e1104)) + (((_e395 * _e1104) + (_e406 * _e1067)) * (_e1067 * _e1067)));
-                                                    if (_e1103 < 0f) {
-                                                        phi_3277_ = -(_e1103);
+                                            let _e1083 = phi_3214_;
+                                            let _e1085 = phi_3239_;
+                                            if (bitcast<i32>(_e1085.member) != 0i) {
+                                                let _e1089 = (_e1066 + _e1071);
+                                                if (_e1089 < _e889) {
+                                                    let _e1091 = (1f - _e1089);
+                                                    let _e1102 = ((((_e348 * _e1091) + (_e371 * _e1089)) * (_e1091 * _e1091)) + (((_e394 * _e1091) + (_e405 * _e1089)) * (_e1089 * _e1089)));
+                                                    let _e1103 = (1f - _e1066);
+                                                    let _e1114 = ((((_e348 * _e1103) + (_e371 * _e1066)) * (_e1103 * _e1103)) + (((_e394 * _e1103) + (_e405 * _e1066)) * (_e1066 * _e1066)));
+                                                    if (_e1102 < 0f) {
+                                                        phi_3280_ = -(_e1102);
                                                     } else {
-                                                        phi_3277_ = _e1103;
+                                                        phi_3280_ = _e1102;
                                                     }
-                                                    let _e1119 = phi_3277_;
-                                                    if (_e1119 > _e724) {
-                                                        if (_e1115 < 0f) {
-                                                            phi_3287_ = -(_e1115);
+                                                    let _e1118 = phi_3280_;
+                                                    if (_e1118 > _e723) {
+                                                        if (_e1114 < 0f) {
+                                                            phi_3290_ = -(_e1114);
                                                         } else {
-                                                            phi_3287_ = _e1115;
+                                                            phi_3290_ = _e1114;
                                                         }
-                                                        let _e1124 = phi_3287_;
-                                                        if (_e1124 > _e724) {
-                                                            phi_3295_ = ((_e1103 > 0f) == (_e1115 > 0f));
+                                                        let _e1123 = phi_3290_;
+                                                        if (_e1123 > _e723) {
+                                                            phi_3298_ = ((_e1102 > 0f) == (_e1114 > 0f));
                                                         } else {
-                                                            phi_3295_ = false;
+                                                            phi_3298_ = false;
                                                         }
-                                                        let _e1130 = phi_3295_;
-                                                        phi_3297_ = !(_e1130);
+                                                        let _e1129 = phi_3298_;
+                                                        phi_3300_ = !(_e1129);
                                                     } else {
-                                                        phi_3297_ = false;
+                                                        phi_3300_ = false;
                                                     }
-                                                    let _e1133 = phi_3297_;
-                                                    if _e1133 {
-                                                        phi_3302_ = f32();
-                                                        phi_3303_ = false;
+                                                    let _e1132 = phi_3300_;
+                                                    if _e1132 {
+                                                        phi_3305_ = f32();
+                                                        phi_3306_ = false;
                                                     } else {
-                                                        phi_3302_ = (_e1072 + _e1072);
-                                                        phi_3303_ = true;
+                                                        phi_3305_ = (_e1071 + _e1071);
+                                                        phi_3306_ = true;
                                                     }
-                                                    let _e1136 = phi_3302_;
-                                                    let _e1138 = phi_3303_;
-                                                    phi_3304_ = _e1136;
-                                                    phi_3305_ = _e1138;
-                                                    phi_3306_ = _e1133;
-                                                    phi_3307_ = false;
+                                                    let _e1135 = phi_3305_;
+                                                    let _e1137 = phi_3306_;
+                                                    phi_3307_ = _e1135;
+                                                    phi_3308_ = _e1137;
+                                                    phi_3309_ = _e1132;
+                                                    phi_3310_ = false;
                                                 } else {
-                                                    phi_3304_ = f32();
-                                                    phi_3305_ = false;
-                                                    phi_3306_ = false;
-                                                    phi_3307_ = true;
+                                                    phi_3307_ = f32();
+                                                    phi_3308_ = false;
+                                                    phi_3309_ = false;
+                                                    phi_3310_ = true;
                                                 }
-                                                let _e1140 = phi_3304_;
-                                                let _e1142 = phi_3305_;
-                                                let _e1144 = phi_3306_;
-                                                let _e1146 = phi_3307_;
-                                                phi_3308_ = _e1090;
-                                                phi_3214_ = _e1140;
-                                                phi_3309_ = _e1142;
-                                                phi_3310_ = _e1144;
-                                                phi_3311_ = _e1146;
+                                                let _e1139 = phi_3307_;
+                                                let _e1141 = phi_3308_;
+                                                let _e1143 = phi_3309_;
+                                                let _e1145 = phi_3310_;
+                                                phi_3311_ = _e1089;
+                                                phi_3217_ = _e1139;
+                                                phi_3312_ = _e1141;
+                                                phi_3313_ = _e1143;
+                                                phi_3314_ = _e1145;
+                                                phi_3315_ = false;
+                                            } else {
+                                                phi_3311_ = f32();
+                                                phi_3217_ = f32();
                                                 phi_3312_ = false;
-                                            } else {
-                                                phi_3308_ = f32();
-                                                phi_3214_ = f32();
-                                                phi_3309_ = false;
-                                                phi_3310_ = false;
-                                                phi_3311_ = false;
-                                                phi_3312_ = true;
+                                                phi_3313_ = false;
+                                                phi_3314_ = false;
+                                                phi_3315_ = true;
                                             }
-                                            let _e1148 = phi_3308_;
-                                            let _e1150 = phi_3214_;
-                                            let _e1152 = phi_3309_;
-                                            let _e1154 = phi_3310_;
-                                            let _e1156 = phi_3311_;
-                                            let _e1158 = phi_3312_;
-                                            local_15 = _e1154;
-                                            local_46 = _e1156;
-                                            local_47 = _e1158;
-                                            local_48 = _e1148;
+                                            let _e1147 = phi_3311_;
+                                            let _e1149 = phi_3217_;
+                                            let _e1151 = phi_3312_;
+                                            let _e1153 = phi_3313_;
+                                            let _e1155 = phi_3314_;
+                                            let _e1157 = phi_3315_;
+                                            local_15 = _e1153;
+                                            local_46 = _e1155;
+                                            local_47 = _e1157;
+                                            local_48 = _e1147;
                                             continue;
                                             continuing {
-                                                phi_3210_ = _e1084;
-                                                phi_3213_ = _e1150;
-                                                break if !(_e1152);
+                                                phi_3213_ = _e1083;
+                                                phi_3216_ = _e1149;
+                                                break if !(_e1151);
                                             }
                                         }
-                                        let _e1161 = local_15;
-                                        if _e1161 {
-                                            phi_3316_ = false;
-                                            phi_3317_ = false;
+                                        let _e1160 = local_15;
+                                        if _e1160 {
+                                            phi_3319_ = false;
+                                            phi_3320_ = false;
                                         } else {
-                                            let _e4116 = local_46;
-                                            phi_3316_ = _e4116;
-                                            let _e4119 = local_47;
-                                            phi_3317_ = _e4119;
+                                            let _e4120 = local_46;
+                                            phi_3319_ = _e4120;
+                                            let _e4123 = local_47;
+                                            phi_3320_ = _e4123;
                                         }
-                                        let _e1163 = phi_3316_;
-                                        let _e1165 = phi_3317_;
-                                        if _e1163 {
-                                            phi_3321_ = true;
+                                        let _e1162 = phi_3319_;
+                                        let _e1164 = phi_3320_;
+                                        if _e1162 {
+                                            phi_3324_ = true;
                                         } else {
-                                            phi_3321_ = _e1165;
+                                            phi_3324_ = _e1164;
                                         }
-                                        let _e1167 = phi_3321_;
-                                        if _e1167 {
-                                            phi_3325_ = _e890;
+                                        let _e1166 = phi_3324_;
+                                        if _e1166 {
+                                            phi_3328_ = _e889;
                                         } else {
-                                            let _e4123 = local_48;
-                                            phi_3325_ = _e4123;
+                                            let _e4127 = local_48;
+                                            phi_3328_ = _e4127;
                                         }
-                                        let _e1169 = phi_3325_;
-                                        phi_3326_ = _e1169;
+                                        let _e1168 = phi_3328_;
+                                        phi_3329_ = _e1168;
                                     } else {
-                                        phi_3326_ = _e890;
+                                        phi_3329_ = _e889;
                                     }
-                                    let _e1171 = phi_3326_;
-                                    phi_3328_ = type_33(_e1067, _e1171, _e937);
+                                    let _e1170 = phi_3329_;
+                                    phi_3331_ = type_35(_e1066, _e1170, _e936);
                                 } else {
-                                    phi_3328_ = _e946;
+                                    phi_3331_ = _e945;
                                 }
-                                let _e1174 = phi_3328_;
-                                if (_e1174.member > _e1174.member_1) {
-                                    phi_5433_ = f32();
-                                    phi_5434_ = true;
-                                    phi_5435_ = false;
-                                    phi_5436_ = false;
-                                    phi_5437_ = false;
+                                let _e1173 = phi_3331_;
+                                if (_e1173.member > _e1173.member_1) {
+                                    phi_5436_ = f32();
+                                    phi_5437_ = true;
+                                    phi_5438_ = false;
+                                    phi_5439_ = false;
+                                    phi_5440_ = false;
                                 } else {
-                                    let _e1181 = ((_e1174.member_1 - _e1174.member) * 0.5f);
-                                    let _e1182 = (_e1174.member + _e1181);
-                                    let _e1184 = (_e1181 + (0.000000059604645f * 4f));
-                                    let _e1186 = local_12.member_3;
-                                    let _e1189 = local_12.member[0u];
-                                    if (_e1189[0] < 0f) {
-                                        phi_3357_ = -(_e1189[0]);
+                                    let _e1180 = ((_e1173.member_1 - _e1173.member) * 0.5f);
+                                    let _e1181 = (_e1173.member + _e1180);
+                                    let _e1183 = (_e1180 + (0.000000059604645f * 4f));
+                                    let _e1185 = local_12.member_3;
+                                    let _e1188 = local_12.member[0u];
+                                    if (_e1188[0] < 0f) {
+                                        phi_3360_ = -(_e1188[0]);
                                     } else {
-                                        phi_3357_ = _e1189[0];
+                                        phi_3360_ = _e1188[0];
                                     }
-                                    let _e1196 = phi_3357_;
-                                    if (_e1189[1] < 0f) {
-                                        phi_3364_ = -(_e1189[1]);
+                                    let _e1195 = phi_3360_;
+                                    if (_e1188[1] < 0f) {
+                                        phi_3367_ = -(_e1188[1]);
                                     } else {
-                                        phi_3364_ = _e1189[1];
+                                        phi_3367_ = _e1188[1];
                                     }
-                                    let _e1200 = phi_3364_;
-                                    if (_e1196 > _e1200) {
-                                        phi_3369_ = _e1196;
+                                    let _e1199 = phi_3367_;
+                                    if (_e1195 > _e1199) {
+                                        phi_3372_ = _e1195;
                                     } else {
-                                        phi_3369_ = _e1200;
+                                        phi_3372_ = _e1199;
                                     }
-                                    let _e1203 = phi_3369_;
-                                    if (_e1189[2] < 0f) {
-                                        phi_3376_ = -(_e1189[2]);
+                                    let _e1202 = phi_3372_;
+                                    if (_e1188[2] < 0f) {
+                                        phi_3379_ = -(_e1188[2]);
                                     } else {
-                                        phi_3376_ = _e1189[2];
+                                        phi_3379_ = _e1188[2];
                                     }
-                                    let _e1207 = phi_3376_;
-                                    if (_e1203 > _e1207) {
-                                        phi_3381_ = _e1203;
+                                    let _e1206 = phi_3379_;
+                                    if (_e1202 > _e1206) {
+                                        phi_3384_ = _e1202;
                                     } else {
-                                        phi_3381_ = _e1207;
+                                        phi_3384_ = _e1206;
                                     }
-                                    let _e1210 = phi_3381_;
-                                    let _e1212 = local_12.member[1u];
-                                    if (_e1212[0] < 0f) {
-                                        phi_3394_ = -(_e1212[0]);
+                                    let _e1209 = phi_3384_;
+                                    let _e1211 = local_12.member[1u];
+                                    if (_e1211[0] < 0f) {
+                                        phi_3397_ = -(_e1211[0]);
                                     } else {
-                                        phi_3394_ = _e1212[0];
+                                        phi_3397_ = _e1211[0];
                                     }
-                                    let _e1219 = phi_3394_;
-                                    if (_e1212[1] < 0f) {
-                                        phi_3401_ = -(_e1212[1]);
+                                    let _e1218 = phi_3397_;
+                                    if (_e1211[1] < 0f) {
+                                        phi_3404_ = -(_e1211[1]);
                                     } else {
-                                        phi_3401_ = _e1212[1];
+                                        phi_3404_ = _e1211[1];
                                     }
-                                    let _e1223 = phi_3401_;
-                                    if (_e1219 > _e1223) {
-                                        phi_3406_ = _e1219;
+                                    let _e1222 = phi_3404_;
+                                    if (_e1218 > _e1222) {
+                                        phi_3409_ = _e1218;
                                     } else {
-                                        phi_3406_ = _e1223;
+                                        phi_3409_ = _e1222;
                                     }
-                                    let _e1226 = phi_3406_;
-                                    if (_e1212[2] < 0f) {
-                                        phi_3413_ = -(_e1212[2]);
+                                    let _e1225 = phi_3409_;
+                                    if (_e1211[2] < 0f) {
+                                        phi_3416_ = -(_e1211[2]);
                                     } else {
-                                        phi_3413_ = _e1212[2];
+                                        phi_3416_ = _e1211[2];
                                     }
-                                    let _e1230 = phi_3413_;
-                                    if (_e1226 > _e1230) {
-                                        phi_3418_ = _e1226;
+                                    let _e1229 = phi_3416_;
+                                    if (_e1225 > _e1229) {
+                                        phi_3421_ = _e1225;
                                     } else {
-                                        phi_3418_ = _e1230;
+                                        phi_3421_ = _e1229;
                                     }
-                                    let _e1233 = phi_3418_;
-                                    if (_e1210 > _e1233) {
-                                        phi_3423_ = _e1210;
+                                    let _e1232 = phi_3421_;
+                                    if (_e1209 > _e1232) {
+                                        phi_3426_ = _e1209;
                                     } else {
-                                        phi_3423_ = _e1233;
+                                        phi_3426_ = _e1232;
                                     }
-                                    let _e1236 = phi_3423_;
-                                    let _e1239 = local_12.member[0u];
-                                    let _e1244 = local_12.member[1u];
-                                    let _e1254 = (_e1239[0] + ((_e1244[0] - _e1239[0]) * _e1182));
-                                    let _e1255 = (_e1239[1] + ((_e1244[1] - _e1239[1]) * _e1182));
-                                    let _e1256 = (_e1239[2] + ((_e1244[2] - _e1239[2]) * _e1182));
-                                    let _e1258 = local_12.member[1u];
-                                    let _e1263 = local_12.member[0u];
-                                    let _e1267 = (_e1258[0] - _e1263[0]);
-                                    let _e1268 = (_e1258[1] - _e1263[1]);
-                                    let _e1269 = (_e1258[2] - _e1263[2]);
+                                    let _e1235 = phi_3426_;
+                                    let _e1238 = local_12.member[0u];
+                                    let _e1243 = local_12.member[1u];
+                                    let _e1253 = (_e1238[0] + ((_e1243[0] - _e1238[0]) * _e1181));
+                                    let _e1254 = (_e1238[1] + ((_e1243[1] - _e1238[1]) * _e1181));
+                                    let _e1255 = (_e1238[2] + ((_e1243[2] - _e1238[2]) * _e1181));
+                                    let _e1257 = local_12.member[1u];
+                                    let _e1262 = local_12.member[0u];
+                                    let _e1266 = (_e1257[0] - _e1262[0]);
+                                    let _e1267 = (_e1257[1] - _e1262[1]);
+                                    let _e1268 = (_e1257[2] - _e1262[2]);
+                                    if (_e1266 < 0f) {
+                                        phi_3485_ = -(_e1266);
+                                    } else {
+                                        phi_3485_ = _e1266;
+                                    }
+                                    let _e1272 = phi_3485_;
                                     if (_e1267 < 0f) {
-                                        phi_3482_ = -(_e1267);
+                                        phi_3491_ = -(_e1267);
                                     } else {
-                                        phi_3482_ = _e1267;
+                                        phi_3491_ = _e1267;
                                     }
-                                    let _e1273 = phi_3482_;
+                                    let _e1276 = phi_3491_;
+                                    if (_e1272 > _e1276) {
+                                        phi_3496_ = _e1272;
+                                    } else {
+                                        phi_3496_ = _e1276;
+                                    }
+                                    let _e1279 = phi_3496_;
                                     if (_e1268 < 0f) {
-                                        phi_3488_ = -(_e1268);
+                                        phi_3502_ = -(_e1268);
                                     } else {
-                                        phi_3488_ = _e1268;
+                                        phi_3502_ = _e1268;
                                     }
-                                    let _e1277 = phi_3488_;
-                                    if (_e1273 > _e1277) {
-                                        phi_3493_ = _e1273;
+                                    let _e1283 = phi_3502_;
+                                    if (_e1279 > _e1283) {
+                                        phi_3507_ = _e1279;
                                     } else {
-                                        phi_3493_ = _e1277;
+                                        phi_3507_ = _e1283;
                                     }
-                                    let _e1280 = phi_3493_;
-                                    if (_e1269 < 0f) {
-                                        phi_3499_ = -(_e1269);
+                                    let _e1286 = phi_3507_;
+                                    let _e1292 = ((((_e1183 * _e1286) * 1.01f) + ((_e1235 + _e1185) * (0.000000059604645f * 8f))) + _e1185);
+                                    if (_e1253 < 0f) {
+                                        phi_3519_ = -(_e1253);
                                     } else {
-                                        phi_3499_ = _e1269;
+                                        phi_3519_ = _e1253;
                                     }
-                                    let _e1284 = phi_3499_;
-                                    if (_e1280 > _e1284) {
-                                        phi_3504_ = _e1280;
-                                    } else {
-                                        phi_3504_ = _e1284;
-                                    }
-                                    let _e1287 = phi_3504_;
-                                    let _e1293 = ((((_e1184 * _e1287) * 1.01f) + ((_e1236 + _e1186) * (0.000000059604645f * 8f))) + _e1186);
+                                    let _e1296 = phi_3519_;
                                     if (_e1254 < 0f) {
-                                        phi_3516_ = -(_e1254);
+                                        phi_3525_ = -(_e1254);
                                     } else {
-                                        phi_3516_ = _e1254;
+                                        phi_3525_ = _e1254;
                                     }
-                                    let _e1297 = phi_3516_;
+                                    let _e1300 = phi_3525_;
+                                    if (_e1296 > _e1300) {
+                                        phi_3530_ = _e1296;
+                                    } else {
+                                        phi_3530_ = _e1300;
+                                    }
+                                    let _e1303 = phi_3530_;
                                     if (_e1255 < 0f) {
-                                        phi_3522_ = -(_e1255);
+                                        phi_3536_ = -(_e1255);
                                     } else {
-                                        phi_3522_ = _e1255;
+                                        phi_3536_ = _e1255;
                                     }
-                                    let _e1301 = phi_3522_;
-                                    if (_e1297 > _e1301) {
-                                        phi_3527_ = _e1297;
+                                    let _e1307 = phi_3536_;
+                                    if (_e1303 > _e1307) {
+                                        phi_3541_ = _e1303;
                                     } else {
-                                        phi_3527_ = _e1301;
+                                        phi_3541_ = _e1307;
                                     }
-                                    let _e1304 = phi_3527_;
-                                    if (_e1256 < 0f) {
-                                        phi_3533_ = -(_e1256);
+                                    let _e1310 = phi_3541_;
+                                    local_2 = type_29(array<f32, 3>(_e1253, _e1254, _e1255), _e1292, (_e1310 + _e1292));
+                                    let _e1316 = local_12.member_3;
+                                    let _e1318 = local_12.member_1[0u];
+                                    if (_e1318[0] < 0f) {
+                                        phi_3567_ = -(_e1318[0]);
                                     } else {
-                                        phi_3533_ = _e1256;
+                                        phi_3567_ = _e1318[0];
                                     }
-                                    let _e1308 = phi_3533_;
-                                    if (_e1304 > _e1308) {
-                                        phi_3538_ = _e1304;
+                                    let _e1325 = phi_3567_;
+                                    if (_e1318[1] < 0f) {
+                                        phi_3574_ = -(_e1318[1]);
                                     } else {
-                                        phi_3538_ = _e1308;
+                                        phi_3574_ = _e1318[1];
                                     }
-                                    let _e1311 = phi_3538_;
-                                    local_2 = type_24(array<f32, 3>(_e1254, _e1255, _e1256), _e1293, (_e1311 + _e1293));
-                                    let _e1317 = local_12.member_3;
-                                    let _e1319 = local_12.member_1[0u];
-                                    if (_e1319[0] < 0f) {
-                                        phi_3564_ = -(_e1319[0]);
+                                    let _e1329 = phi_3574_;
+                                    if (_e1325 > _e1329) {
+                                        phi_3579_ = _e1325;
                                     } else {
-                                        phi_3564_ = _e1319[0];
+                                        phi_3579_ = _e1329;
                                     }
-                                    let _e1326 = phi_3564_;
-                                    if (_e1319[1] < 0f) {
-                                        phi_3571_ = -(_e1319[1]);
+                                    let _e1332 = phi_3579_;
+                                    if (_e1318[2] < 0f) {
+                                        phi_3586_ = -(_e1318[2]);
                                     } else {
-                                        phi_3571_ = _e1319[1];
+                                        phi_3586_ = _e1318[2];
                                     }
-                                    let _e1330 = phi_3571_;
-                                    if (_e1326 > _e1330) {
-                                        phi_3576_ = _e1326;
+                                    let _e1336 = phi_3586_;
+                                    if (_e1332 > _e1336) {
+                                        phi_3591_ = _e1332;
                                     } else {
-                                        phi_3576_ = _e1330;
+                                        phi_3591_ = _e1336;
                                     }
-                                    let _e1333 = phi_3576_;
-                                    if (_e1319[2] < 0f) {
-                                        phi_3583_ = -(_e1319[2]);
+                                    let _e1339 = phi_3591_;
+                                    let _e1341 = local_12.member_1[1u];
+                                    if (_e1341[0] < 0f) {
+                                        phi_3604_ = -(_e1341[0]);
                                     } else {
-                                        phi_3583_ = _e1319[2];
+                                        phi_3604_ = _e1341[0];
                                     }
-                                    let _e1337 = phi_3583_;
-                                    if (_e1333 > _e1337) {
-                                        phi_3588_ = _e1333;
+                                    let _e1348 = phi_3604_;
+                                    if (_e1341[1] < 0f) {
+                                        phi_3611_ = -(_e1341[1]);
                                     } else {
-                                        phi_3588_ = _e1337;
+                                        phi_3611_ = _e1341[1];
                                     }
-                                    let _e1340 = phi_3588_;
-                                    let _e1342 = local_12.member_1[1u];
-                                    if (_e1342[0] < 0f) {
-                                        phi_3601_ = -(_e1342[0]);
+                                    let _e1352 = phi_3611_;
+                                    if (_e1348 > _e1352) {
+                                        phi_3616_ = _e1348;
                                     } else {
-                                        phi_3601_ = _e1342[0];
+                                        phi_3616_ = _e1352;
                                     }
-                                    let _e1349 = phi_3601_;
-                                    if (_e1342[1] < 0f) {
-                                        phi_3608_ = -(_e1342[1]);
+                                    let _e1355 = phi_3616_;
+                                    if (_e1341[2] < 0f) {
+                                        phi_3623_ = -(_e1341[2]);
                                     } else {
-                                        phi_3608_ = _e1342[1];
+                                        phi_3623_ = _e1341[2];
                                     }
-                                    let _e1353 = phi_3608_;
-                                    if (_e1349 > _e1353) {
-                                        phi_3613_ = _e1349;
+                                    let _e1359 = phi_3623_;
+                                    if (_e1355 > _e1359) {
+                                        phi_3628_ = _e1355;
                                     } else {
-                                        phi_3613_ = _e1353;
+                                        phi_3628_ = _e1359;
                                     }
-                                    let _e1356 = phi_3613_;
-                                    if (_e1342[2] < 0f) {
-                                        phi_3620_ = -(_e1342[2]);
+                                    let _e1362 = phi_3628_;
+                                    if (_e1339 > _e1362) {
+                                        phi_3633_ = _e1339;
                                     } else {
-                                        phi_3620_ = _e1342[2];
+                                        phi_3633_ = _e1362;
                                     }
-                                    let _e1360 = phi_3620_;
-                                    if (_e1356 > _e1360) {
-                                        phi_3625_ = _e1356;
+                                    let _e1365 = phi_3633_;
+                                    let _e1368 = local_12.member_1[0u];
+                                    let _e1373 = local_12.member_1[1u];
+                                    let _e1383 = (_e1368[0] + ((_e1373[0] - _e1368[0]) * _e1181));
+                                    let _e1384 = (_e1368[1] + ((_e1373[1] - _e1368[1]) * _e1181));
+                                    let _e1385 = (_e1368[2] + ((_e1373[2] - _e1368[2]) * _e1181));
+                                    let _e1387 = local_12.member_1[1u];
+                                    let _e1392 = local_12.member_1[0u];
+                                    let _e1396 = (_e1387[0] - _e1392[0]);
+                                    let _e1397 = (_e1387[1] - _e1392[1]);
+                                    let _e1398 = (_e1387[2] - _e1392[2]);
+                                    if (_e1396 < 0f) {
+                                        phi_3692_ = -(_e1396);
                                     } else {
-                                        phi_3625_ = _e1360;
+                                        phi_3692_ = _e1396;
                                     }
-                                    let _e1363 = phi_3625_;
-                                    if (_e1340 > _e1363) {
-                                        phi_3630_ = _e1340;
-                                    } else {
-                                        phi_3630_ = _e1363;
-                                    }
-                                    let _e1366 = phi_3630_;
-                                    let _e1369 = local_12.member_1[0u];
-                                    let _e1374 = local_12.member_1[1u];
-                                    let _e1384 = (_e1369[0] + ((_e1374[0] - _e1369[0]) * _e1182));
-                                    let _e1385 = (_e1369[1] + ((_e1374[1] - _e1369[1]) * _e1182));
-                                    let _e1386 = (_e1369[2] + ((_e1374[2] - _e1369[2]) * _e1182));
-                                    let _e1388 = local_12.member_1[1u];
-                                    let _e1393 = local_12.member_1[0u];
-                                    let _e1397 = (_e1388[0] - _e1393[0]);
-                                    let _e1398 = (_e1388[1] - _e1393[1]);
-                                    let _e1399 = (_e1388[2] - _e1393[2]);
+                                    let _e1402 = phi_3692_;
                                     if (_e1397 < 0f) {
-                                        phi_3689_ = -(_e1397);
+                                        phi_3698_ = -(_e1397);
                                     } else {
-                                        phi_3689_ = _e1397;
+                                        phi_3698_ = _e1397;
                                     }
-                                    let _e1403 = phi_3689_;
+                                    let _e1406 = phi_3698_;
+                                    if (_e1402 > _e1406) {
+                                        phi_3703_ = _e1402;
+                                    } else {
+                                        phi_3703_ = _e1406;
+                                    }
+                                    let _e1409 = phi_3703_;
                                     if (_e1398 < 0f) {
-                                        phi_3695_ = -(_e1398);
+                                        phi_3709_ = -(_e1398);
                                     } else {
-                                        phi_3695_ = _e1398;
+                                        phi_3709_ = _e1398;
                                     }
-                                    let _e1407 = phi_3695_;
-                                    if (_e1403 > _e1407) {
-                                        phi_3700_ = _e1403;
+                                    let _e1413 = phi_3709_;
+                                    if (_e1409 > _e1413) {
+                                        phi_3714_ = _e1409;
                                     } else {
-                                        phi_3700_ = _e1407;
+                                        phi_3714_ = _e1413;
                                     }
-                                    let _e1410 = phi_3700_;
-                                    if (_e1399 < 0f) {
-                                        phi_3706_ = -(_e1399);
+                                    let _e1416 = phi_3714_;
+                                    let _e1422 = ((((_e1183 * _e1416) * 1.01f) + ((_e1365 + _e1316) * (0.000000059604645f * 8f))) + _e1316);
+                                    if (_e1383 < 0f) {
+                                        phi_3726_ = -(_e1383);
                                     } else {
-                                        phi_3706_ = _e1399;
+                                        phi_3726_ = _e1383;
                                     }
-                                    let _e1414 = phi_3706_;
-                                    if (_e1410 > _e1414) {
-                                        phi_3711_ = _e1410;
-                                    } else {
-                                        phi_3711_ = _e1414;
-                                    }
-                                    let _e1417 = phi_3711_;
-                                    let _e1423 = ((((_e1184 * _e1417) * 1.01f) + ((_e1366 + _e1317) * (0.000000059604645f * 8f))) + _e1317);
+                                    let _e1426 = phi_3726_;
                                     if (_e1384 < 0f) {
-                                        phi_3723_ = -(_e1384);
+                                        phi_3732_ = -(_e1384);
                                     } else {
-                                        phi_3723_ = _e1384;
+                                        phi_3732_ = _e1384;
                                     }
-                                    let _e1427 = phi_3723_;
+                                    let _e1430 = phi_3732_;
+                                    if (_e1426 > _e1430) {
+                                        phi_3737_ = _e1426;
+                                    } else {
+                                        phi_3737_ = _e1430;
+                                    }
+                                    let _e1433 = phi_3737_;
                                     if (_e1385 < 0f) {
-                                        phi_3729_ = -(_e1385);
+                                        phi_3743_ = -(_e1385);
                                     } else {
-                                        phi_3729_ = _e1385;
+                                        phi_3743_ = _e1385;
                                     }
-                                    let _e1431 = phi_3729_;
-                                    if (_e1427 > _e1431) {
-                                        phi_3734_ = _e1427;
+                                    let _e1437 = phi_3743_;
+                                    if (_e1433 > _e1437) {
+                                        phi_3748_ = _e1433;
                                     } else {
-                                        phi_3734_ = _e1431;
+                                        phi_3748_ = _e1437;
                                     }
-                                    let _e1434 = phi_3734_;
-                                    if (_e1386 < 0f) {
-                                        phi_3740_ = -(_e1386);
+                                    let _e1440 = phi_3748_;
+                                    local_3 = type_29(array<f32, 3>(_e1383, _e1384, _e1385), _e1422, (_e1440 + _e1422));
+                                    let _e1446 = local_12.member_3;
+                                    let _e1448 = local_12.member_2[0u];
+                                    if (_e1448[0] < 0f) {
+                                        phi_3774_ = -(_e1448[0]);
                                     } else {
-                                        phi_3740_ = _e1386;
+                                        phi_3774_ = _e1448[0];
                                     }
-                                    let _e1438 = phi_3740_;
-                                    if (_e1434 > _e1438) {
-                                        phi_3745_ = _e1434;
+                                    let _e1455 = phi_3774_;
+                                    if (_e1448[1] < 0f) {
+                                        phi_3781_ = -(_e1448[1]);
                                     } else {
-                                        phi_3745_ = _e1438;
+                                        phi_3781_ = _e1448[1];
                                     }
-                                    let _e1441 = phi_3745_;
-                                    local_3 = type_24(array<f32, 3>(_e1384, _e1385, _e1386), _e1423, (_e1441 + _e1423));
-                                    let _e1447 = local_12.member_3;
-                                    let _e1449 = local_12.member_2[0u];
-                                    if (_e1449[0] < 0f) {
-                                        phi_3771_ = -(_e1449[0]);
+                                    let _e1459 = phi_3781_;
+                                    if (_e1455 > _e1459) {
+                                        phi_3786_ = _e1455;
                                     } else {
-                                        phi_3771_ = _e1449[0];
+                                        phi_3786_ = _e1459;
                                     }
-                                    let _e1456 = phi_3771_;
-                                    if (_e1449[1] < 0f) {
-                                        phi_3778_ = -(_e1449[1]);
+                                    let _e1462 = phi_3786_;
+                                    if (_e1448[2] < 0f) {
+                                        phi_3793_ = -(_e1448[2]);
                                     } else {
-                                        phi_3778_ = _e1449[1];
+                                        phi_3793_ = _e1448[2];
                                     }
-                                    let _e1460 = phi_3778_;
-                                    if (_e1456 > _e1460) {
-                                        phi_3783_ = _e1456;
+                                    let _e1466 = phi_3793_;
+                                    if (_e1462 > _e1466) {
+                                        phi_3798_ = _e1462;
                                     } else {
-                                        phi_3783_ = _e1460;
+                                        phi_3798_ = _e1466;
                                     }
-                                    let _e1463 = phi_3783_;
-                                    if (_e1449[2] < 0f) {
-                                        phi_3790_ = -(_e1449[2]);
+                                    let _e1469 = phi_3798_;
+                                    let _e1471 = local_12.member_2[1u];
+                                    if (_e1471[0] < 0f) {
+                                        phi_3811_ = -(_e1471[0]);
                                     } else {
-                                        phi_3790_ = _e1449[2];
+                                        phi_3811_ = _e1471[0];
                                     }
-                                    let _e1467 = phi_3790_;
-                                    if (_e1463 > _e1467) {
-                                        phi_3795_ = _e1463;
+                                    let _e1478 = phi_3811_;
+                                    if (_e1471[1] < 0f) {
+                                        phi_3818_ = -(_e1471[1]);
                                     } else {
-                                        phi_3795_ = _e1467;
+                                        phi_3818_ = _e1471[1];
                                     }
-                                    let _e1470 = phi_3795_;
-                                    let _e1472 = local_12.member_2[1u];
-                                    if (_e1472[0] < 0f) {
-                                        phi_3808_ = -(_e1472[0]);
+                                    let _e1482 = phi_3818_;
+                                    if (_e1478 > _e1482) {
+                                        phi_3823_ = _e1478;
                                     } else {
-                                        phi_3808_ = _e1472[0];
+                                        phi_3823_ = _e1482;
                                     }
-                                    let _e1479 = phi_3808_;
-                                    if (_e1472[1] < 0f) {
-                                        phi_3815_ = -(_e1472[1]);
+                                    let _e1485 = phi_3823_;
+                                    if (_e1471[2] < 0f) {
+                                        phi_3830_ = -(_e1471[2]);
                                     } else {
-                                        phi_3815_ = _e1472[1];
+                                        phi_3830_ = _e1471[2];
                                     }
-                                    let _e1483 = phi_3815_;
-                                    if (_e1479 > _e1483) {
-                                        phi_3820_ = _e1479;
+                                    let _e1489 = phi_3830_;
+                                    if (_e1485 > _e1489) {
+                                        phi_3835_ = _e1485;
                                     } else {
-                                        phi_3820_ = _e1483;
+                                        phi_3835_ = _e1489;
                                     }
-                                    let _e1486 = phi_3820_;
-                                    if (_e1472[2] < 0f) {
-                                        phi_3827_ = -(_e1472[2]);
+                                    let _e1492 = phi_3835_;
+                                    if (_e1469 > _e1492) {
+                                        phi_3840_ = _e1469;
                                     } else {
-                                        phi_3827_ = _e1472[2];
+                                        phi_3840_ = _e1492;
                                     }
-                                    let _e1490 = phi_3827_;
-                                    if (_e1486 > _e1490) {
-                                        phi_3832_ = _e1486;
+                                    let _e1495 = phi_3840_;
+                                    let _e1498 = local_12.member_2[0u];
+                                    let _e1503 = local_12.member_2[1u];
+                                    let _e1513 = (_e1498[0] + ((_e1503[0] - _e1498[0]) * _e1181));
+                                    let _e1514 = (_e1498[1] + ((_e1503[1] - _e1498[1]) * _e1181));
+                                    let _e1515 = (_e1498[2] + ((_e1503[2] - _e1498[2]) * _e1181));
+                                    let _e1517 = local_12.member_2[1u];
+                                    let _e1522 = local_12.member_2[0u];
+                                    let _e1526 = (_e1517[0] - _e1522[0]);
+                                    let _e1527 = (_e1517[1] - _e1522[1]);
+                                    let _e1528 = (_e1517[2] - _e1522[2]);
+                                    if (_e1526 < 0f) {
+                                        phi_3899_ = -(_e1526);
                                     } else {
-                                        phi_3832_ = _e1490;
+                                        phi_3899_ = _e1526;
                                     }
-                                    let _e1493 = phi_3832_;
-                                    if (_e1470 > _e1493) {
-                                        phi_3837_ = _e1470;
-                                    } else {
-                                        phi_3837_ = _e1493;
-                                    }
-                                    let _e1496 = phi_3837_;
-                                    let _e1499 = local_12.member_2[0u];
-                                    let _e1504 = local_12.member_2[1u];
-                                    let _e1514 = (_e1499[0] + ((_e1504[0] - _e1499[0]) * _e1182));
-                                    let _e1515 = (_e1499[1] + ((_e1504[1] - _e1499[1]) * _e1182));
-                                    let _e1516 = (_e1499[2] + ((_e1504[2] - _e1499[2]) * _e1182));
-                                    let _e1518 = local_12.member_2[1u];
-                                    let _e1523 = local_12.member_2[0u];
-                                    let _e1527 = (_e1518[0] - _e1523[0]);
-                                    let _e1528 = (_e1518[1] - _e1523[1]);
-                                    let _e1529 = (_e1518[2] - _e1523[2]);
+                                    let _e1532 = phi_3899_;
                                     if (_e1527 < 0f) {
-                                        phi_3896_ = -(_e1527);
+                                        phi_3905_ = -(_e1527);
                                     } else {
-                                        phi_3896_ = _e1527;
+                                        phi_3905_ = _e1527;
                                     }
-                                    let _e1533 = phi_3896_;
+                                    let _e1536 = phi_3905_;
+                                    if (_e1532 > _e1536) {
+                                        phi_3910_ = _e1532;
+                                    } else {
+                                        phi_3910_ = _e1536;
+                                    }
+                                    let _e1539 = phi_3910_;
                                     if (_e1528 < 0f) {
-                                        phi_3902_ = -(_e1528);
+                                        phi_3916_ = -(_e1528);
                                     } else {
-                                        phi_3902_ = _e1528;
+                                        phi_3916_ = _e1528;
                                     }
-                                    let _e1537 = phi_3902_;
-                                    if (_e1533 > _e1537) {
-                                        phi_3907_ = _e1533;
+                                    let _e1543 = phi_3916_;
+                                    if (_e1539 > _e1543) {
+                                        phi_3921_ = _e1539;
                                     } else {
-                                        phi_3907_ = _e1537;
+                                        phi_3921_ = _e1543;
                                     }
-                                    let _e1540 = phi_3907_;
-                                    if (_e1529 < 0f) {
-                                        phi_3913_ = -(_e1529);
+                                    let _e1546 = phi_3921_;
+                                    let _e1552 = ((((_e1183 * _e1546) * 1.01f) + ((_e1495 + _e1446) * (0.000000059604645f * 8f))) + _e1446);
+                                    if (_e1513 < 0f) {
+                                        phi_3933_ = -(_e1513);
                                     } else {
-                                        phi_3913_ = _e1529;
+                                        phi_3933_ = _e1513;
                                     }
-                                    let _e1544 = phi_3913_;
-                                    if (_e1540 > _e1544) {
-                                        phi_3918_ = _e1540;
-                                    } else {
-                                        phi_3918_ = _e1544;
-                                    }
-                                    let _e1547 = phi_3918_;
-                                    let _e1553 = ((((_e1184 * _e1547) * 1.01f) + ((_e1496 + _e1447) * (0.000000059604645f * 8f))) + _e1447);
+                                    let _e1556 = phi_3933_;
                                     if (_e1514 < 0f) {
-                                        phi_3930_ = -(_e1514);
+                                        phi_3939_ = -(_e1514);
                                     } else {
-                                        phi_3930_ = _e1514;
+                                        phi_3939_ = _e1514;
                                     }
-                                    let _e1557 = phi_3930_;
+                                    let _e1560 = phi_3939_;
+                                    if (_e1556 > _e1560) {
+                                        phi_3944_ = _e1556;
+                                    } else {
+                                        phi_3944_ = _e1560;
+                                    }
+                                    let _e1563 = phi_3944_;
                                     if (_e1515 < 0f) {
-                                        phi_3936_ = -(_e1515);
+                                        phi_3950_ = -(_e1515);
                                     } else {
-                                        phi_3936_ = _e1515;
+                                        phi_3950_ = _e1515;
                                     }
-                                    let _e1561 = phi_3936_;
-                                    if (_e1557 > _e1561) {
-                                        phi_3941_ = _e1557;
+                                    let _e1567 = phi_3950_;
+                                    if (_e1563 > _e1567) {
+                                        phi_3955_ = _e1563;
                                     } else {
-                                        phi_3941_ = _e1561;
+                                        phi_3955_ = _e1567;
                                     }
-                                    let _e1564 = phi_3941_;
-                                    if (_e1516 < 0f) {
-                                        phi_3947_ = -(_e1516);
+                                    let _e1570 = phi_3955_;
+                                    local_4 = type_29(array<f32, 3>(_e1513, _e1514, _e1515), _e1552, (_e1570 + _e1552));
+                                    let _e1575 = local_3.member;
+                                    let _e1580 = local_4.member;
+                                    let _e1586 = ((_e1575[1] * _e1580[2]) - (_e1575[2] * _e1580[1]));
+                                    let _e1589 = ((_e1575[2] * _e1580[0]) - (_e1575[0] * _e1580[2]));
+                                    let _e1592 = ((_e1575[0] * _e1580[1]) - (_e1575[1] * _e1580[0]));
+                                    if (_e1586 < 0f) {
+                                        phi_4004_ = -(_e1586);
                                     } else {
-                                        phi_3947_ = _e1516;
+                                        phi_4004_ = _e1586;
                                     }
-                                    let _e1568 = phi_3947_;
-                                    if (_e1564 > _e1568) {
-                                        phi_3952_ = _e1564;
+                                    let _e1596 = phi_4004_;
+                                    if (_e1589 < 0f) {
+                                        phi_4010_ = -(_e1589);
                                     } else {
-                                        phi_3952_ = _e1568;
+                                        phi_4010_ = _e1589;
                                     }
-                                    let _e1571 = phi_3952_;
-                                    local_4 = type_24(array<f32, 3>(_e1514, _e1515, _e1516), _e1553, (_e1571 + _e1553));
-                                    let _e1576 = local_3.member;
-                                    let _e1581 = local_4.member;
-                                    let _e1587 = ((_e1576[1] * _e1581[2]) - (_e1576[2] * _e1581[1]));
-                                    let _e1590 = ((_e1576[2] * _e1581[0]) - (_e1576[0] * _e1581[2]));
-                                    let _e1593 = ((_e1576[0] * _e1581[1]) - (_e1576[1] * _e1581[0]));
-                                    if (_e1587 < 0f) {
-                                        phi_4001_ = -(_e1587);
-                                    } else {
-                                        phi_4001_ = _e1587;
-                                    }
-                                    let _e1597 = phi_4001_;
-                                    if (_e1590 < 0f) {
-                                        phi_4007_ = -(_e1590);
-                                    } else {
-                                        phi_4007_ = _e1590;
-                                    }
-                                    let _e1601 = phi_4007_;
-                                    if (_e1597 > _e1601) {
-                                        if (_e1587 < 0f) {
-                                            phi_4017_ = -(_e1587);
+                                    let _e1600 = phi_4010_;
+                                    if (_e1596 > _e1600) {
+                                        if (_e1586 < 0f) {
+                                            phi_4020_ = -(_e1586);
                                         } else {
-                                            phi_4017_ = _e1587;
+                                            phi_4020_ = _e1586;
                                         }
-                                        let _e1619 = phi_4017_;
-                                        if (_e1593 < 0f) {
-                                            phi_4023_ = -(_e1593);
+                                        let _e1618 = phi_4020_;
+                                        if (_e1592 < 0f) {
+                                            phi_4026_ = -(_e1592);
                                         } else {
-                                            phi_4023_ = _e1593;
+                                            phi_4026_ = _e1592;
                                         }
-                                        let _e1623 = phi_4023_;
-                                        if (_e1619 > _e1623) {
-                                            phi_4028_ = 2u;
-                                            phi_4029_ = 1u;
+                                        let _e1622 = phi_4026_;
+                                        if (_e1618 > _e1622) {
+                                            phi_4031_ = 2u;
+                                            phi_4032_ = 1u;
                                         } else {
-                                            phi_4028_ = 1u;
-                                            phi_4029_ = 0u;
+                                            phi_4031_ = 1u;
+                                            phi_4032_ = 0u;
                                         }
-                                        let _e1626 = phi_4028_;
-                                        let _e1628 = phi_4029_;
-                                        phi_4048_ = _e1626;
-                                        phi_4049_ = _e1628;
+                                        let _e1625 = phi_4031_;
+                                        let _e1627 = phi_4032_;
+                                        phi_4051_ = _e1625;
+                                        phi_4052_ = _e1627;
                                     } else {
-                                        if (_e1590 < 0f) {
-                                            phi_4035_ = -(_e1590);
+                                        if (_e1589 < 0f) {
+                                            phi_4038_ = -(_e1589);
                                         } else {
-                                            phi_4035_ = _e1590;
+                                            phi_4038_ = _e1589;
                                         }
-                                        let _e1606 = phi_4035_;
-                                        if (_e1593 < 0f) {
-                                            phi_4041_ = -(_e1593);
+                                        let _e1605 = phi_4038_;
+                                        if (_e1592 < 0f) {
+                                            phi_4044_ = -(_e1592);
                                         } else {
-                                            phi_4041_ = _e1593;
+                                            phi_4044_ = _e1592;
                                         }
-                                        let _e1610 = phi_4041_;
-                                        if (_e1606 > _e1610) {
-                                            phi_4046_ = 0u;
-                                            phi_4047_ = 2u;
+                                        let _e1609 = phi_4044_;
+                                        if (_e1605 > _e1609) {
+                                            phi_4049_ = 0u;
+                                            phi_4050_ = 2u;
                                         } else {
-                                            phi_4046_ = 1u;
-                                            phi_4047_ = 0u;
+                                            phi_4049_ = 1u;
+                                            phi_4050_ = 0u;
                                         }
-                                        let _e1613 = phi_4046_;
-                                        let _e1615 = phi_4047_;
-                                        phi_4048_ = _e1613;
-                                        phi_4049_ = _e1615;
+                                        let _e1612 = phi_4049_;
+                                        let _e1614 = phi_4050_;
+                                        phi_4051_ = _e1612;
+                                        phi_4052_ = _e1614;
                                     }
-                                    let _e1630 = phi_4048_;
-                                    let _e1632 = phi_4049_;
-                                    let _e1635 = local_3.member[_e1632];
-                                    let _e1638 = local_4.member[_e1630];
-                                    let _e1642 = local_3.member[_e1630];
-                                    let _e1645 = local_4.member[_e1632];
-                                    let _e1647 = ((_e1635 * _e1638) - (_e1642 * _e1645));
-                                    let _e1649 = local_3.member_1;
-                                    let _e1651 = local_4.member_2;
-                                    let _e1654 = local_3.member_2;
-                                    let _e1656 = local_4.member_1;
-                                    let _e1661 = local_3.member_2;
-                                    let _e1663 = local_4.member_2;
-                                    let _e1670 = local_3.member_2;
-                                    let _e1673 = local_4.member_2;
-                                    let _e1677 = (((((_e1649 * _e1651) + (_e1654 * _e1656)) * 2.01f) + ((_e1661 * _e1663) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1670) * (1f + _e1673))));
-                                    if (_e1647 < 0f) {
-                                        phi_4116_ = -(_e1647);
+                                    let _e1629 = phi_4051_;
+                                    let _e1631 = phi_4052_;
+                                    let _e1634 = local_3.member[_e1631];
+                                    let _e1637 = local_4.member[_e1629];
+                                    let _e1641 = local_3.member[_e1629];
+                                    let _e1644 = local_4.member[_e1631];
+                                    let _e1646 = ((_e1634 * _e1637) - (_e1641 * _e1644));
+                                    let _e1648 = local_3.member_1;
+                                    let _e1650 = local_4.member_2;
+                                    let _e1653 = local_3.member_2;
+                                    let _e1655 = local_4.member_1;
+                                    let _e1660 = local_3.member_2;
+                                    let _e1662 = local_4.member_2;
+                                    let _e1669 = local_3.member_2;
+                                    let _e1672 = local_4.member_2;
+                                    let _e1676 = (((((_e1648 * _e1650) + (_e1653 * _e1655)) * 2.01f) + ((_e1660 * _e1662) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1669) * (1f + _e1672))));
+                                    if (_e1646 < 0f) {
+                                        phi_4119_ = -(_e1646);
                                     } else {
-                                        phi_4116_ = _e1647;
+                                        phi_4119_ = _e1646;
                                     }
-                                    let _e1681 = phi_4116_;
-                                    if (_e1681 > _e1677) {
-                                        if (_e1647 < 0f) {
-                                            phi_4125_ = -1f;
+                                    let _e1680 = phi_4119_;
+                                    if (_e1680 > _e1676) {
+                                        if (_e1646 < 0f) {
+                                            phi_4128_ = -1f;
                                         } else {
-                                            phi_4125_ = 1f;
+                                            phi_4128_ = 1f;
                                         }
-                                        let _e1685 = phi_4125_;
-                                        let _e1688 = local_2.member[_e1632];
-                                        let _e1691 = local_4.member[_e1630];
-                                        let _e1695 = local_2.member[_e1630];
-                                        let _e1698 = local_4.member[_e1632];
-                                        let _e1702 = local_2.member_1;
-                                        let _e1704 = local_4.member_2;
-                                        let _e1707 = local_2.member_2;
-                                        let _e1709 = local_4.member_1;
-                                        let _e1714 = local_2.member_2;
-                                        let _e1716 = local_4.member_2;
-                                        let _e1723 = local_2.member_2;
-                                        let _e1726 = local_4.member_2;
-                                        let _e1730 = (((((_e1702 * _e1704) + (_e1707 * _e1709)) * 2.01f) + ((_e1714 * _e1716) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1723) * (1f + _e1726))));
-                                        let _e1733 = local_3.member[_e1632];
-                                        let _e1736 = local_2.member[_e1630];
-                                        let _e1740 = local_3.member[_e1630];
-                                        let _e1743 = local_2.member[_e1632];
-                                        let _e1747 = local_3.member_1;
-                                        let _e1749 = local_2.member_2;
-                                        let _e1752 = local_3.member_2;
-                                        let _e1754 = local_2.member_1;
-                                        let _e1759 = local_3.member_2;
-                                        let _e1761 = local_2.member_2;
-                                        let _e1768 = local_3.member_2;
-                                        let _e1771 = local_2.member_2;
-                                        let _e1775 = (((((_e1747 * _e1749) + (_e1752 * _e1754)) * 2.01f) + ((_e1759 * _e1761) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1768) * (1f + _e1771))));
-                                        let _e1776 = (_e1647 * _e1685);
-                                        let _e1777 = (((_e1688 * _e1691) - (_e1695 * _e1698)) * _e1685);
-                                        let _e1778 = (((_e1733 * _e1736) - (_e1740 * _e1743)) * _e1685);
+                                        let _e1684 = phi_4128_;
+                                        let _e1687 = local_2.member[_e1631];
+                                        let _e1690 = local_4.member[_e1629];
+                                        let _e1694 = local_2.member[_e1629];
+                                        let _e1697 = local_4.member[_e1631];
+                                        let _e1701 = local_2.member_1;
+                                        let _e1703 = local_4.member_2;
+                                        let _e1706 = local_2.member_2;
+                                        let _e1708 = local_4.member_1;
+                                        let _e1713 = local_2.member_2;
+                                        let _e1715 = local_4.member_2;
+                                        let _e1722 = local_2.member_2;
+                                        let _e1725 = local_4.member_2;
+                                        let _e1729 = (((((_e1701 * _e1703) + (_e1706 * _e1708)) * 2.01f) + ((_e1713 * _e1715) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1722) * (1f + _e1725))));
+                                        let _e1732 = local_3.member[_e1631];
+                                        let _e1735 = local_2.member[_e1629];
+                                        let _e1739 = local_3.member[_e1629];
+                                        let _e1742 = local_2.member[_e1631];
+                                        let _e1746 = local_3.member_1;
+                                        let _e1748 = local_2.member_2;
+                                        let _e1751 = local_3.member_2;
+                                        let _e1753 = local_2.member_1;
+                                        let _e1758 = local_3.member_2;
+                                        let _e1760 = local_2.member_2;
+                                        let _e1767 = local_3.member_2;
+                                        let _e1770 = local_2.member_2;
+                                        let _e1774 = (((((_e1746 * _e1748) + (_e1751 * _e1753)) * 2.01f) + ((_e1758 * _e1760) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1767) * (1f + _e1770))));
+                                        let _e1775 = (_e1646 * _e1684);
+                                        let _e1776 = (((_e1687 * _e1690) - (_e1694 * _e1697)) * _e1684);
+                                        let _e1777 = (((_e1732 * _e1735) - (_e1739 * _e1742)) * _e1684);
+                                        if (_e1775 < 0f) {
+                                            phi_4259_ = -(_e1775);
+                                        } else {
+                                            phi_4259_ = _e1775;
+                                        }
+                                        let _e1781 = phi_4259_;
                                         if (_e1776 < 0f) {
-                                            phi_4256_ = -(_e1776);
+                                            phi_4265_ = -(_e1776);
                                         } else {
-                                            phi_4256_ = _e1776;
+                                            phi_4265_ = _e1776;
                                         }
-                                        let _e1782 = phi_4256_;
+                                        let _e1785 = phi_4265_;
                                         if (_e1777 < 0f) {
-                                            phi_4262_ = -(_e1777);
+                                            phi_4272_ = -(_e1777);
                                         } else {
-                                            phi_4262_ = _e1777;
+                                            phi_4272_ = _e1777;
                                         }
-                                        let _e1786 = phi_4262_;
-                                        if (_e1778 < 0f) {
-                                            phi_4269_ = -(_e1778);
-                                        } else {
-                                            phi_4269_ = _e1778;
-                                        }
-                                        let _e1791 = phi_4269_;
-                                        let _e1794 = (((_e1782 + _e1786) + _e1791) * (0.000000059604645f * 4f));
-                                        local_5[0u].member = _e1777;
-                                        local_5[0u].member_1 = _e1730;
-                                        local_5[1u].member = _e1778;
-                                        local_5[1u].member_1 = _e1775;
-                                        local_5[2u].member = (_e1776 - _e1777);
-                                        local_5[2u].member_1 = ((_e1677 + _e1730) + _e1794);
-                                        local_5[3u].member = (_e1776 - _e1778);
-                                        local_5[3u].member_1 = ((_e1677 + _e1775) + _e1794);
-                                        phi_4312_ = type_19(0u, 4u);
-                                        phi_4315_ = true;
+                                        let _e1790 = phi_4272_;
+                                        let _e1793 = (((_e1781 + _e1785) + _e1790) * (0.000000059604645f * 4f));
+                                        local_5[0u].member = _e1776;
+                                        local_5[0u].member_1 = _e1729;
+                                        local_5[1u].member = _e1777;
+                                        local_5[1u].member_1 = _e1774;
+                                        local_5[2u].member = (_e1775 - _e1776);
+                                        local_5[2u].member_1 = ((_e1676 + _e1729) + _e1793);
+                                        local_5[3u].member = (_e1775 - _e1777);
+                                        local_5[3u].member_1 = ((_e1676 + _e1774) + _e1793);
+                                        phi_4315_ = type_9(0u, 4u);
+                                        phi_4318_ = true;
                                         loop {
-                                            let _e1815 = phi_4312_;
-                                            let _e1817 = phi_4315_;
-                                            local_17 = _e1817;
-                                            if (_e1815.member < _e1815.member_1) {
-                                                phi_4313_ = type_19((_e1815.member + 1u), _e1815.member_1);
-                                                phi_4338_ = type_19(1u, _e1815.member);
+                                            let _e1814 = phi_4315_;
+                                            let _e1816 = phi_4318_;
+                                            local_17 = _e1816;
+                                            if (_e1814.member < _e1814.member_1) {
+                                                phi_4316_ = type_9((_e1814.member + 1u), _e1814.member_1);
+                                                phi_4341_ = type_9(1u, _e1814.member);
                                             } else {
-                                                phi_4313_ = _e1815;
-                                                phi_4338_ = type_19(0u, type_19().member_1);
+                                                phi_4316_ = _e1814;
+                                                phi_4341_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1829 = phi_4313_;
-                                            let _e1831 = phi_4338_;
-                                            if (bitcast<i32>(_e1831.member) != 0i) {
-                                                let _e1838 = local_5[_e1831.member_1].member;
-                                                let _e1841 = local_5[_e1831.member_1].member_1;
-                                                let _e1843 = (_e1838 < -(_e1841));
-                                                if _e1843 {
-                                                    phi_4365_ = bool();
-                                                    phi_4366_ = false;
+                                            let _e1828 = phi_4316_;
+                                            let _e1830 = phi_4341_;
+                                            if (bitcast<i32>(_e1830.member) != 0i) {
+                                                let _e1837 = local_5[_e1830.member_1].member;
+                                                let _e1840 = local_5[_e1830.member_1].member_1;
+                                                let _e1842 = (_e1837 < -(_e1840));
+                                                if _e1842 {
+                                                    phi_4368_ = bool();
+                                                    phi_4369_ = false;
                                                 } else {
-                                                    phi_4365_ = (_e1817 && (_e1838 > _e1841));
-                                                    phi_4366_ = true;
+                                                    phi_4368_ = (_e1816 && (_e1837 > _e1840));
+                                                    phi_4369_ = true;
                                                 }
-                                                let _e1847 = phi_4365_;
-                                                let _e1849 = phi_4366_;
-                                                phi_4316_ = _e1847;
-                                                phi_4367_ = _e1849;
-                                                phi_4368_ = _e1843;
+                                                let _e1846 = phi_4368_;
+                                                let _e1848 = phi_4369_;
+                                                phi_4319_ = _e1846;
+                                                phi_4370_ = _e1848;
+                                                phi_4371_ = _e1842;
                                             } else {
-                                                phi_4316_ = bool();
-                                                phi_4367_ = false;
-                                                phi_4368_ = false;
+                                                phi_4319_ = bool();
+                                                phi_4370_ = false;
+                                                phi_4371_ = false;
                                             }
-                                            let _e1851 = phi_4316_;
-                                            let _e1853 = phi_4367_;
-                                            let _e1855 = phi_4368_;
-                                            local_16 = _e1855;
+                                            let _e1850 = phi_4319_;
+                                            let _e1852 = phi_4370_;
+                                            let _e1854 = phi_4371_;
+                                            local_16 = _e1854;
                                             continue;
                                             continuing {
-                                                phi_4312_ = _e1829;
-                                                phi_4315_ = _e1851;
-                                                break if !(_e1853);
+                                                phi_4315_ = _e1828;
+                                                phi_4318_ = _e1850;
+                                                break if !(_e1852);
                                             }
                                         }
-                                        let _e1858 = local_16;
-                                        if _e1858 {
-                                            phi_4372_ = false;
+                                        let _e1857 = local_16;
+                                        if _e1857 {
+                                            phi_4375_ = false;
                                         } else {
-                                            phi_4372_ = true;
+                                            phi_4375_ = true;
                                         }
-                                        let _e1860 = phi_4372_;
-                                        if _e1860 {
-                                            let _e1862 = local_17;
-                                            if _e1862 {
-                                                phi_4379_ = 1u;
+                                        let _e1859 = phi_4375_;
+                                        if _e1859 {
+                                            let _e1861 = local_17;
+                                            if _e1861 {
+                                                phi_4382_ = 1u;
                                             } else {
-                                                phi_4379_ = 2u;
+                                                phi_4382_ = 2u;
                                             }
-                                            let _e1864 = phi_4379_;
-                                            phi_4380_ = _e1864;
-                                            phi_4381_ = false;
+                                            let _e1863 = phi_4382_;
+                                            phi_4383_ = _e1863;
+                                            phi_4384_ = false;
                                         } else {
-                                            phi_4380_ = u32();
-                                            phi_4381_ = true;
+                                            phi_4383_ = u32();
+                                            phi_4384_ = true;
                                         }
-                                        let _e1866 = phi_4380_;
-                                        let _e1868 = phi_4381_;
-                                        phi_4382_ = _e1866;
-                                        phi_4383_ = 0u;
-                                        phi_4384_ = _e1868;
+                                        let _e1865 = phi_4383_;
+                                        let _e1867 = phi_4384_;
+                                        phi_4385_ = _e1865;
+                                        phi_4386_ = 0u;
+                                        phi_4387_ = _e1867;
                                     } else {
-                                        phi_4382_ = u32();
-                                        phi_4383_ = 2u;
-                                        phi_4384_ = true;
+                                        phi_4385_ = u32();
+                                        phi_4386_ = 2u;
+                                        phi_4387_ = true;
                                     }
-                                    let _e1870 = phi_4382_;
-                                    let _e1872 = phi_4383_;
-                                    let _e1874 = phi_4384_;
-                                    if _e1874 {
-                                        phi_4388_ = _e1872;
+                                    let _e1869 = phi_4385_;
+                                    let _e1871 = phi_4386_;
+                                    let _e1873 = phi_4387_;
+                                    if _e1873 {
+                                        phi_4391_ = _e1871;
                                     } else {
-                                        phi_4388_ = _e1870;
+                                        phi_4391_ = _e1869;
                                     }
-                                    let _e1876 = phi_4388_;
-                                    let _e1877 = (_e1876 == 0u);
-                                    if _e1877 {
-                                        phi_5429_ = f32();
-                                        phi_5430_ = false;
-                                        phi_5431_ = false;
-                                        phi_5432_ = false;
+                                    let _e1875 = phi_4391_;
+                                    let _e1876 = (_e1875 == 0u);
+                                    if _e1876 {
+                                        phi_5432_ = f32();
+                                        phi_5433_ = false;
+                                        phi_5434_ = false;
+                                        phi_5435_ = false;
                                     } else {
-                                        if (_e1876 == 1u) {
-                                            if _e1174.member_2 {
-                                                if ((_e1174.member_1 - _e1174.member) <= 0.0000005f) {
-                                                    phi_4408_ = false;
+                                        if (_e1875 == 1u) {
+                                            if _e1173.member_2 {
+                                                if ((_e1173.member_1 - _e1173.member) <= 0.0000005f) {
+                                                    phi_4411_ = false;
                                                 } else {
-                                                    phi_4408_ = true;
+                                                    phi_4411_ = true;
                                                 }
-                                                let _e1885 = phi_4408_;
-                                                phi_4409_ = _e1885;
+                                                let _e1884 = phi_4411_;
+                                                phi_4412_ = _e1884;
                                             } else {
-                                                phi_4409_ = true;
+                                                phi_4412_ = true;
                                             }
-                                            let _e1887 = phi_4409_;
-                                            phi_4410_ = _e1887;
+                                            let _e1886 = phi_4412_;
+                                            phi_4413_ = _e1886;
                                         } else {
-                                            phi_4410_ = true;
+                                            phi_4413_ = true;
                                         }
-                                        let _e1889 = phi_4410_;
-                                        if _e1889 {
-                                            let _e1894 = local_12.member[0u];
-                                            let _e1900 = local_12.member_1[0u];
-                                            let _e1906 = local_12.member_2[0u];
-                                            let _e1910 = (_e1894[0] - _e1900[0]);
-                                            let _e1911 = (_e1894[1] - _e1900[1]);
-                                            let _e1912 = (_e1894[2] - _e1900[2]);
-                                            local = array<array<f32, 3>, 4>(_e1894, array<f32, 3>(_e1910, _e1911, _e1912), array<f32, 3>((_e1894[0] - _e1906[0]), (_e1894[1] - _e1906[1]), (_e1894[2] - _e1906[2])), array<f32, 3>((_e1910 - _e1906[0]), (_e1911 - _e1906[1]), (_e1912 - _e1906[2])));
-                                            let _e1925 = local_12.member[1u];
-                                            let _e1931 = local_12.member_1[1u];
-                                            let _e1937 = local_12.member_2[1u];
-                                            let _e1941 = (_e1925[0] - _e1931[0]);
-                                            let _e1942 = (_e1925[1] - _e1931[1]);
-                                            let _e1943 = (_e1925[2] - _e1931[2]);
-                                            local_1 = array<array<f32, 3>, 4>(_e1925, array<f32, 3>(_e1941, _e1942, _e1943), array<f32, 3>((_e1925[0] - _e1937[0]), (_e1925[1] - _e1937[1]), (_e1925[2] - _e1937[2])), array<f32, 3>((_e1941 - _e1937[0]), (_e1942 - _e1937[1]), (_e1943 - _e1937[2])));
-                                            let _e1956 = local_12.member[0u];
-                                            if (_e1956[0] < 0f) {
-                                                phi_4606_ = -(_e1956[0]);
+                                        let _e1888 = phi_4413_;
+                                        if _e1888 {
+                                            let _e1893 = local_12.member[0u];
+                                            let _e1899 = local_12.member_1[0u];
+                                            let _e1905 = local_12.member_2[0u];
+                                            let _e1909 = (_e1893[0] - _e1899[0]);
+                                            let _e1910 = (_e1893[1] - _e1899[1]);
+                                            let _e1911 = (_e1893[2] - _e1899[2]);
+                                            local = array<array<f32, 3>, 4>(_e1893, array<f32, 3>(_e1909, _e1910, _e1911), array<f32, 3>((_e1893[0] - _e1905[0]), (_e1893[1] - _e1905[1]), (_e1893[2] - _e1905[2])), array<f32, 3>((_e1909 - _e1905[0]), (_e1910 - _e1905[1]), (_e1911 - _e1905[2])));
+                                            let _e1924 = local_12.member[1u];
+                                            let _e1930 = local_12.member_1[1u];
+                                            let _e1936 = local_12.member_2[1u];
+                                            let _e1940 = (_e1924[0] - _e1930[0]);
+                                            let _e1941 = (_e1924[1] - _e1930[1]);
+                                            let _e1942 = (_e1924[2] - _e1930[2]);
+                                            local_1 = array<array<f32, 3>, 4>(_e1924, array<f32, 3>(_e1940, _e1941, _e1942), array<f32, 3>((_e1924[0] - _e1936[0]), (_e1924[1] - _e1936[1]), (_e1924[2] - _e1936[2])), array<f32, 3>((_e1940 - _e1936[0]), (_e1941 - _e1936[1]), (_e1942 - _e1936[2])));
+                                            let _e1955 = local_12.member[0u];
+                                            if (_e1955[0] < 0f) {
+                                                phi_4609_ = -(_e1955[0]);
                                             } else {
-                                                phi_4606_ = _e1956[0];
+                                                phi_4609_ = _e1955[0];
                                             }
-                                            let _e1963 = phi_4606_;
-                                            if (_e1956[1] < 0f) {
-                                                phi_4613_ = -(_e1956[1]);
+                                            let _e1962 = phi_4609_;
+                                            if (_e1955[1] < 0f) {
+                                                phi_4616_ = -(_e1955[1]);
                                             } else {
-                                                phi_4613_ = _e1956[1];
+                                                phi_4616_ = _e1955[1];
                                             }
-                                            let _e1967 = phi_4613_;
-                                            if (_e1963 > _e1967) {
-                                                phi_4618_ = _e1963;
+                                            let _e1966 = phi_4616_;
+                                            if (_e1962 > _e1966) {
+                                                phi_4621_ = _e1962;
                                             } else {
-                                                phi_4618_ = _e1967;
+                                                phi_4621_ = _e1966;
                                             }
-                                            let _e1970 = phi_4618_;
-                                            if (_e1956[2] < 0f) {
-                                                phi_4625_ = -(_e1956[2]);
+                                            let _e1969 = phi_4621_;
+                                            if (_e1955[2] < 0f) {
+                                                phi_4628_ = -(_e1955[2]);
                                             } else {
-                                                phi_4625_ = _e1956[2];
+                                                phi_4628_ = _e1955[2];
                                             }
-                                            let _e1974 = phi_4625_;
-                                            if (_e1970 > _e1974) {
-                                                phi_4630_ = _e1970;
+                                            let _e1973 = phi_4628_;
+                                            if (_e1969 > _e1973) {
+                                                phi_4633_ = _e1969;
                                             } else {
-                                                phi_4630_ = _e1974;
+                                                phi_4633_ = _e1973;
                                             }
-                                            let _e1977 = phi_4630_;
-                                            let _e1980 = local_12.member[1u];
-                                            if (_e1980[0] < 0f) {
-                                                phi_4643_ = -(_e1980[0]);
+                                            let _e1976 = phi_4633_;
+                                            let _e1979 = local_12.member[1u];
+                                            if (_e1979[0] < 0f) {
+                                                phi_4646_ = -(_e1979[0]);
                                             } else {
-                                                phi_4643_ = _e1980[0];
+                                                phi_4646_ = _e1979[0];
                                             }
-                                            let _e1987 = phi_4643_;
-                                            if (_e1980[1] < 0f) {
-                                                phi_4650_ = -(_e1980[1]);
+                                            let _e1986 = phi_4646_;
+                                            if (_e1979[1] < 0f) {
+                                                phi_4653_ = -(_e1979[1]);
                                             } else {
-                                                phi_4650_ = _e1980[1];
+                                                phi_4653_ = _e1979[1];
                                             }
-                                            let _e1991 = phi_4650_;
-                                            if (_e1987 > _e1991) {
-                                                phi_4655_ = _e1987;
+                                            let _e1990 = phi_4653_;
+                                            if (_e1986 > _e1990) {
+                                                phi_4658_ = _e1986;
                                             } else {
-                                                phi_4655_ = _e1991;
+                                                phi_4658_ = _e1990;
                                             }
-                                            let _e1994 = phi_4655_;
-                                            if (_e1980[2] < 0f) {
-                                                phi_4662_ = -(_e1980[2]);
+                                            let _e1993 = phi_4658_;
+                                            if (_e1979[2] < 0f) {
+                                                phi_4665_ = -(_e1979[2]);
                                             } else {
-                                                phi_4662_ = _e1980[2];
+                                                phi_4665_ = _e1979[2];
                                             }
-                                            let _e1998 = phi_4662_;
-                                            if (_e1994 > _e1998) {
-                                                phi_4667_ = _e1994;
+                                            let _e1997 = phi_4665_;
+                                            if (_e1993 > _e1997) {
+                                                phi_4670_ = _e1993;
                                             } else {
-                                                phi_4667_ = _e1998;
+                                                phi_4670_ = _e1997;
                                             }
-                                            let _e2001 = phi_4667_;
-                                            if (_e1977 > _e2001) {
-                                                phi_4672_ = _e1977;
+                                            let _e2000 = phi_4670_;
+                                            if (_e1976 > _e2000) {
+                                                phi_4675_ = _e1976;
                                             } else {
-                                                phi_4672_ = _e2001;
+                                                phi_4675_ = _e2000;
                                             }
-                                            let _e2004 = phi_4672_;
-                                            let _e2006 = local_12.member_3;
-                                            let _e2010 = local_12.member_1[0u];
-                                            if (_e2010[0] < 0f) {
-                                                phi_4689_ = -(_e2010[0]);
+                                            let _e2003 = phi_4675_;
+                                            let _e2005 = local_12.member_3;
+                                            let _e2009 = local_12.member_1[0u];
+                                            if (_e2009[0] < 0f) {
+                                                phi_4692_ = -(_e2009[0]);
                                             } else {
-                                                phi_4689_ = _e2010[0];
+                                                phi_4692_ = _e2009[0];
                                             }
-                                            let _e2017 = phi_4689_;
-                                            if (_e2010[1] < 0f) {
-                                                phi_4696_ = -(_e2010[1]);
+                                            let _e2016 = phi_4692_;
+                                            if (_e2009[1] < 0f) {
+                                                phi_4699_ = -(_e2009[1]);
                                             } else {
-                                                phi_4696_ = _e2010[1];
+                                                phi_4699_ = _e2009[1];
                                             }
-                                            let _e2021 = phi_4696_;
-                                            if (_e2017 > _e2021) {
-                                                phi_4701_ = _e2017;
+                                            let _e2020 = phi_4699_;
+                                            if (_e2016 > _e2020) {
+                                                phi_4704_ = _e2016;
                                             } else {
-                                                phi_4701_ = _e2021;
+                                                phi_4704_ = _e2020;
                                             }
-                                            let _e2024 = phi_4701_;
-                                            if (_e2010[2] < 0f) {
-                                                phi_4708_ = -(_e2010[2]);
+                                            let _e2023 = phi_4704_;
+                                            if (_e2009[2] < 0f) {
+                                                phi_4711_ = -(_e2009[2]);
                                             } else {
-                                                phi_4708_ = _e2010[2];
+                                                phi_4711_ = _e2009[2];
                                             }
-                                            let _e2028 = phi_4708_;
-                                            if (_e2024 > _e2028) {
-                                                phi_4713_ = _e2024;
+                                            let _e2027 = phi_4711_;
+                                            if (_e2023 > _e2027) {
+                                                phi_4716_ = _e2023;
                                             } else {
-                                                phi_4713_ = _e2028;
+                                                phi_4716_ = _e2027;
                                             }
-                                            let _e2031 = phi_4713_;
-                                            let _e2034 = local_12.member_1[1u];
-                                            if (_e2034[0] < 0f) {
-                                                phi_4727_ = -(_e2034[0]);
+                                            let _e2030 = phi_4716_;
+                                            let _e2033 = local_12.member_1[1u];
+                                            if (_e2033[0] < 0f) {
+                                                phi_4730_ = -(_e2033[0]);
                                             } else {
-                                                phi_4727_ = _e2034[0];
+                                                phi_4730_ = _e2033[0];
                                             }
-                                            let _e2041 = phi_4727_;
-                                            if (_e2034[1] < 0f) {
-                                                phi_4734_ = -(_e2034[1]);
+                                            let _e2040 = phi_4730_;
+                                            if (_e2033[1] < 0f) {
+                                                phi_4737_ = -(_e2033[1]);
                                             } else {
-                                                phi_4734_ = _e2034[1];
+                                                phi_4737_ = _e2033[1];
                                             }
-                                            let _e2045 = phi_4734_;
-                                            if (_e2041 > _e2045) {
-                                                phi_4739_ = _e2041;
+                                            let _e2044 = phi_4737_;
+                                            if (_e2040 > _e2044) {
+                                                phi_4742_ = _e2040;
                                             } else {
-                                                phi_4739_ = _e2045;
+                                                phi_4742_ = _e2044;
                                             }
-                                            let _e2048 = phi_4739_;
-                                            if (_e2034[2] < 0f) {
-                                                phi_4746_ = -(_e2034[2]);
+                                            let _e2047 = phi_4742_;
+                                            if (_e2033[2] < 0f) {
+                                                phi_4749_ = -(_e2033[2]);
                                             } else {
-                                                phi_4746_ = _e2034[2];
+                                                phi_4749_ = _e2033[2];
                                             }
-                                            let _e2052 = phi_4746_;
-                                            if (_e2048 > _e2052) {
-                                                phi_4751_ = _e2048;
+                                            let _e2051 = phi_4749_;
+                                            if (_e2047 > _e2051) {
+                                                phi_4754_ = _e2047;
                                             } else {
-                                                phi_4751_ = _e2052;
+                                                phi_4754_ = _e2051;
                                             }
-                                            let _e2055 = phi_4751_;
-                                            if (_e2031 > _e2055) {
-                                                phi_4756_ = _e2031;
+                                            let _e2054 = phi_4754_;
+                                            if (_e2030 > _e2054) {
+                                                phi_4759_ = _e2030;
                                             } else {
-                                                phi_4756_ = _e2055;
+                                                phi_4759_ = _e2054;
                                             }
-                                            let _e2058 = phi_4756_;
-                                            let _e2060 = local_12.member_3;
-                                            let _e2064 = local_12.member_2[0u];
-                                            if (_e2064[0] < 0f) {
-                                                phi_4773_ = -(_e2064[0]);
+                                            let _e2057 = phi_4759_;
+                                            let _e2059 = local_12.member_3;
+                                            let _e2063 = local_12.member_2[0u];
+                                            if (_e2063[0] < 0f) {
+                                                phi_4776_ = -(_e2063[0]);
                                             } else {
-                                                phi_4773_ = _e2064[0];
+                                                phi_4776_ = _e2063[0];
                                             }
-                                            let _e2071 = phi_4773_;
-                                            if (_e2064[1] < 0f) {
-                                                phi_4780_ = -(_e2064[1]);
+                                            let _e2070 = phi_4776_;
+                                            if (_e2063[1] < 0f) {
+                                                phi_4783_ = -(_e2063[1]);
                                             } else {
-                                                phi_4780_ = _e2064[1];
+                                                phi_4783_ = _e2063[1];
                                             }
-                                            let _e2075 = phi_4780_;
-                                            if (_e2071 > _e2075) {
-                                                phi_4785_ = _e2071;
+                                            let _e2074 = phi_4783_;
+                                            if (_e2070 > _e2074) {
+                                                phi_4788_ = _e2070;
                                             } else {
-                                                phi_4785_ = _e2075;
+                                                phi_4788_ = _e2074;
                                             }
-                                            let _e2078 = phi_4785_;
-                                            if (_e2064[2] < 0f) {
-                                                phi_4792_ = -(_e2064[2]);
+                                            let _e2077 = phi_4788_;
+                                            if (_e2063[2] < 0f) {
+                                                phi_4795_ = -(_e2063[2]);
                                             } else {
-                                                phi_4792_ = _e2064[2];
+                                                phi_4795_ = _e2063[2];
                                             }
-                                            let _e2082 = phi_4792_;
-                                            if (_e2078 > _e2082) {
-                                                phi_4797_ = _e2078;
+                                            let _e2081 = phi_4795_;
+                                            if (_e2077 > _e2081) {
+                                                phi_4800_ = _e2077;
                                             } else {
-                                                phi_4797_ = _e2082;
+                                                phi_4800_ = _e2081;
                                             }
-                                            let _e2085 = phi_4797_;
-                                            let _e2088 = local_12.member_2[1u];
-                                            if (_e2088[0] < 0f) {
-                                                phi_4811_ = -(_e2088[0]);
+                                            let _e2084 = phi_4800_;
+                                            let _e2087 = local_12.member_2[1u];
+                                            if (_e2087[0] < 0f) {
+                                                phi_4814_ = -(_e2087[0]);
                                             } else {
-                                                phi_4811_ = _e2088[0];
+                                                phi_4814_ = _e2087[0];
                                             }
-                                            let _e2095 = phi_4811_;
-                                            if (_e2088[1] < 0f) {
-                                                phi_4818_ = -(_e2088[1]);
+                                            let _e2094 = phi_4814_;
+                                            if (_e2087[1] < 0f) {
+                                                phi_4821_ = -(_e2087[1]);
                                             } else {
-                                                phi_4818_ = _e2088[1];
+                                                phi_4821_ = _e2087[1];
                                             }
-                                            let _e2099 = phi_4818_;
-                                            if (_e2095 > _e2099) {
-                                                phi_4823_ = _e2095;
+                                            let _e2098 = phi_4821_;
+                                            if (_e2094 > _e2098) {
+                                                phi_4826_ = _e2094;
                                             } else {
-                                                phi_4823_ = _e2099;
+                                                phi_4826_ = _e2098;
                                             }
-                                            let _e2102 = phi_4823_;
-                                            if (_e2088[2] < 0f) {
-                                                phi_4830_ = -(_e2088[2]);
+                                            let _e2101 = phi_4826_;
+                                            if (_e2087[2] < 0f) {
+                                                phi_4833_ = -(_e2087[2]);
                                             } else {
-                                                phi_4830_ = _e2088[2];
+                                                phi_4833_ = _e2087[2];
                                             }
-                                            let _e2106 = phi_4830_;
-                                            if (_e2102 > _e2106) {
-                                                phi_4835_ = _e2102;
+                                            let _e2105 = phi_4833_;
+                                            if (_e2101 > _e2105) {
+                                                phi_4838_ = _e2101;
                                             } else {
-                                                phi_4835_ = _e2106;
+                                                phi_4838_ = _e2105;
                                             }
-                                            let _e2109 = phi_4835_;
-                                            if (_e2085 > _e2109) {
-                                                phi_4840_ = _e2085;
+                                            let _e2108 = phi_4838_;
+                                            if (_e2084 > _e2108) {
+                                                phi_4843_ = _e2084;
                                             } else {
-                                                phi_4840_ = _e2109;
+                                                phi_4843_ = _e2108;
                                             }
-                                            let _e2112 = phi_4840_;
-                                            let _e2114 = local_12.member_3;
-                                            let _e2121 = local_12.member_3;
-                                            phi_4856_ = type_19(0u, 48u);
-                                            phi_4859_ = _e1174.member;
+                                            let _e2111 = phi_4843_;
+                                            let _e2113 = local_12.member_3;
+                                            let _e2120 = local_12.member_3;
+                                            phi_4859_ = type_9(0u, 48u);
+                                            phi_4862_ = _e1173.member;
                                             loop {
-                                                let _e2127 = phi_4856_;
-                                                let _e2129 = phi_4859_;
-                                                local_61 = _e2129;
-                                                local_24 = _e2129;
-                                                local_25 = _e2129;
-                                                local_26 = _e2129;
-                                                local_27 = _e2129;
-                                                if (_e2127.member < _e2127.member_1) {
-                                                    phi_4857_ = type_19((_e2127.member + 1u), _e2127.member_1);
-                                                    phi_4882_ = type_19(1u, _e2127.member);
+                                                let _e2126 = phi_4859_;
+                                                let _e2128 = phi_4862_;
+                                                local_61 = _e2128;
+                                                local_24 = _e2128;
+                                                local_25 = _e2128;
+                                                local_26 = _e2128;
+                                                local_27 = _e2128;
+                                                if (_e2126.member < _e2126.member_1) {
+                                                    phi_4860_ = type_9((_e2126.member + 1u), _e2126.member_1);
+                                                    phi_4885_ = type_9(1u, _e2126.member);
                                                 } else {
-                                                    phi_4857_ = _e2127;
-                                                    phi_4882_ = type_19(0u, type_19().member_1);
+                                                    phi_4860_ = _e2126;
+                                                    phi_4885_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2141 = phi_4857_;
-                                                let _e2143 = phi_4882_;
-                                                if (bitcast<i32>(_e2143.member) != 0i) {
-                                                    let _e2149 = local_12.member[0u];
-                                                    let _e2155 = local_12.member[1u];
-                                                    let _e2171 = local_12.member_1[0u];
-                                                    let _e2177 = local_12.member_1[1u];
-                                                    let _e2193 = local_12.member_2[0u];
-                                                    let _e2199 = local_12.member_2[1u];
-                                                    let _e2213 = function_2(array<f32, 3>((_e2149[0] + ((_e2155[0] - _e2149[0]) * _e2129)), (_e2149[1] + ((_e2155[1] - _e2149[1]) * _e2129)), (_e2149[2] + ((_e2155[2] - _e2149[2]) * _e2129))), array<f32, 3>((_e2171[0] + ((_e2177[0] - _e2171[0]) * _e2129)), (_e2171[1] + ((_e2177[1] - _e2171[1]) * _e2129)), (_e2171[2] + ((_e2177[2] - _e2171[2]) * _e2129))), array<f32, 3>((_e2193[0] + ((_e2199[0] - _e2193[0]) * _e2129)), (_e2193[1] + ((_e2199[1] - _e2193[1]) * _e2129)), (_e2193[2] + ((_e2199[2] - _e2193[2]) * _e2129))), 1u);
-                                                    if (_e2213[0] < 0f) {
-                                                        phi_4993_ = -(_e2213[0]);
+                                                let _e2140 = phi_4860_;
+                                                let _e2142 = phi_4885_;
+                                                if (bitcast<i32>(_e2142.member) != 0i) {
+                                                    let _e2148 = local_12.member[0u];
+                                                    let _e2154 = local_12.member[1u];
+                                                    let _e2170 = local_12.member_1[0u];
+                                                    let _e2176 = local_12.member_1[1u];
+                                                    let _e2192 = local_12.member_2[0u];
+                                                    let _e2198 = local_12.member_2[1u];
+                                                    let _e2212 = function_2(array<f32, 3>((_e2148[0] + ((_e2154[0] - _e2148[0]) * _e2128)), (_e2148[1] + ((_e2154[1] - _e2148[1]) * _e2128)), (_e2148[2] + ((_e2154[2] - _e2148[2]) * _e2128))), array<f32, 3>((_e2170[0] + ((_e2176[0] - _e2170[0]) * _e2128)), (_e2170[1] + ((_e2176[1] - _e2170[1]) * _e2128)), (_e2170[2] + ((_e2176[2] - _e2170[2]) * _e2128))), array<f32, 3>((_e2192[0] + ((_e2198[0] - _e2192[0]) * _e2128)), (_e2192[1] + ((_e2198[1] - _e2192[1]) * _e2128)), (_e2192[2] + ((_e2198[2] - _e2192[2]) * _e2128))), 1u);
+                                                    if (_e2212[0] < 0f) {
+                                                        phi_4996_ = -(_e2212[0]);
                                                     } else {
-                                                        phi_4993_ = _e2213[0];
+                                                        phi_4996_ = _e2212[0];
                                                     }
-                                                    let _e2218 = phi_4993_;
-                                                    if (_e2213[1] < 0f) {
-                                                        phi_5000_ = -(_e2213[1]);
+                                                    let _e2217 = phi_4996_;
+                                                    if (_e2212[1] < 0f) {
+                                                        phi_5003_ = -(_e2212[1]);
                                                     } else {
-                                                        phi_5000_ = _e2213[1];
+                                                        phi_5003_ = _e2212[1];
                                                     }
-                                                    let _e2223 = phi_5000_;
-                                                    if (_e2213[2] < 0f) {
-                                                        phi_5008_ = -(_e2213[2]);
+                                                    let _e2222 = phi_5003_;
+                                                    if (_e2212[2] < 0f) {
+                                                        phi_5011_ = -(_e2212[2]);
                                                     } else {
-                                                        phi_5008_ = _e2213[2];
+                                                        phi_5011_ = _e2212[2];
                                                     }
-                                                    let _e2229 = phi_5008_;
-                                                    let _e2230 = ((_e2218 + _e2223) + _e2229);
-                                                    if (_e2230 > 0f) {
-                                                        if ((bitcast<u32>(_e2230) & 2139095040u) != 2139095040u) {
-                                                            let _e2235 = (1f / _e2230);
-                                                            let _e2237 = (_e2213[0] * _e2235);
-                                                            let _e2239 = (_e2213[1] * _e2235);
-                                                            let _e2241 = (_e2213[2] * _e2235);
-                                                            let _e2246 = (((_e2237 * _e2237) + (_e2239 * _e2239)) + (_e2241 * _e2241));
-                                                            if (_e2246 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2246 > 0f) {
-                                                                    phi_5045_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2228 = phi_5011_;
+                                                    let _e2229 = ((_e2217 + _e2222) + _e2228);
+                                                    if (_e2229 > 0f) {
+                                                        if ((bitcast<u32>(_e2229) & 2139095040u) != 2139095040u) {
+                                                            let _e2234 = (1f / _e2229);
+                                                            let _e2236 = (_e2212[0] * _e2234);
+                                                            let _e2238 = (_e2212[1] * _e2234);
+                                                            let _e2240 = (_e2212[2] * _e2234);
+                                                            let _e2245 = (((_e2236 * _e2236) + (_e2238 * _e2238)) + (_e2240 * _e2240));
+                                                            if (_e2245 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2245 > 0f) {
+                                                                    phi_5048_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_5045_ = 0f;
+                                                                    phi_5048_ = 0f;
                                                                 }
-                                                                let _e2299 = phi_5045_;
-                                                                phi_5109_ = _e2299;
+                                                                let _e2298 = phi_5048_;
+                                                                phi_5112_ = _e2298;
                                                             } else {
-                                                                phi_5052_ = type_17(0i, 5i);
-                                                                phi_5055_ = bitcast<f32>(((bitcast<u32>(_e2246) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_5055_ = type_14(0i, 5i);
+                                                                phi_5058_ = bitcast<f32>(((bitcast<u32>(_e2245) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2254 = phi_5052_;
-                                                                    let _e2256 = phi_5055_;
-                                                                    local_18 = _e2256;
-                                                                    if (_e2254.member < _e2254.member_1) {
-                                                                        let _e2263 = (_e2254.member + 1i);
-                                                                        if ((false == (_e2263 > _e2254.member)) != false) {
-                                                                            phi_5076_ = true;
+                                                                    let _e2253 = phi_5055_;
+                                                                    let _e2255 = phi_5058_;
+                                                                    local_18 = _e2255;
+                                                                    if (_e2253.member < _e2253.member_1) {
+                                                                        let _e2262 = (_e2253.member + 1i);
+                                                                        if ((false == (_e2262 > _e2253.member)) != false) {
+                                                                            phi_5079_ = true;
                                                                         } else {
-                                                                            phi_5076_ = false;
+                                                                            phi_5079_ = false;
                                                                         }
-                                                                        let _e2268 = phi_5076_;
-                                                                        if _e2268 {
-                                                                            phi_5082_ = type_18(0u, type_18().member_1);
+                                                                        let _e2267 = phi_5079_;
+                                                                        if _e2267 {
+                                                                            phi_5085_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_5082_ = type_18(1u, _e2263);
+                                                                            phi_5085_ = type_15(1u, _e2262);
                                                                         }
-                                                                        let _e2273 = phi_5082_;
-                                                                        phi_5053_ = type_17(_e2273.member_1, _e2254.member_1);
-                                                                        phi_5096_ = type_18(1u, _e2254.member);
+                                                                        let _e2272 = phi_5085_;
+                                                                        phi_5056_ = type_14(_e2272.member_1, _e2253.member_1);
+                                                                        phi_5099_ = type_15(1u, _e2253.member);
                                                                     } else {
-                                                                        phi_5053_ = _e2254;
-                                                                        phi_5096_ = type_18(0u, type_18().member_1);
+                                                                        phi_5056_ = _e2253;
+                                                                        phi_5099_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2279 = phi_5053_;
-                                                                    let _e2281 = phi_5096_;
-                                                                    let _e2284 = (bitcast<i32>(_e2281.member) != 0i);
-                                                                    if _e2284 {
-                                                                        phi_5056_ = (0.5f * (_e2256 + (_e2246 / _e2256)));
+                                                                    let _e2278 = phi_5056_;
+                                                                    let _e2280 = phi_5099_;
+                                                                    let _e2283 = (bitcast<i32>(_e2280.member) != 0i);
+                                                                    if _e2283 {
+                                                                        phi_5059_ = (0.5f * (_e2255 + (_e2245 / _e2255)));
                                                                     } else {
-                                                                        phi_5056_ = f32();
+                                                                        phi_5059_ = f32();
                                                                     }
-                                                                    let _e2289 = phi_5056_;
+                                                                    let _e2288 = phi_5059_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5052_ = _e2279;
-                                                                        phi_5055_ = _e2289;
-                                                                        break if !(_e2284);
+                                                                        phi_5055_ = _e2278;
+                                                                        phi_5058_ = _e2288;
+                                                                        break if !(_e2283);
                                                                     }
                                                                 }
-                                                                let _e2294 = local_18;
-                                                                phi_5109_ = (_e2294 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2293 = local_18;
+                                                                phi_5112_ = (_e2293 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2301 = phi_5109_;
-                                                            phi_5118_ = type_19(0u, 4u);
-                                                            phi_5121_ = 2f;
+                                                            let _e2300 = phi_5112_;
+                                                            phi_5121_ = type_9(0u, 4u);
+                                                            phi_5124_ = 2f;
                                                             loop {
-                                                                let _e2309 = phi_5118_;
-                                                                let _e2311 = phi_5121_;
-                                                                local_20 = _e2311;
-                                                                local_21 = _e2311;
-                                                                local_22 = _e2311;
-                                                                local_51 = _e2311;
-                                                                local_52 = _e2311;
-                                                                if (_e2309.member < _e2309.member_1) {
-                                                                    phi_5119_ = type_19((_e2309.member + 1u), _e2309.member_1);
-                                                                    phi_5144_ = type_19(1u, _e2309.member);
+                                                                let _e2308 = phi_5121_;
+                                                                let _e2310 = phi_5124_;
+                                                                local_20 = _e2310;
+                                                                local_21 = _e2310;
+                                                                local_22 = _e2310;
+                                                                local_51 = _e2310;
+                                                                local_52 = _e2310;
+                                                                if (_e2308.member < _e2308.member_1) {
+                                                                    phi_5122_ = type_9((_e2308.member + 1u), _e2308.member_1);
+                                                                    phi_5147_ = type_9(1u, _e2308.member);
                                                                 } else {
-                                                                    phi_5119_ = _e2309;
-                                                                    phi_5144_ = type_19(0u, type_19().member_1);
+                                                                    phi_5122_ = _e2308;
+                                                                    phi_5147_ = type_9(0u, type_9().member_1);
                                                                 }
-                                                                let _e2323 = phi_5119_;
-                                                                let _e2325 = phi_5144_;
-                                                                if (bitcast<i32>(_e2325.member) != 0i) {
-                                                                    let _e2331 = local[_e2325.member_1];
-                                                                    let _e2339 = (((_e2237 * _e2331[0]) + (_e2239 * _e2331[1])) + (_e2241 * _e2331[2]));
-                                                                    let _e2341 = local_1[_e2325.member_1];
-                                                                    let _e2349 = (((_e2237 * _e2341[0]) + (_e2239 * _e2341[1])) + (_e2241 * _e2341[2]));
-                                                                    if (_e2339 < 0f) {
-                                                                        phi_5195_ = -(_e2339);
+                                                                let _e2322 = phi_5122_;
+                                                                let _e2324 = phi_5147_;
+                                                                if (bitcast<i32>(_e2324.member) != 0i) {
+                                                                    let _e2330 = local[_e2324.member_1];
+                                                                    let _e2338 = (((_e2236 * _e2330[0]) + (_e2238 * _e2330[1])) + (_e2240 * _e2330[2]));
+                                                                    let _e2340 = local_1[_e2324.member_1];
+                                                                    let _e2348 = (((_e2236 * _e2340[0]) + (_e2238 * _e2340[1])) + (_e2240 * _e2340[2]));
+                                                                    if (_e2338 < 0f) {
+                                                                        phi_5198_ = -(_e2338);
                                                                     } else {
-                                                                        phi_5195_ = _e2339;
+                                                                        phi_5198_ = _e2338;
                                                                     }
-                                                                    let _e2353 = phi_5195_;
-                                                                    if (_e2349 < 0f) {
-                                                                        phi_5201_ = -(_e2349);
+                                                                    let _e2352 = phi_5198_;
+                                                                    if (_e2348 < 0f) {
+                                                                        phi_5204_ = -(_e2348);
                                                                     } else {
-                                                                        phi_5201_ = _e2349;
+                                                                        phi_5204_ = _e2348;
                                                                     }
-                                                                    let _e2357 = phi_5201_;
-                                                                    let _e2361 = (((((((((_e2004 + _e2006) + (_e2058 + _e2060)) + (_e2112 + _e2114)) * (0.000000059604645f * 16f)) + (_e2121 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2301) * (1f + (0.000000059604645f * 8f)))) + ((_e2353 + _e2357) * (0.000000059604645f * 8f)));
-                                                                    if (_e2339 > _e2361) {
-                                                                        if (_e2349 > _e2361) {
-                                                                            phi_5214_ = false;
+                                                                    let _e2356 = phi_5204_;
+                                                                    let _e2360 = (((((((((_e2003 + _e2005) + (_e2057 + _e2059)) + (_e2111 + _e2113)) * (0.000000059604645f * 16f)) + (_e2120 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2300) * (1f + (0.000000059604645f * 8f)))) + ((_e2352 + _e2356) * (0.000000059604645f * 8f)));
+                                                                    if (_e2338 > _e2360) {
+                                                                        if (_e2348 > _e2360) {
+                                                                            phi_5217_ = false;
                                                                         } else {
-                                                                            phi_5214_ = true;
+                                                                            phi_5217_ = true;
                                                                         }
-                                                                        let _e2365 = phi_5214_;
-                                                                        phi_5215_ = _e2365;
+                                                                        let _e2364 = phi_5217_;
+                                                                        phi_5218_ = _e2364;
                                                                     } else {
-                                                                        phi_5215_ = true;
+                                                                        phi_5218_ = true;
                                                                     }
-                                                                    let _e2367 = phi_5215_;
-                                                                    if _e2367 {
-                                                                        if ((_e2339 + ((_e2349 - _e2339) * _e2129)) > _e2361) {
-                                                                            if (_e2349 < _e2339) {
-                                                                                let _e2375 = ((_e2339 - _e2349) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                                                if _e2375 {
-                                                                                    let _e2381 = (((_e2339 - _e2361) / (_e2339 - _e2349)) * (1f - (0.000000059604645f * 16f)));
-                                                                                    if (_e2311 < _e2381) {
-                                                                                        phi_5246_ = _e2311;
+                                                                    let _e2366 = phi_5218_;
+                                                                    if _e2366 {
+                                                                        if ((_e2338 + ((_e2348 - _e2338) * _e2128)) > _e2360) {
+                                                                            if (_e2348 < _e2338) {
+                                                                                let _e2374 = ((_e2338 - _e2348) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
+                                                                                if _e2374 {
+                                                                                    let _e2380 = (((_e2338 - _e2360) / (_e2338 - _e2348)) * (1f - (0.000000059604645f * 16f)));
+                                                                                    if (_e2310 < _e2380) {
+                                                                                        phi_5249_ = _e2310;
                                                                                     } else {
-                                                                                        phi_5246_ = _e2381;
+                                                                                        phi_5249_ = _e2380;
                                                                                     }
-                                                                                    let _e2384 = phi_5246_;
-                                                                                    phi_5247_ = _e2384;
+                                                                                    let _e2383 = phi_5249_;
+                                                                                    phi_5250_ = _e2383;
                                                                                 } else {
-                                                                                    phi_5247_ = f32();
+                                                                                    phi_5250_ = f32();
                                                                                 }
-                                                                                let _e2386 = phi_5247_;
-                                                                                phi_5248_ = _e2386;
-                                                                                phi_5249_ = _e2375;
+                                                                                let _e2385 = phi_5250_;
+                                                                                phi_5251_ = _e2385;
+                                                                                phi_5252_ = _e2374;
                                                                             } else {
-                                                                                phi_5248_ = _e2311;
-                                                                                phi_5249_ = true;
+                                                                                phi_5251_ = _e2310;
+                                                                                phi_5252_ = true;
                                                                             }
-                                                                            let _e2388 = phi_5248_;
-                                                                            let _e2390 = phi_5249_;
-                                                                            if _e2390 {
-                                                                                phi_5253_ = false;
+                                                                            let _e2387 = phi_5251_;
+                                                                            let _e2389 = phi_5252_;
+                                                                            if _e2389 {
+                                                                                phi_5256_ = false;
                                                                             } else {
-                                                                                phi_5253_ = true;
+                                                                                phi_5256_ = true;
                                                                             }
-                                                                            let _e2392 = phi_5253_;
-                                                                            phi_5254_ = _e2388;
-                                                                            phi_5255_ = _e2390;
-                                                                            phi_5256_ = _e2392;
-                                                                            phi_5257_ = false;
+                                                                            let _e2391 = phi_5256_;
+                                                                            phi_5257_ = _e2387;
+                                                                            phi_5258_ = _e2389;
+                                                                            phi_5259_ = _e2391;
+                                                                            phi_5260_ = false;
                                                                         } else {
-                                                                            phi_5254_ = f32();
-                                                                            phi_5255_ = false;
-                                                                            phi_5256_ = false;
-                                                                            phi_5257_ = true;
+                                                                            phi_5257_ = f32();
+                                                                            phi_5258_ = false;
+                                                                            phi_5259_ = false;
+                                                                            phi_5260_ = true;
                                                                         }
-                                                                        let _e2394 = phi_5254_;
-                                                                        let _e2396 = phi_5255_;
-                                                                        let _e2398 = phi_5256_;
-                                                                        let _e2400 = phi_5257_;
-                                                                        phi_5258_ = _e2394;
-                                                                        phi_5259_ = _e2396;
-                                                                        phi_5260_ = _e2398;
-                                                                        phi_5261_ = _e2400;
+                                                                        let _e2393 = phi_5257_;
+                                                                        let _e2395 = phi_5258_;
+                                                                        let _e2397 = phi_5259_;
+                                                                        let _e2399 = phi_5260_;
+                                                                        phi_5261_ = _e2393;
+                                                                        phi_5262_ = _e2395;
+                                                                        phi_5263_ = _e2397;
+                                                                        phi_5264_ = _e2399;
                                                                     } else {
-                                                                        phi_5258_ = _e2311;
-                                                                        phi_5259_ = true;
-                                                                        phi_5260_ = false;
-                                                                        phi_5261_ = false;
+                                                                        phi_5261_ = _e2310;
+                                                                        phi_5262_ = true;
+                                                                        phi_5263_ = false;
+                                                                        phi_5264_ = false;
                                                                     }
-                                                                    let _e2402 = phi_5258_;
-                                                                    let _e2404 = phi_5259_;
-                                                                    let _e2406 = phi_5260_;
-                                                                    let _e2408 = phi_5261_;
-                                                                    phi_5122_ = _e2402;
-                                                                    phi_5262_ = _e2404;
-                                                                    phi_5263_ = false;
-                                                                    phi_5264_ = _e2406;
-                                                                    phi_5265_ = _e2408;
+                                                                    let _e2401 = phi_5261_;
+                                                                    let _e2403 = phi_5262_;
+                                                                    let _e2405 = phi_5263_;
+                                                                    let _e2407 = phi_5264_;
+                                                                    phi_5125_ = _e2401;
+                                                                    phi_5265_ = _e2403;
+                                                                    phi_5266_ = false;
+                                                                    phi_5267_ = _e2405;
+                                                                    phi_5268_ = _e2407;
                                                                 } else {
-                                                                    phi_5122_ = f32();
-                                                                    phi_5262_ = false;
-                                                                    phi_5263_ = true;
-                                                                    phi_5264_ = false;
+                                                                    phi_5125_ = f32();
                                                                     phi_5265_ = false;
+                                                                    phi_5266_ = true;
+                                                                    phi_5267_ = false;
+                                                                    phi_5268_ = false;
                                                                 }
-                                                                let _e2410 = phi_5122_;
-                                                                let _e2412 = phi_5262_;
-                                                                let _e2414 = phi_5263_;
-                                                                let _e2416 = phi_5264_;
-                                                                let _e2418 = phi_5265_;
-                                                                local_19 = _e2414;
-                                                                local_49 = _e2416;
-                                                                local_50 = _e2418;
+                                                                let _e2409 = phi_5125_;
+                                                                let _e2411 = phi_5265_;
+                                                                let _e2413 = phi_5266_;
+                                                                let _e2415 = phi_5267_;
+                                                                let _e2417 = phi_5268_;
+                                                                local_19 = _e2413;
+                                                                local_49 = _e2415;
+                                                                local_50 = _e2417;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_5118_ = _e2323;
-                                                                    phi_5121_ = _e2410;
-                                                                    break if !(_e2412);
+                                                                    phi_5121_ = _e2322;
+                                                                    phi_5124_ = _e2409;
+                                                                    break if !(_e2411);
                                                                 }
                                                             }
-                                                            let _e2421 = local_19;
-                                                            if _e2421 {
-                                                                let _e2423 = local_20;
-                                                                let _e2424 = (_e2423 > _e1174.member_1);
-                                                                if _e2424 {
-                                                                    phi_5286_ = false;
-                                                                    phi_5287_ = false;
-                                                                    phi_5288_ = false;
+                                                            let _e2420 = local_19;
+                                                            if _e2420 {
+                                                                let _e2422 = local_20;
+                                                                let _e2423 = (_e2422 > _e1173.member_1);
+                                                                if _e2423 {
+                                                                    phi_5289_ = false;
+                                                                    phi_5290_ = false;
+                                                                    phi_5291_ = false;
                                                                 } else {
-                                                                    let _e2426 = local_21;
-                                                                    if (_e2426 > _e2129) {
-                                                                        let _e2429 = local_22;
-                                                                        let _e2431 = ((_e2429 - _e2129) < 0.00000000023283064f);
-                                                                        if _e2431 {
-                                                                            phi_5282_ = false;
+                                                                    let _e2425 = local_21;
+                                                                    if (_e2425 > _e2128) {
+                                                                        let _e2428 = local_22;
+                                                                        let _e2430 = ((_e2428 - _e2128) < 0.00000000023283064f);
+                                                                        if _e2430 {
+                                                                            phi_5285_ = false;
                                                                         } else {
-                                                                            phi_5282_ = true;
+                                                                            phi_5285_ = true;
                                                                         }
-                                                                        let _e2433 = phi_5282_;
-                                                                        phi_5283_ = _e2433;
-                                                                        phi_5284_ = _e2431;
-                                                                        phi_5285_ = false;
+                                                                        let _e2432 = phi_5285_;
+                                                                        phi_5286_ = _e2432;
+                                                                        phi_5287_ = _e2430;
+                                                                        phi_5288_ = false;
                                                                     } else {
-                                                                        phi_5283_ = false;
-                                                                        phi_5284_ = false;
-                                                                        phi_5285_ = true;
+                                                                        phi_5286_ = false;
+                                                                        phi_5287_ = false;
+                                                                        phi_5288_ = true;
                                                                     }
-                                                                    let _e2435 = phi_5283_;
-                                                                    let _e2437 = phi_5284_;
-                                                                    let _e2439 = phi_5285_;
-                                                                    phi_5286_ = _e2435;
-                                                                    phi_5287_ = _e2437;
-                                                                    phi_5288_ = _e2439;
+                                                                    let _e2434 = phi_5286_;
+                                                                    let _e2436 = phi_5287_;
+                                                                    let _e2438 = phi_5288_;
+                                                                    phi_5289_ = _e2434;
+                                                                    phi_5290_ = _e2436;
+                                                                    phi_5291_ = _e2438;
                                                                 }
-                                                                let _e2441 = phi_5286_;
-                                                                let _e2443 = phi_5287_;
-                                                                let _e2445 = phi_5288_;
-                                                                phi_5289_ = _e2441;
-                                                                phi_5290_ = _e2424;
-                                                                phi_5291_ = _e2443;
-                                                                phi_5292_ = _e2445;
+                                                                let _e2440 = phi_5289_;
+                                                                let _e2442 = phi_5290_;
+                                                                let _e2444 = phi_5291_;
+                                                                phi_5292_ = _e2440;
+                                                                phi_5293_ = _e2423;
+                                                                phi_5294_ = _e2442;
+                                                                phi_5295_ = _e2444;
+                                                                phi_5296_ = false;
+                                                                phi_5297_ = false;
+                                                            } else {
+                                                                phi_5292_ = false;
                                                                 phi_5293_ = false;
                                                                 phi_5294_ = false;
-                                                            } else {
-                                                                phi_5289_ = false;
-                                                                phi_5290_ = false;
-                                                                phi_5291_ = false;
-                                                                phi_5292_ = false;
-                                                                let _e4321 = local_49;
-                                                                phi_5293_ = _e4321;
-                                                                let _e4324 = local_50;
-                                                                phi_5294_ = _e4324;
+                                                                phi_5295_ = false;
+                                                                let _e4325 = local_49;
+                                                                phi_5296_ = _e4325;
+                                                                let _e4328 = local_50;
+                                                                phi_5297_ = _e4328;
                                                             }
-                                                            let _e2447 = phi_5289_;
-                                                            let _e2449 = phi_5290_;
-                                                            let _e2451 = phi_5291_;
-                                                            let _e2453 = phi_5292_;
-                                                            let _e2455 = phi_5293_;
-                                                            let _e2457 = phi_5294_;
-                                                            let _e4327 = local_51;
-                                                            phi_5295_ = _e4327;
-                                                            let _e4330 = local_52;
-                                                            phi_5296_ = _e4330;
-                                                            phi_5297_ = _e2447;
-                                                            phi_5298_ = _e2449;
-                                                            phi_5299_ = _e2451;
-                                                            phi_5300_ = _e2453;
-                                                            phi_5301_ = _e2455;
-                                                            phi_5302_ = _e2457;
-                                                            phi_5303_ = false;
+                                                            let _e2446 = phi_5292_;
+                                                            let _e2448 = phi_5293_;
+                                                            let _e2450 = phi_5294_;
+                                                            let _e2452 = phi_5295_;
+                                                            let _e2454 = phi_5296_;
+                                                            let _e2456 = phi_5297_;
+                                                            let _e4331 = local_51;
+                                                            phi_5298_ = _e4331;
+                                                            let _e4334 = local_52;
+                                                            phi_5299_ = _e4334;
+                                                            phi_5300_ = _e2446;
+                                                            phi_5301_ = _e2448;
+                                                            phi_5302_ = _e2450;
+                                                            phi_5303_ = _e2452;
+                                                            phi_5304_ = _e2454;
+                                                            phi_5305_ = _e2456;
+                                                            phi_5306_ = false;
                                                         } else {
-                                                            phi_5295_ = f32();
-                                                            phi_5296_ = f32();
-                                                            phi_5297_ = false;
-                                                            phi_5298_ = false;
-                                                            phi_5299_ = false;
+                                                            phi_5298_ = f32();
+                                                            phi_5299_ = f32();
                                                             phi_5300_ = false;
                                                             phi_5301_ = false;
                                                             phi_5302_ = false;
-                                                            phi_5303_ = true;
+                                                            phi_5303_ = false;
+                                                            phi_5304_ = false;
+                                                            phi_5305_ = false;
+                                                            phi_5306_ = true;
                                                         }
-                                                        let _e2459 = phi_5295_;
-                                                        let _e2461 = phi_5296_;
-                                                        let _e2463 = phi_5297_;
-                                                        let _e2465 = phi_5298_;
-                                                        let _e2467 = phi_5299_;
-                                                        let _e2469 = phi_5300_;
-                                                        let _e2471 = phi_5301_;
-                                                        let _e2473 = phi_5302_;
-                                                        let _e2475 = phi_5303_;
-                                                        phi_5304_ = _e2459;
-                                                        phi_5305_ = _e2461;
-                                                        phi_5306_ = _e2463;
-                                                        phi_5307_ = _e2465;
-                                                        phi_5308_ = _e2467;
-                                                        phi_5309_ = _e2469;
-                                                        phi_5310_ = _e2471;
-                                                        phi_5311_ = _e2473;
-                                                        phi_5312_ = _e2475;
-                                                        phi_5313_ = false;
+                                                        let _e2458 = phi_5298_;
+                                                        let _e2460 = phi_5299_;
+                                                        let _e2462 = phi_5300_;
+                                                        let _e2464 = phi_5301_;
+                                                        let _e2466 = phi_5302_;
+                                                        let _e2468 = phi_5303_;
+                                                        let _e2470 = phi_5304_;
+                                                        let _e2472 = phi_5305_;
+                                                        let _e2474 = phi_5306_;
+                                                        phi_5307_ = _e2458;
+                                                        phi_5308_ = _e2460;
+                                                        phi_5309_ = _e2462;
+                                                        phi_5310_ = _e2464;
+                                                        phi_5311_ = _e2466;
+                                                        phi_5312_ = _e2468;
+                                                        phi_5313_ = _e2470;
+                                                        phi_5314_ = _e2472;
+                                                        phi_5315_ = _e2474;
+                                                        phi_5316_ = false;
                                                     } else {
-                                                        phi_5304_ = f32();
-                                                        phi_5305_ = f32();
-                                                        phi_5306_ = false;
-                                                        phi_5307_ = false;
-                                                        phi_5308_ = false;
+                                                        phi_5307_ = f32();
+                                                        phi_5308_ = f32();
                                                         phi_5309_ = false;
                                                         phi_5310_ = false;
                                                         phi_5311_ = false;
                                                         phi_5312_ = false;
-                                                        phi_5313_ = true;
+                                                        phi_5313_ = false;
+                                                        phi_5314_ = false;
+                                                        phi_5315_ = false;
+                                                        phi_5316_ = true;
                                                     }
-                                                    let _e2477 = phi_5304_;
-                                                    let _e2479 = phi_5305_;
-                                                    let _e2481 = phi_5306_;
-                                                    let _e2483 = phi_5307_;
-                                                    let _e2485 = phi_5308_;
-                                                    let _e2487 = phi_5309_;
-                                                    let _e2489 = phi_5310_;
-                                                    let _e2491 = phi_5311_;
-                                                    let _e2493 = phi_5312_;
-                                                    let _e2495 = phi_5313_;
-                                                    phi_5314_ = _e2477;
-                                                    phi_4860_ = _e2479;
-                                                    phi_5315_ = _e2481;
-                                                    phi_5316_ = _e2483;
-                                                    phi_5317_ = _e2485;
-                                                    phi_5318_ = false;
-                                                    phi_5319_ = _e2487;
-                                                    phi_5320_ = _e2489;
-                                                    phi_5321_ = _e2491;
-                                                    phi_5322_ = _e2493;
-                                                    phi_5323_ = _e2495;
+                                                    let _e2476 = phi_5307_;
+                                                    let _e2478 = phi_5308_;
+                                                    let _e2480 = phi_5309_;
+                                                    let _e2482 = phi_5310_;
+                                                    let _e2484 = phi_5311_;
+                                                    let _e2486 = phi_5312_;
+                                                    let _e2488 = phi_5313_;
+                                                    let _e2490 = phi_5314_;
+                                                    let _e2492 = phi_5315_;
+                                                    let _e2494 = phi_5316_;
+                                                    phi_5317_ = _e2476;
+                                                    phi_4863_ = _e2478;
+                                                    phi_5318_ = _e2480;
+                                                    phi_5319_ = _e2482;
+                                                    phi_5320_ = _e2484;
+                                                    phi_5321_ = false;
+                                                    phi_5322_ = _e2486;
+                                                    phi_5323_ = _e2488;
+                                                    phi_5324_ = _e2490;
+                                                    phi_5325_ = _e2492;
+                                                    phi_5326_ = _e2494;
                                                 } else {
-                                                    phi_5314_ = f32();
-                                                    phi_4860_ = f32();
-                                                    phi_5315_ = false;
-                                                    phi_5316_ = false;
-                                                    phi_5317_ = false;
-                                                    phi_5318_ = true;
+                                                    phi_5317_ = f32();
+                                                    phi_4863_ = f32();
+                                                    phi_5318_ = false;
                                                     phi_5319_ = false;
                                                     phi_5320_ = false;
-                                                    phi_5321_ = false;
+                                                    phi_5321_ = true;
                                                     phi_5322_ = false;
                                                     phi_5323_ = false;
+                                                    phi_5324_ = false;
+                                                    phi_5325_ = false;
+                                                    phi_5326_ = false;
                                                 }
-                                                let _e2497 = phi_5314_;
-                                                let _e2499 = phi_4860_;
-                                                let _e2501 = phi_5315_;
-                                                let _e2503 = phi_5316_;
-                                                let _e2505 = phi_5317_;
-                                                let _e2507 = phi_5318_;
-                                                let _e2509 = phi_5319_;
-                                                let _e2511 = phi_5320_;
-                                                let _e2513 = phi_5321_;
-                                                let _e2515 = phi_5322_;
-                                                let _e2517 = phi_5323_;
-                                                local_23 = _e2503;
-                                                local_53 = _e2505;
-                                                local_54 = _e2507;
-                                                local_55 = _e2509;
-                                                local_56 = _e2511;
-                                                local_57 = _e2513;
-                                                local_58 = _e2515;
-                                                local_59 = _e2517;
-                                                local_60 = _e2497;
-                                                local_62 = _e2503;
+                                                let _e2496 = phi_5317_;
+                                                let _e2498 = phi_4863_;
+                                                let _e2500 = phi_5318_;
+                                                let _e2502 = phi_5319_;
+                                                let _e2504 = phi_5320_;
+                                                let _e2506 = phi_5321_;
+                                                let _e2508 = phi_5322_;
+                                                let _e2510 = phi_5323_;
+                                                let _e2512 = phi_5324_;
+                                                let _e2514 = phi_5325_;
+                                                let _e2516 = phi_5326_;
+                                                local_23 = _e2502;
+                                                local_53 = _e2504;
+                                                local_54 = _e2506;
+                                                local_55 = _e2508;
+                                                local_56 = _e2510;
+                                                local_57 = _e2512;
+                                                local_58 = _e2514;
+                                                local_59 = _e2516;
+                                                local_60 = _e2496;
+                                                local_62 = _e2502;
                                                 continue;
                                                 continuing {
-                                                    phi_4856_ = _e2141;
-                                                    phi_4859_ = _e2499;
-                                                    break if !(_e2501);
+                                                    phi_4859_ = _e2140;
+                                                    phi_4862_ = _e2498;
+                                                    break if !(_e2500);
                                                 }
                                             }
-                                            let _e2520 = local_23;
-                                            if _e2520 {
-                                                phi_5328_ = type_32(0u, type_32().member_1);
-                                                phi_5329_ = false;
-                                                phi_5330_ = false;
-                                                phi_5331_ = false;
+                                            let _e2519 = local_23;
+                                            if _e2519 {
+                                                phi_5331_ = type_34(0u, type_34().member_1);
                                                 phi_5332_ = false;
                                                 phi_5333_ = false;
                                                 phi_5334_ = false;
                                                 phi_5335_ = false;
+                                                phi_5336_ = false;
+                                                phi_5337_ = false;
+                                                phi_5338_ = false;
                                             } else {
-                                                phi_5328_ = type_32();
-                                                let _e4363 = local_53;
-                                                phi_5329_ = _e4363;
-                                                let _e4366 = local_54;
-                                                phi_5330_ = _e4366;
-                                                let _e4369 = local_55;
-                                                phi_5331_ = _e4369;
-                                                let _e4372 = local_56;
-                                                phi_5332_ = _e4372;
-                                                let _e4375 = local_57;
-                                                phi_5333_ = _e4375;
-                                                let _e4378 = local_58;
-                                                phi_5334_ = _e4378;
-                                                let _e4381 = local_59;
-                                                phi_5335_ = _e4381;
+                                                phi_5331_ = type_34();
+                                                let _e4367 = local_53;
+                                                phi_5332_ = _e4367;
+                                                let _e4370 = local_54;
+                                                phi_5333_ = _e4370;
+                                                let _e4373 = local_55;
+                                                phi_5334_ = _e4373;
+                                                let _e4376 = local_56;
+                                                phi_5335_ = _e4376;
+                                                let _e4379 = local_57;
+                                                phi_5336_ = _e4379;
+                                                let _e4382 = local_58;
+                                                phi_5337_ = _e4382;
+                                                let _e4385 = local_59;
+                                                phi_5338_ = _e4385;
                                             }
-                                            let _e2524 = phi_5328_;
-                                            let _e2526 = phi_5329_;
-                                            let _e2528 = phi_5330_;
-                                            let _e2530 = phi_5331_;
-                                            let _e2532 = phi_5332_;
-                                            let _e2534 = phi_5333_;
-                                            let _e2536 = phi_5334_;
-                                            let _e2538 = phi_5335_;
-                                            if _e2526 {
-                                                let _e4384 = local_60;
-                                                phi_5339_ = _e4384;
-                                                phi_5340_ = true;
-                                                phi_5341_ = false;
-                                                phi_5342_ = false;
-                                                phi_5343_ = false;
+                                            let _e2523 = phi_5331_;
+                                            let _e2525 = phi_5332_;
+                                            let _e2527 = phi_5333_;
+                                            let _e2529 = phi_5334_;
+                                            let _e2531 = phi_5335_;
+                                            let _e2533 = phi_5336_;
+                                            let _e2535 = phi_5337_;
+                                            let _e2537 = phi_5338_;
+                                            if _e2525 {
+                                                let _e4388 = local_60;
+                                                phi_5342_ = _e4388;
+                                                phi_5343_ = true;
                                                 phi_5344_ = false;
                                                 phi_5345_ = false;
                                                 phi_5346_ = false;
+                                                phi_5347_ = false;
+                                                phi_5348_ = false;
+                                                phi_5349_ = false;
                                             } else {
-                                                let _e4386 = local_61;
-                                                phi_5339_ = _e4386;
-                                                phi_5340_ = _e2528;
-                                                phi_5341_ = _e2530;
-                                                phi_5342_ = _e2532;
-                                                phi_5343_ = _e2534;
-                                                let _e4393 = local_62;
-                                                phi_5344_ = _e4393;
-                                                phi_5345_ = _e2536;
-                                                phi_5346_ = _e2538;
+                                                let _e4390 = local_61;
+                                                phi_5342_ = _e4390;
+                                                phi_5343_ = _e2527;
+                                                phi_5344_ = _e2529;
+                                                phi_5345_ = _e2531;
+                                                phi_5346_ = _e2533;
+                                                let _e4397 = local_62;
+                                                phi_5347_ = _e4397;
+                                                phi_5348_ = _e2535;
+                                                phi_5349_ = _e2537;
                                             }
-                                            let _e2540 = phi_5339_;
-                                            let _e2542 = phi_5340_;
-                                            let _e2544 = phi_5341_;
-                                            let _e2546 = phi_5342_;
-                                            let _e2548 = phi_5343_;
-                                            let _e2550 = phi_5344_;
-                                            let _e2552 = phi_5345_;
-                                            let _e2554 = phi_5346_;
-                                            if _e2542 {
-                                                phi_5351_ = type_32(1u, _e2540);
-                                                phi_5352_ = false;
-                                                phi_5353_ = false;
-                                                phi_5354_ = false;
+                                            let _e2539 = phi_5342_;
+                                            let _e2541 = phi_5343_;
+                                            let _e2543 = phi_5344_;
+                                            let _e2545 = phi_5345_;
+                                            let _e2547 = phi_5346_;
+                                            let _e2549 = phi_5347_;
+                                            let _e2551 = phi_5348_;
+                                            let _e2553 = phi_5349_;
+                                            if _e2541 {
+                                                phi_5354_ = type_34(1u, _e2539);
                                                 phi_5355_ = false;
                                                 phi_5356_ = false;
                                                 phi_5357_ = false;
+                                                phi_5358_ = false;
+                                                phi_5359_ = false;
+                                                phi_5360_ = false;
                                             } else {
-                                                phi_5351_ = type_32();
-                                                phi_5352_ = _e2544;
-                                                phi_5353_ = _e2546;
-                                                phi_5354_ = _e2548;
-                                                phi_5355_ = _e2550;
-                                                phi_5356_ = _e2552;
-                                                phi_5357_ = _e2554;
+                                                phi_5354_ = type_34();
+                                                phi_5355_ = _e2543;
+                                                phi_5356_ = _e2545;
+                                                phi_5357_ = _e2547;
+                                                phi_5358_ = _e2549;
+                                                phi_5359_ = _e2551;
+                                                phi_5360_ = _e2553;
                                             }
-                                            let _e2557 = phi_5351_;
-                                            let _e2559 = phi_5352_;
-                                            let _e2561 = phi_5353_;
-                                            let _e2563 = phi_5354_;
-                                            let _e2565 = phi_5355_;
-                                            let _e2567 = phi_5356_;
-                                            let _e2569 = phi_5357_;
-                                            if _e2559 {
-                                                let _e2571 = local_24;
-                                                phi_5362_ = type_32(1u, _e2571);
-                                                phi_5363_ = false;
-                                                phi_5364_ = false;
-                                                phi_5365_ = true;
+                                            let _e2556 = phi_5354_;
+                                            let _e2558 = phi_5355_;
+                                            let _e2560 = phi_5356_;
+                                            let _e2562 = phi_5357_;
+                                            let _e2564 = phi_5358_;
+                                            let _e2566 = phi_5359_;
+                                            let _e2568 = phi_5360_;
+                                            if _e2558 {
+                                                let _e2570 = local_24;
+                                                phi_5365_ = type_34(1u, _e2570);
                                                 phi_5366_ = false;
                                                 phi_5367_ = false;
+                                                phi_5368_ = true;
+                                                phi_5369_ = false;
+                                                phi_5370_ = false;
                                             } else {
-                                                phi_5362_ = _e2524;
-                                                phi_5363_ = _e2561;
-                                                phi_5364_ = _e2563;
-                                                phi_5365_ = _e2565;
-                                                phi_5366_ = _e2567;
-                                                phi_5367_ = _e2569;
+                                                phi_5365_ = _e2523;
+                                                phi_5366_ = _e2560;
+                                                phi_5367_ = _e2562;
+                                                phi_5368_ = _e2564;
+                                                phi_5369_ = _e2566;
+                                                phi_5370_ = _e2568;
                                             }
-                                            let _e2574 = phi_5362_;
-                                            let _e2576 = phi_5363_;
-                                            let _e2578 = phi_5364_;
-                                            let _e2580 = phi_5365_;
-                                            let _e2582 = phi_5366_;
-                                            let _e2584 = phi_5367_;
-                                            if _e2576 {
-                                                let _e2586 = local_25;
-                                                phi_5372_ = type_32(1u, _e2586);
-                                                phi_5373_ = false;
-                                                phi_5374_ = false;
-                                                phi_5375_ = false;
+                                            let _e2573 = phi_5365_;
+                                            let _e2575 = phi_5366_;
+                                            let _e2577 = phi_5367_;
+                                            let _e2579 = phi_5368_;
+                                            let _e2581 = phi_5369_;
+                                            let _e2583 = phi_5370_;
+                                            if _e2575 {
+                                                let _e2585 = local_25;
+                                                phi_5375_ = type_34(1u, _e2585);
                                                 phi_5376_ = false;
+                                                phi_5377_ = false;
+                                                phi_5378_ = false;
+                                                phi_5379_ = false;
                                             } else {
-                                                phi_5372_ = type_32();
-                                                phi_5373_ = _e2578;
-                                                phi_5374_ = _e2580;
-                                                phi_5375_ = _e2582;
-                                                phi_5376_ = _e2584;
+                                                phi_5375_ = type_34();
+                                                phi_5376_ = _e2577;
+                                                phi_5377_ = _e2579;
+                                                phi_5378_ = _e2581;
+                                                phi_5379_ = _e2583;
                                             }
-                                            let _e2589 = phi_5372_;
-                                            let _e2591 = phi_5373_;
-                                            let _e2593 = phi_5374_;
-                                            let _e2595 = phi_5375_;
-                                            let _e2597 = phi_5376_;
-                                            if _e2591 {
-                                                let _e2599 = local_26;
-                                                phi_5381_ = type_32(1u, _e2599);
-                                                phi_5382_ = true;
-                                                phi_5383_ = false;
-                                                phi_5384_ = false;
-                                                phi_5385_ = false;
+                                            let _e2588 = phi_5375_;
+                                            let _e2590 = phi_5376_;
+                                            let _e2592 = phi_5377_;
+                                            let _e2594 = phi_5378_;
+                                            let _e2596 = phi_5379_;
+                                            if _e2590 {
+                                                let _e2598 = local_26;
+                                                phi_5384_ = type_34(1u, _e2598);
+                                                phi_5385_ = true;
+                                                phi_5386_ = false;
+                                                phi_5387_ = false;
+                                                phi_5388_ = false;
                                             } else {
-                                                phi_5381_ = _e2589;
-                                                phi_5382_ = _e2576;
-                                                phi_5383_ = _e2593;
-                                                phi_5384_ = _e2595;
-                                                phi_5385_ = _e2597;
+                                                phi_5384_ = _e2588;
+                                                phi_5385_ = _e2575;
+                                                phi_5386_ = _e2592;
+                                                phi_5387_ = _e2594;
+                                                phi_5388_ = _e2596;
                                             }
-                                            let _e2602 = phi_5381_;
-                                            let _e2604 = phi_5382_;
-                                            let _e2606 = phi_5383_;
-                                            let _e2608 = phi_5384_;
-                                            let _e2610 = phi_5385_;
-                                            if _e2604 {
-                                                phi_5389_ = _e2602;
-                                                phi_5390_ = true;
-                                                phi_5391_ = false;
-                                                phi_5392_ = false;
+                                            let _e2601 = phi_5384_;
+                                            let _e2603 = phi_5385_;
+                                            let _e2605 = phi_5386_;
+                                            let _e2607 = phi_5387_;
+                                            let _e2609 = phi_5388_;
+                                            if _e2603 {
+                                                phi_5392_ = _e2601;
+                                                phi_5393_ = true;
+                                                phi_5394_ = false;
+                                                phi_5395_ = false;
                                             } else {
-                                                phi_5389_ = _e2574;
-                                                phi_5390_ = _e2606;
-                                                phi_5391_ = _e2608;
-                                                phi_5392_ = _e2610;
+                                                phi_5392_ = _e2573;
+                                                phi_5393_ = _e2605;
+                                                phi_5394_ = _e2607;
+                                                phi_5395_ = _e2609;
                                             }
-                                            let _e2612 = phi_5389_;
-                                            let _e2614 = phi_5390_;
-                                            let _e2616 = phi_5391_;
-                                            let _e2618 = phi_5392_;
-                                            if _e2614 {
-                                                phi_5396_ = false;
-                                                phi_5397_ = false;
+                                            let _e2611 = phi_5392_;
+                                            let _e2613 = phi_5393_;
+                                            let _e2615 = phi_5394_;
+                                            let _e2617 = phi_5395_;
+                                            if _e2613 {
+                                                phi_5399_ = false;
+                                                phi_5400_ = false;
                                             } else {
-                                                phi_5396_ = _e2616;
-                                                phi_5397_ = _e2618;
+                                                phi_5399_ = _e2615;
+                                                phi_5400_ = _e2617;
                                             }
-                                            let _e2620 = phi_5396_;
-                                            let _e2622 = phi_5397_;
-                                            if _e2620 {
-                                                phi_5401_ = false;
-                                                phi_5402_ = false;
+                                            let _e2619 = phi_5399_;
+                                            let _e2621 = phi_5400_;
+                                            if _e2619 {
+                                                phi_5404_ = false;
+                                                phi_5405_ = false;
                                             } else {
-                                                phi_5401_ = _e2622;
-                                                phi_5402_ = _e2614;
+                                                phi_5404_ = _e2621;
+                                                phi_5405_ = _e2613;
                                             }
-                                            let _e2624 = phi_5401_;
-                                            let _e2626 = phi_5402_;
-                                            if _e2624 {
-                                                phi_5406_ = true;
-                                                phi_5407_ = false;
+                                            let _e2623 = phi_5404_;
+                                            let _e2625 = phi_5405_;
+                                            if _e2623 {
+                                                phi_5409_ = true;
+                                                phi_5410_ = false;
                                             } else {
-                                                phi_5406_ = _e2620;
-                                                phi_5407_ = _e2626;
+                                                phi_5409_ = _e2619;
+                                                phi_5410_ = _e2625;
                                             }
-                                            let _e2628 = phi_5406_;
-                                            let _e2630 = phi_5407_;
-                                            if _e2628 {
-                                                let _e2632 = local_27;
-                                                phi_5412_ = type_32(1u, _e2632);
-                                                phi_5413_ = true;
+                                            let _e2627 = phi_5409_;
+                                            let _e2629 = phi_5410_;
+                                            if _e2627 {
+                                                let _e2631 = local_27;
+                                                phi_5415_ = type_34(1u, _e2631);
+                                                phi_5416_ = true;
                                             } else {
-                                                phi_5412_ = _e2612;
-                                                phi_5413_ = _e2630;
+                                                phi_5415_ = _e2611;
+                                                phi_5416_ = _e2629;
                                             }
-                                            let _e2635 = phi_5412_;
-                                            let _e2637 = phi_5413_;
-                                            if _e2637 {
-                                                phi_5417_ = _e2635;
+                                            let _e2634 = phi_5415_;
+                                            let _e2636 = phi_5416_;
+                                            if _e2636 {
+                                                phi_5420_ = _e2634;
                                             } else {
-                                                phi_5417_ = _e2557;
+                                                phi_5420_ = _e2556;
                                             }
-                                            let _e2639 = phi_5417_;
-                                            let _e2642 = (_e2639.member != 0u);
-                                            if _e2642 {
-                                                phi_5424_ = false;
+                                            let _e2638 = phi_5420_;
+                                            let _e2641 = (_e2638.member != 0u);
+                                            if _e2641 {
+                                                phi_5427_ = false;
                                             } else {
-                                                phi_5424_ = true;
+                                                phi_5427_ = true;
                                             }
-                                            let _e2644 = phi_5424_;
-                                            phi_5425_ = _e2639.member_1;
-                                            phi_5426_ = _e2644;
-                                            phi_5427_ = _e2642;
-                                            phi_5428_ = false;
+                                            let _e2643 = phi_5427_;
+                                            phi_5428_ = _e2638.member_1;
+                                            phi_5429_ = _e2643;
+                                            phi_5430_ = _e2641;
+                                            phi_5431_ = false;
                                         } else {
-                                            phi_5425_ = f32();
-                                            phi_5426_ = false;
-                                            phi_5427_ = false;
-                                            phi_5428_ = true;
+                                            phi_5428_ = f32();
+                                            phi_5429_ = false;
+                                            phi_5430_ = false;
+                                            phi_5431_ = true;
                                         }
-                                        let _e2646 = phi_5425_;
-                                        let _e2648 = phi_5426_;
-                                        let _e2650 = phi_5427_;
-                                        let _e2652 = phi_5428_;
-                                        phi_5429_ = _e2646;
-                                        phi_5430_ = _e2648;
-                                        phi_5431_ = _e2650;
-                                        phi_5432_ = _e2652;
+                                        let _e2645 = phi_5428_;
+                                        let _e2647 = phi_5429_;
+                                        let _e2649 = phi_5430_;
+                                        let _e2651 = phi_5431_;
+                                        phi_5432_ = _e2645;
+                                        phi_5433_ = _e2647;
+                                        phi_5434_ = _e2649;
+                                        phi_5435_ = _e2651;
                                     }
-                                    let _e2654 = phi_5429_;
-                                    let _e2656 = phi_5430_;
-                                    let _e2658 = phi_5431_;
-                                    let _e2660 = phi_5432_;
-                                    phi_5433_ = _e2654;
-                                    phi_5434_ = _e1877;
-                                    phi_5435_ = _e2656;
-                                    phi_5436_ = _e2658;
-                                    phi_5437_ = _e2660;
+                                    let _e2653 = phi_5432_;
+                                    let _e2655 = phi_5433_;
+                                    let _e2657 = phi_5434_;
+                                    let _e2659 = phi_5435_;
+                                    phi_5436_ = _e2653;
+                                    phi_5437_ = _e1876;
+                                    phi_5438_ = _e2655;
+                                    phi_5439_ = _e2657;
+                                    phi_5440_ = _e2659;
                                 }
-                                let _e2662 = phi_5433_;
-                                let _e2664 = phi_5434_;
-                                let _e2666 = phi_5435_;
-                                let _e2668 = phi_5436_;
-                                let _e2670 = phi_5437_;
-                                if _e2664 {
-                                    phi_5441_ = true;
-                                    phi_5442_ = false;
-                                    phi_5443_ = false;
+                                let _e2661 = phi_5436_;
+                                let _e2663 = phi_5437_;
+                                let _e2665 = phi_5438_;
+                                let _e2667 = phi_5439_;
+                                let _e2669 = phi_5440_;
+                                if _e2663 {
+                                    phi_5444_ = true;
+                                    phi_5445_ = false;
+                                    phi_5446_ = false;
                                 } else {
-                                    phi_5441_ = _e2666;
-                                    phi_5442_ = _e2668;
-                                    phi_5443_ = _e2670;
+                                    phi_5444_ = _e2665;
+                                    phi_5445_ = _e2667;
+                                    phi_5446_ = _e2669;
                                 }
-                                let _e2672 = phi_5441_;
-                                let _e2674 = phi_5442_;
-                                let _e2676 = phi_5443_;
-                                phi_5444_ = _e2662;
-                                phi_5445_ = _e1174;
-                                phi_5446_ = _e2672;
-                                phi_5447_ = false;
-                                phi_5448_ = _e2674;
-                                phi_5449_ = _e2676;
+                                let _e2671 = phi_5444_;
+                                let _e2673 = phi_5445_;
+                                let _e2675 = phi_5446_;
+                                phi_5447_ = _e2661;
+                                phi_5448_ = _e1173;
+                                phi_5449_ = _e2671;
+                                phi_5450_ = false;
+                                phi_5451_ = _e2673;
+                                phi_5452_ = _e2675;
                             } else {
-                                phi_5444_ = f32();
-                                phi_5445_ = type_33();
-                                phi_5446_ = false;
-                                phi_5447_ = true;
-                                phi_5448_ = false;
+                                phi_5447_ = f32();
+                                phi_5448_ = type_35();
                                 phi_5449_ = false;
+                                phi_5450_ = true;
+                                phi_5451_ = false;
+                                phi_5452_ = false;
                             }
-                            let _e2678 = phi_5444_;
-                            let _e2680 = phi_5445_;
-                            let _e2682 = phi_5446_;
-                            let _e2684 = phi_5447_;
-                            let _e2686 = phi_5448_;
-                            let _e2688 = phi_5449_;
-                            local_28 = _e2684;
-                            local_63 = _e2686;
-                            local_64 = _e2688;
-                            local_29 = _e2678;
-                            local_30 = _e2680;
+                            let _e2677 = phi_5447_;
+                            let _e2679 = phi_5448_;
+                            let _e2681 = phi_5449_;
+                            let _e2683 = phi_5450_;
+                            let _e2685 = phi_5451_;
+                            let _e2687 = phi_5452_;
+                            local_28 = _e2683;
+                            local_63 = _e2685;
+                            local_64 = _e2687;
+                            local_29 = _e2677;
+                            local_30 = _e2679;
                             continue;
                             continuing {
-                                phi_2943_ = _e879;
-                                break if !(_e2682);
+                                phi_2946_ = _e878;
+                                break if !(_e2681);
                             }
                         }
-                        let _e2691 = local_28;
-                        if _e2691 {
-                            phi_5454_ = type_32(0u, type_32().member_1);
-                            phi_5455_ = false;
-                            phi_5456_ = false;
+                        let _e2690 = local_28;
+                        if _e2690 {
+                            phi_5457_ = type_34(0u, type_34().member_1);
+                            phi_5458_ = false;
+                            phi_5459_ = false;
                         } else {
-                            phi_5454_ = type_32();
-                            let _e4463 = local_63;
-                            phi_5455_ = _e4463;
-                            let _e4466 = local_64;
-                            phi_5456_ = _e4466;
+                            phi_5457_ = type_34();
+                            let _e4467 = local_63;
+                            phi_5458_ = _e4467;
+                            let _e4470 = local_64;
+                            phi_5459_ = _e4470;
                         }
-                        let _e2695 = phi_5454_;
-                        let _e2697 = phi_5455_;
-                        let _e2699 = phi_5456_;
-                        if _e2697 {
-                            let _e2701 = local_29;
-                            phi_5461_ = type_32(2u, _e2701);
-                            phi_5462_ = false;
+                        let _e2694 = phi_5457_;
+                        let _e2696 = phi_5458_;
+                        let _e2698 = phi_5459_;
+                        if _e2696 {
+                            let _e2700 = local_29;
+                            phi_5464_ = type_34(2u, _e2700);
+                            phi_5465_ = false;
                         } else {
-                            phi_5461_ = type_32();
-                            phi_5462_ = _e2699;
+                            phi_5464_ = type_34();
+                            phi_5465_ = _e2698;
                         }
-                        let _e2704 = phi_5461_;
-                        let _e2706 = phi_5462_;
-                        if _e2706 {
-                            let _e2708 = local_30;
-                            phi_5468_ = type_32(1u, _e2708.member);
-                            phi_5469_ = true;
+                        let _e2703 = phi_5464_;
+                        let _e2705 = phi_5465_;
+                        if _e2705 {
+                            let _e2707 = local_30;
+                            phi_5471_ = type_34(1u, _e2707.member);
+                            phi_5472_ = true;
                         } else {
-                            phi_5468_ = _e2704;
-                            phi_5469_ = _e2697;
+                            phi_5471_ = _e2703;
+                            phi_5472_ = _e2696;
                         }
-                        let _e2712 = phi_5468_;
-                        let _e2714 = phi_5469_;
-                        if _e2714 {
-                            phi_5473_ = _e2712;
+                        let _e2711 = phi_5471_;
+                        let _e2713 = phi_5472_;
+                        if _e2713 {
+                            phi_5476_ = _e2711;
                         } else {
-                            phi_5473_ = _e2695;
+                            phi_5476_ = _e2694;
                         }
-                        let _e2716 = phi_5473_;
-                        phi_5477_ = _e2716;
+                        let _e2715 = phi_5476_;
+                        phi_5480_ = _e2715;
                     }
-                    let _e3840 = phi_5477_;
-                    phi_5478_ = _e3840;
+                    let _e3839 = phi_5480_;
+                    phi_5481_ = _e3839;
                 }
-                let _e3844 = phi_5478_;
-                switch bitcast<i32>(_e3844.member) {
+                let _e3843 = phi_5481_;
+                switch bitcast<i32>(_e3843.member) {
                     case 0: {
-                        phi_5491_ = type_34(0u, array<u32, 2>(0u, 0u), false);
+                        phi_5494_ = type_36(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e3850 = function_(_e3844.member_1);
-                        phi_5491_ = type_34(0u, _e3850, true);
+                        let _e3849 = function_(_e3843.member_1);
+                        phi_5494_ = type_36(0u, _e3849, true);
                         break;
                     }
                     case 2: {
-                        let _e3848 = function_(_e3844.member_1);
-                        phi_5491_ = type_34(1u, _e3848, true);
+                        let _e3847 = function_(_e3843.member_1);
+                        phi_5494_ = type_36(1u, _e3847, true);
                         break;
                     }
                     default: {
-                        phi_5491_ = type_34();
+                        phi_5494_ = type_36();
                         break;
                     }
                 }
-                let _e3853 = phi_5491_;
-                if _e3853.member_2 {
-                    phi_5498_ = (_e3853.member == 0u);
+                let _e3852 = phi_5494_;
+                if _e3852.member_2 {
+                    phi_5501_ = (_e3852.member == 0u);
                 } else {
-                    phi_5498_ = false;
+                    phi_5501_ = false;
                 }
-                let _e3858 = phi_5498_;
-                if _e3858 {
-                    let _e3866 = (_e3853.member_1[1] >> bitcast<u32>(20i));
-                    if (_e3866 <= 896u) {
-                        phi_5522_ = 0u;
+                let _e3857 = phi_5501_;
+                if _e3857 {
+                    let _e3865 = (_e3852.member_1[1] >> bitcast<u32>(20i));
+                    if (_e3865 <= 896u) {
+                        phi_5525_ = 0u;
                     } else {
-                        phi_5522_ = ((((_e3866 - 896u) << bitcast<u32>(23i)) | ((_e3853.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e3853.member_1[0] >> bitcast<u32>(29i)));
+                        phi_5525_ = ((((_e3865 - 896u) << bitcast<u32>(23i)) | ((_e3852.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e3852.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e3881 = phi_5522_;
-                    let _e3883 = atomicMin((&earliest.member[0u]), _e3881);
+                    let _e3880 = phi_5525_;
+                    let _e3882 = atomicMin((&earliest.member[0u]), _e3880);
                 }
-                phi_5526_ = type_27(_e161, 0u, _e167, _e170, _e3853.member_1);
-                phi_5527_ = _e3858;
-                phi_5528_ = (_e3853.member != 0u);
+                phi_5529_ = type_20(1u, 0u, _e165, _e168, _e3852.member_1);
+                phi_5530_ = _e3857;
+                phi_5531_ = (_e3852.member != 0u);
             } else {
-                phi_5526_ = type_27(_e161, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_5527_ = false;
-                phi_5528_ = false;
+                phi_5529_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_5530_ = false;
+                phi_5531_ = false;
             }
-            let _e3885 = phi_5526_;
-            let _e3887 = phi_5527_;
-            let _e3889 = phi_5528_;
-            let _e3891 = params.member.member_1;
+            let _e3884 = phi_5529_;
+            let _e3886 = phi_5530_;
+            let _e3888 = phi_5531_;
+            let _e3891 = params.member.member.member_1;
             if ((_e3891 & 16u) != 0u) {
                 if (_e94 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e3887 {
+                if _e3886 {
                     let _e3897 = atomicAdd((&counters[0u]), 1u);
-                    phi_5546_ = _e3897;
+                    phi_5550_ = _e3897;
                 } else {
-                    phi_5546_ = 0u;
+                    phi_5550_ = 0u;
                 }
-                let _e3899 = phi_5546_;
+                let _e3899 = phi_5550_;
                 workgroupBarrier();
                 if (_e94 == 0u) {
                     let _e3902 = atomicLoad((&counters[0u]));
@@ -5108,16 +5114,16 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 workgroupBarrier();
                 let _e3908 = atomicLoad((&counters[1u]));
                 let _e3909 = (_e3908 + _e3899);
-                if _e3887 {
-                    let _e3911 = params.member.member_16;
-                    if (_e3909 < _e3911) {
-                        let _e3913 = (6u * _e3909);
-                        atomicStore((&contacts.member[(4u + _e3913)]), _e3885.member);
-                        atomicStore((&contacts.member[(_e3913 + 5u)]), _e3885.member_1);
-                        atomicStore((&contacts.member[(_e3913 + 6u)]), _e3885.member_2);
-                        atomicStore((&contacts.member[(_e3913 + 7u)]), _e3885.member_3);
-                        atomicStore((&contacts.member[(_e3913 + 8u)]), _e3885.member_4[0]);
-                        atomicStore((&contacts.member[(_e3913 + 9u)]), _e3885.member_4[1]);
+                if _e3886 {
+                    let _e3912 = params.member.member_1.member_3;
+                    if (_e3909 < _e3912) {
+                        let _e3914 = (6u * _e3909);
+                        atomicStore((&contacts.member[(4u + _e3914)]), _e3884.member);
+                        atomicStore((&contacts.member[(_e3914 + 5u)]), _e3884.member_1);
+                        atomicStore((&contacts.member[(_e3914 + 6u)]), _e3884.member_2);
+                        atomicStore((&contacts.member[(_e3914 + 7u)]), _e3884.member_3);
+                        atomicStore((&contacts.member[(_e3914 + 8u)]), _e3884.member_4[0]);
+                        atomicStore((&contacts.member[(_e3914 + 9u)]), _e3884.member_4[1]);
                     }
                 }
             }
@@ -5126,33 +5132,37 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e3889 {
-                let _e3937 = atomicAdd((&counters[0u]), 1u);
-                phi_5608_ = _e3937;
+            if _e3888 {
+                let _e3938 = atomicAdd((&counters[0u]), 1u);
+                phi_5613_ = _e3938;
             } else {
-                phi_5608_ = 0u;
+                phi_5613_ = 0u;
             }
-            let _e3939 = phi_5608_;
+            let _e3940 = phi_5613_;
             workgroupBarrier();
             if (_e94 == 0u) {
-                let _e3942 = atomicLoad((&counters[0u]));
-                if (_e3942 > 0u) {
-                    let _e3945 = atomicAdd((&undecided.member[0u]), _e3942);
-                    atomicStore((&counters[1u]), _e3945);
+                let _e3943 = atomicLoad((&counters[0u]));
+                if (_e3943 > 0u) {
+                    let _e3946 = atomicAdd((&undecided.member[0u]), _e3943);
+                    atomicStore((&counters[1u]), _e3946);
                 }
             }
             workgroupBarrier();
-            let _e3948 = atomicLoad((&counters[1u]));
-            let _e3949 = (_e3948 + _e3939);
-            if _e3889 {
-                atomicStore((&undecided.member[(4u + (2u * _e3949))]), _e3885.member_2);
-                atomicStore((&undecided.member[((2u * _e3949) + 5u)]), _e3885.member_3);
+            let _e3949 = atomicLoad((&counters[1u]));
+            let _e3950 = (_e3949 + _e3940);
+            if _e3888 {
+                let _e3953 = params.member.member_2.member;
+                if (_e3950 < _e3953) {
+                    let _e3957 = (2u * _e3950);
+                    atomicStore((&undecided.member[(4u + _e3957)]), _e3884.member_2);
+                    atomicStore((&undecided.member[(_e3957 + 5u)]), _e3884.member_3);
+                }
             }
         }
         continue;
         continuing {
-            phi_248_ = _e149;
-            break if !(_e155);
+            phi_252_ = _e150;
+            break if !(_e156);
         }
     }
     return;

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,62 +8,46 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
+    member: u32,
+    member_1: u32,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
-    member: array<array<u32, 2>>,
-}
-
-struct type_17 {
+struct type_16 {
     member: i32,
     member_1: i32,
 }
 
-struct type_18 {
+struct type_17 {
     member: u32,
     member_1: i32,
 }
 
 struct type_19 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_23 {
-    member: array<array<f64, 3>>,
-}
-
-struct type_25 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_29 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -70,65 +55,87 @@ struct type_29 {
     member_4: array<u32, 2>,
 }
 
-struct type_30 {
+struct type_24 {
+    member: array<array<u32, 2>>,
+}
+
+struct type_26 {
+    member: u32,
+}
+
+struct type_27 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_26,
+}
+
+struct type_28 {
+    member: type_27,
+}
+
+struct type_31 {
+    member: array<array<f64, 3>>,
+}
+
+struct type_32 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_32 {
+struct type_34 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_33 {
+struct type_35 {
     member: f64,
     member_1: f64,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_40 {
+struct type_42 {
     member: u32,
     member_1: f64,
 }
 
-struct type_41 {
+struct type_43 {
     member: f64,
     member_1: f64,
     member_2: bool,
 }
 
-struct type_44 {
+struct type_46 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> paths: type_27;
+var<storage> paths: type_21;
+@group(0) @binding(0) 
+var<storage> params: type_28;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_44;
+var<storage, read_write> earliest: type_46;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> wide: type_23;
+var<storage> positions: type_31;
 @group(0) @binding(3) 
-var<storage> elements: type_14;
+var<storage> elements: type_24;
 @group(0) @binding(4) 
-var<storage> input: type_12;
+var<storage> input: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_44;
+var<storage, read_write> contacts: type_46;
 
 fn function_(param: f64) -> array<u32, 2> {
     let _e2 = bitcast<u64>(param);
@@ -136,51 +143,51 @@ fn function_(param: f64) -> array<u32, 2> {
 }
 
 fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    var phi_6441_: array<f64, 3>;
+    var phi_6446_: array<f64, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_6441_ = param_2;
+        phi_6446_ = param_2;
     } else {
-        phi_6441_ = param_1;
+        phi_6446_ = param_1;
     }
-    let _e26 = phi_6441_;
+    let _e26 = phi_6446_;
     return _e26;
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_6005_: bool;
-    var phi_6006_: bool;
-    var phi_6007_: bool;
-    var phi_6008_: bool;
+    var phi_6010_: bool;
+    var phi_6011_: bool;
     var phi_6012_: bool;
-    var phi_5985_: bool;
-    var phi_5986_: bool;
-    var phi_5987_: bool;
-    var phi_5988_: bool;
-    var phi_5989_: bool;
-    var phi_5990_: bool;
-    var phi_5994_: bool;
     var phi_6013_: bool;
-    var phi_6043_: array<f64, 3>;
-    var phi_6044_: bool;
-    var phi_6045_: array<f64, 3>;
-    var phi_6046_: bool;
-    var phi_6292_: f64;
-    var phi_6294_: f64;
-    var phi_6336_: f64;
-    var phi_6338_: f64;
-    var phi_6386_: f64;
-    var phi_6388_: f64;
-    var phi_6097_: f64;
-    var phi_6099_: f64;
-    var phi_6147_: f64;
-    var phi_6149_: f64;
-    var phi_6194_: f64;
-    var phi_6196_: f64;
-    var phi_6247_: f64;
-    var phi_6249_: f64;
-    var phi_6403_: array<array<f64, 3>, 4>;
-    var phi_6411_: array<f64, 3>;
+    var phi_6017_: bool;
+    var phi_5990_: bool;
+    var phi_5991_: bool;
+    var phi_5992_: bool;
+    var phi_5993_: bool;
+    var phi_5994_: bool;
+    var phi_5995_: bool;
+    var phi_5999_: bool;
+    var phi_6018_: bool;
+    var phi_6048_: array<f64, 3>;
+    var phi_6049_: bool;
+    var phi_6050_: array<f64, 3>;
+    var phi_6051_: bool;
+    var phi_6297_: f64;
+    var phi_6299_: f64;
+    var phi_6341_: f64;
+    var phi_6343_: f64;
+    var phi_6391_: f64;
+    var phi_6393_: f64;
+    var phi_6102_: f64;
+    var phi_6104_: f64;
+    var phi_6152_: f64;
+    var phi_6154_: f64;
+    var phi_6199_: f64;
+    var phi_6201_: f64;
+    var phi_6252_: f64;
+    var phi_6254_: f64;
+    var phi_6408_: array<array<f64, 3>, 4>;
+    var phi_6416_: array<f64, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -196,83 +203,83 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
                 if (_e74 <= _e70) {
-                    phi_5985_ = (_e78 <= _e70);
-                    phi_5986_ = false;
+                    phi_5990_ = (_e78 <= _e70);
+                    phi_5991_ = false;
                 } else {
-                    phi_5985_ = bool();
-                    phi_5986_ = true;
+                    phi_5990_ = bool();
+                    phi_5991_ = true;
                 }
-                let _e99 = phi_5985_;
-                let _e101 = phi_5986_;
-                phi_5987_ = _e99;
-                phi_5988_ = _e101;
+                let _e99 = phi_5990_;
+                let _e101 = phi_5991_;
+                phi_5992_ = _e99;
+                phi_5993_ = _e101;
             } else {
-                phi_5987_ = bool();
-                phi_5988_ = true;
+                phi_5992_ = bool();
+                phi_5993_ = true;
             }
-            let _e103 = phi_5987_;
-            let _e105 = phi_5988_;
-            phi_5989_ = _e103;
-            phi_5990_ = _e105;
+            let _e103 = phi_5992_;
+            let _e105 = phi_5993_;
+            phi_5994_ = _e103;
+            phi_5995_ = _e105;
         } else {
-            phi_5989_ = bool();
-            phi_5990_ = true;
+            phi_5994_ = bool();
+            phi_5995_ = true;
         }
-        let _e107 = phi_5989_;
-        let _e109 = phi_5990_;
+        let _e107 = phi_5994_;
+        let _e109 = phi_5995_;
         if _e109 {
-            phi_5994_ = false;
+            phi_5999_ = false;
         } else {
-            phi_5994_ = _e107;
+            phi_5999_ = _e107;
         }
-        let _e111 = phi_5994_;
-        phi_6013_ = _e111;
+        let _e111 = phi_5999_;
+        phi_6018_ = _e111;
     } else {
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
-                phi_6005_ = ((_e74 + _e78) <= _e70);
-                phi_6006_ = false;
+                phi_6010_ = ((_e74 + _e78) <= _e70);
+                phi_6011_ = false;
             } else {
-                phi_6005_ = bool();
-                phi_6006_ = true;
+                phi_6010_ = bool();
+                phi_6011_ = true;
             }
-            let _e85 = phi_6005_;
-            let _e87 = phi_6006_;
-            phi_6007_ = _e85;
-            phi_6008_ = _e87;
+            let _e85 = phi_6010_;
+            let _e87 = phi_6011_;
+            phi_6012_ = _e85;
+            phi_6013_ = _e87;
         } else {
-            phi_6007_ = bool();
-            phi_6008_ = true;
+            phi_6012_ = bool();
+            phi_6013_ = true;
         }
-        let _e89 = phi_6007_;
-        let _e91 = phi_6008_;
+        let _e89 = phi_6012_;
+        let _e91 = phi_6013_;
         if _e91 {
-            phi_6012_ = false;
+            phi_6017_ = false;
         } else {
-            phi_6012_ = _e89;
+            phi_6017_ = _e89;
         }
-        let _e93 = phi_6012_;
-        phi_6013_ = _e93;
+        let _e93 = phi_6017_;
+        phi_6018_ = _e93;
     }
-    let _e113 = phi_6013_;
+    let _e113 = phi_6018_;
     if (_e68 > _e69) {
         if _e113 {
-            phi_6043_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
-            phi_6044_ = false;
+            phi_6048_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_6049_ = false;
         } else {
-            phi_6043_ = array<f64, 3>();
-            phi_6044_ = true;
+            phi_6048_ = array<f64, 3>();
+            phi_6049_ = true;
         }
-        let _e138 = phi_6043_;
-        let _e140 = phi_6044_;
-        phi_6045_ = _e138;
-        phi_6046_ = _e140;
+        let _e138 = phi_6048_;
+        let _e140 = phi_6049_;
+        phi_6050_ = _e138;
+        phi_6051_ = _e140;
     } else {
-        phi_6045_ = array<f64, 3>();
-        phi_6046_ = true;
+        phi_6050_ = array<f64, 3>();
+        phi_6051_ = true;
     }
-    let _e142 = phi_6045_;
-    let _e144 = phi_6046_;
+    let _e142 = phi_6050_;
+    let _e144 = phi_6051_;
     if _e144 {
         let _e147 = (param_3[0] - param_4[0]);
         let _e150 = (param_3[1] - param_4[1]);
@@ -281,59 +288,59 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e307 > f64(0f)) {
                 if (_e307 < f64(1f)) {
-                    phi_6097_ = _e307;
+                    phi_6102_ = _e307;
                 } else {
-                    phi_6097_ = f64(1f);
+                    phi_6102_ = f64(1f);
                 }
-                let _e315 = phi_6097_;
-                phi_6099_ = _e315;
+                let _e315 = phi_6102_;
+                phi_6104_ = _e315;
             } else {
-                phi_6099_ = f64(0f);
+                phi_6104_ = f64(0f);
             }
-            let _e317 = phi_6099_;
+            let _e317 = phi_6104_;
             let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e353 > f64(0f)) {
                 if (_e353 < f64(1f)) {
-                    phi_6147_ = _e353;
+                    phi_6152_ = _e353;
                 } else {
-                    phi_6147_ = f64(1f);
+                    phi_6152_ = f64(1f);
                 }
-                let _e361 = phi_6147_;
-                phi_6149_ = _e361;
+                let _e361 = phi_6152_;
+                phi_6154_ = _e361;
             } else {
-                phi_6149_ = f64(0f);
+                phi_6154_ = f64(0f);
             }
-            let _e363 = phi_6149_;
+            let _e363 = phi_6154_;
             let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e396 > f64(0f)) {
                 if (_e396 < f64(1f)) {
-                    phi_6194_ = _e396;
+                    phi_6199_ = _e396;
                 } else {
-                    phi_6194_ = f64(1f);
+                    phi_6199_ = f64(1f);
                 }
-                let _e404 = phi_6194_;
-                phi_6196_ = _e404;
+                let _e404 = phi_6199_;
+                phi_6201_ = _e404;
             } else {
-                phi_6196_ = f64(0f);
+                phi_6201_ = f64(0f);
             }
-            let _e406 = phi_6196_;
+            let _e406 = phi_6201_;
             let _e419 = (param_3[0] - param_5[0]);
             let _e422 = (param_3[1] - param_5[1]);
             let _e425 = (param_3[2] - param_5[2]);
             let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e445 > f64(0f)) {
                 if (_e445 < f64(1f)) {
-                    phi_6247_ = _e445;
+                    phi_6252_ = _e445;
                 } else {
-                    phi_6247_ = f64(1f);
+                    phi_6252_ = f64(1f);
                 }
-                let _e453 = phi_6247_;
-                phi_6249_ = _e453;
+                let _e453 = phi_6252_;
+                phi_6254_ = _e453;
             } else {
-                phi_6249_ = f64(0f);
+                phi_6254_ = f64(0f);
             }
-            let _e455 = phi_6249_;
-            phi_6403_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+            let _e455 = phi_6254_;
+            phi_6408_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
         } else {
             let _e157 = (param_5[0] - param_4[0]);
             let _e160 = (param_5[1] - param_4[1]);
@@ -341,54 +348,54 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
             if (_e174 > f64(0f)) {
                 if (_e174 < f64(1f)) {
-                    phi_6292_ = _e174;
+                    phi_6297_ = _e174;
                 } else {
-                    phi_6292_ = f64(1f);
+                    phi_6297_ = f64(1f);
                 }
-                let _e182 = phi_6292_;
-                phi_6294_ = _e182;
+                let _e182 = phi_6297_;
+                phi_6299_ = _e182;
             } else {
-                phi_6294_ = f64(0f);
+                phi_6299_ = f64(0f);
             }
-            let _e184 = phi_6294_;
+            let _e184 = phi_6299_;
             let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
             let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e214 > f64(0f)) {
                 if (_e214 < f64(1f)) {
-                    phi_6336_ = _e214;
+                    phi_6341_ = _e214;
                 } else {
-                    phi_6336_ = f64(1f);
+                    phi_6341_ = f64(1f);
                 }
-                let _e222 = phi_6336_;
-                phi_6338_ = _e222;
+                let _e222 = phi_6341_;
+                phi_6343_ = _e222;
             } else {
-                phi_6338_ = f64(0f);
+                phi_6343_ = f64(0f);
             }
-            let _e224 = phi_6338_;
+            let _e224 = phi_6343_;
             let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e260 > f64(0f)) {
                 if (_e260 < f64(1f)) {
-                    phi_6386_ = _e260;
+                    phi_6391_ = _e260;
                 } else {
-                    phi_6386_ = f64(1f);
+                    phi_6391_ = f64(1f);
                 }
-                let _e268 = phi_6386_;
-                phi_6388_ = _e268;
+                let _e268 = phi_6391_;
+                phi_6393_ = _e268;
             } else {
-                phi_6388_ = f64(0f);
+                phi_6393_ = f64(0f);
             }
-            let _e270 = phi_6388_;
-            phi_6403_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+            let _e270 = phi_6393_;
+            phi_6408_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
         }
-        let _e468 = phi_6403_;
+        let _e468 = phi_6408_;
         let _e471 = function_1(_e468[0], _e468[1]);
         let _e473 = function_1(_e471, _e468[2]);
         let _e475 = function_1(_e473, _e468[3]);
-        phi_6411_ = _e475;
+        phi_6416_ = _e475;
     } else {
-        phi_6411_ = _e142;
+        phi_6416_ = _e142;
     }
-    let _e477 = phi_6411_;
+    let _e477 = phi_6416_;
     return _e477;
 }
 
@@ -399,358 +406,355 @@ fn function_3(param_7: array<f32, 3>) -> array<f64, 3> {
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<array<f64, 3>, 4>;
     var local_1: array<array<f64, 3>, 4>;
-    var local_2: type_32;
-    var local_3: type_32;
-    var local_4: type_32;
-    var local_5: array<type_33, 4>;
+    var local_2: type_34;
+    var local_3: type_34;
+    var local_4: type_34;
+    var local_5: array<type_35, 4>;
     var local_6: array<f64, 4>;
     var local_7: array<f64, 2>;
     var local_8: array<f64, 4>;
     var local_9: array<array<f64, 3>, 4>;
     var local_10: array<array<f64, 3>, 4>;
     var local_11: array<f32, 3>;
-    var local_12: type_38;
-    var phi_225_: u32;
-    var phi_241_: u32;
-    var phi_262_: u32;
-    var phi_263_: u32;
-    var phi_266_: type_19;
-    var phi_267_: type_19;
-    var phi_290_: type_19;
-    var phi_549_: type_39;
-    var phi_918_: f64;
-    var phi_925_: f64;
-    var phi_930_: f64;
-    var phi_937_: f64;
-    var phi_942_: f64;
-    var phi_955_: f64;
-    var phi_962_: f64;
-    var phi_967_: f64;
-    var phi_974_: f64;
-    var phi_979_: f64;
-    var phi_984_: f64;
-    var phi_1001_: f64;
-    var phi_1008_: f64;
-    var phi_1013_: f64;
-    var phi_1020_: f64;
-    var phi_1025_: f64;
-    var phi_1039_: f64;
-    var phi_1046_: f64;
-    var phi_1051_: f64;
-    var phi_1058_: f64;
-    var phi_1063_: f64;
-    var phi_1068_: f64;
-    var phi_1085_: f64;
-    var phi_1092_: f64;
-    var phi_1097_: f64;
-    var phi_1104_: f64;
-    var phi_1109_: f64;
-    var phi_1123_: f64;
-    var phi_1130_: f64;
-    var phi_1135_: f64;
-    var phi_1142_: f64;
-    var phi_1147_: f64;
-    var phi_1152_: f64;
-    var phi_1189_: f64;
-    var phi_1195_: f64;
-    var phi_1202_: f64;
-    var phi_1209_: f64;
-    var phi_1215_: f64;
-    var phi_1222_: f64;
-    var phi_1228_: f64;
-    var phi_1234_: f64;
-    var phi_1240_: f64;
-    var phi_1247_: f64;
-    var phi_1254_: f64;
-    var phi_1282_: f64;
-    var phi_1287_: f64;
-    var phi_1292_: f64;
-    var phi_1297_: f64;
-    var phi_1302_: f64;
-    var phi_1307_: f64;
-    var phi_1318_: f64;
-    var phi_2901_: f64;
-    var phi_2907_: f64;
-    var phi_2912_: f64;
-    var phi_2918_: f64;
-    var phi_2924_: f64;
-    var phi_2929_: f64;
-    var phi_2934_: f64;
-    var phi_2944_: bool;
-    var phi_2951_: f64;
-    var phi_2959_: f64;
-    var phi_3002_: type_17;
-    var phi_3005_: f64;
-    var phi_3026_: bool;
-    var phi_3032_: type_18;
-    var phi_3003_: type_17;
-    var phi_3046_: type_18;
-    var phi_3006_: f64;
+    var local_12: type_40;
+    var phi_229_: u32;
+    var phi_245_: u32;
+    var phi_266_: u32;
+    var phi_267_: u32;
+    var phi_270_: type_9;
+    var phi_271_: type_9;
+    var phi_294_: type_9;
+    var phi_552_: type_41;
+    var phi_921_: f64;
+    var phi_928_: f64;
+    var phi_933_: f64;
+    var phi_940_: f64;
+    var phi_945_: f64;
+    var phi_958_: f64;
+    var phi_965_: f64;
+    var phi_970_: f64;
+    var phi_977_: f64;
+    var phi_982_: f64;
+    var phi_987_: f64;
+    var phi_1004_: f64;
+    var phi_1011_: f64;
+    var phi_1016_: f64;
+    var phi_1023_: f64;
+    var phi_1028_: f64;
+    var phi_1042_: f64;
+    var phi_1049_: f64;
+    var phi_1054_: f64;
+    var phi_1061_: f64;
+    var phi_1066_: f64;
+    var phi_1071_: f64;
+    var phi_1088_: f64;
+    var phi_1095_: f64;
+    var phi_1100_: f64;
+    var phi_1107_: f64;
+    var phi_1112_: f64;
+    var phi_1126_: f64;
+    var phi_1133_: f64;
+    var phi_1138_: f64;
+    var phi_1145_: f64;
+    var phi_1150_: f64;
+    var phi_1155_: f64;
+    var phi_1192_: f64;
+    var phi_1198_: f64;
+    var phi_1205_: f64;
+    var phi_1212_: f64;
+    var phi_1218_: f64;
+    var phi_1225_: f64;
+    var phi_1231_: f64;
+    var phi_1237_: f64;
+    var phi_1243_: f64;
+    var phi_1250_: f64;
+    var phi_1257_: f64;
+    var phi_1285_: f64;
+    var phi_1290_: f64;
+    var phi_1295_: f64;
+    var phi_1300_: f64;
+    var phi_1305_: f64;
+    var phi_1310_: f64;
+    var phi_1321_: f64;
+    var phi_2904_: f64;
+    var phi_2910_: f64;
+    var phi_2915_: f64;
+    var phi_2921_: f64;
+    var phi_2927_: f64;
+    var phi_2932_: f64;
+    var phi_2937_: f64;
+    var phi_2947_: bool;
+    var phi_2954_: f64;
+    var phi_2962_: f64;
+    var phi_3005_: type_16;
+    var phi_3008_: f64;
+    var phi_3029_: bool;
+    var phi_3035_: type_17;
+    var phi_3006_: type_16;
+    var phi_3049_: type_17;
+    var phi_3009_: f64;
     var local_13: f64;
-    var phi_2995_: f64;
-    var phi_3059_: f64;
-    var phi_3065_: f64;
-    var phi_3090_: type_19;
-    var phi_3093_: u32;
-    var phi_3091_: type_19;
-    var phi_3116_: type_19;
-    var phi_3160_: u32;
-    var phi_3161_: u32;
-    var phi_3094_: u32;
-    var phi_3162_: u32;
-    var phi_3182_: type_19;
-    var phi_3183_: type_19;
-    var phi_3206_: type_19;
-    var phi_3260_: f64;
-    var phi_3267_: f64;
-    var phi_3279_: bool;
-    var phi_3280_: bool;
-    var phi_3281_: bool;
+    var phi_2998_: f64;
+    var phi_3062_: f64;
+    var phi_3068_: f64;
+    var phi_3093_: type_9;
+    var phi_3096_: u32;
+    var phi_3094_: type_9;
+    var phi_3119_: type_9;
+    var phi_3163_: u32;
+    var phi_3164_: u32;
+    var phi_3097_: u32;
+    var phi_3165_: u32;
+    var phi_3185_: type_9;
+    var phi_3186_: type_9;
+    var phi_3209_: type_9;
+    var phi_3263_: f64;
+    var phi_3270_: f64;
     var phi_3282_: bool;
-    var phi_3286_: bool;
-    var phi_3298_: type_41;
-    var phi_3299_: type_41;
-    var phi_3300_: bool;
-    var phi_3301_: type_41;
-    var phi_3302_: bool;
-    var phi_3315_: f64;
-    var phi_3328_: type_19;
-    var phi_3331_: f64;
-    var phi_3333_: f64;
-    var phi_3335_: f64;
-    var phi_3329_: type_19;
-    var phi_3358_: type_19;
-    var phi_3385_: f64;
-    var phi_3386_: f64;
-    var phi_3414_: f64;
-    var phi_3430_: f64;
-    var phi_3437_: bool;
-    var phi_3438_: bool;
-    var phi_3439_: bool;
-    var phi_3445_: f64;
-    var phi_3446_: f64;
-    var phi_3447_: bool;
-    var phi_3332_: f64;
+    var phi_3283_: bool;
+    var phi_3284_: bool;
+    var phi_3285_: bool;
+    var phi_3289_: bool;
+    var phi_3301_: type_43;
+    var phi_3302_: type_43;
+    var phi_3303_: bool;
+    var phi_3304_: type_43;
+    var phi_3305_: bool;
+    var phi_3318_: f64;
+    var phi_3331_: type_9;
     var phi_3334_: f64;
     var phi_3336_: f64;
+    var phi_3338_: f64;
+    var phi_3332_: type_9;
+    var phi_3361_: type_9;
+    var phi_3388_: f64;
+    var phi_3389_: f64;
+    var phi_3417_: f64;
+    var phi_3433_: f64;
+    var phi_3440_: bool;
+    var phi_3441_: bool;
+    var phi_3442_: bool;
     var phi_3448_: f64;
-    var phi_3449_: bool;
+    var phi_3449_: f64;
     var phi_3450_: bool;
+    var phi_3335_: f64;
+    var phi_3337_: f64;
+    var phi_3339_: f64;
+    var phi_3451_: f64;
+    var phi_3452_: bool;
+    var phi_3453_: bool;
     var local_14: bool;
-    var phi_3454_: f64;
-    var phi_3455_: f64;
-    var phi_3463_: type_19;
-    var phi_3466_: f64;
-    var phi_3464_: type_19;
-    var phi_3489_: type_19;
-    var phi_3532_: f64;
-    var phi_3542_: f64;
-    var phi_3552_: bool;
-    var phi_3554_: bool;
-    var phi_3559_: f64;
-    var phi_3560_: bool;
-    var phi_3561_: f64;
-    var phi_3562_: bool;
+    var phi_3457_: f64;
+    var phi_3458_: f64;
+    var phi_3466_: type_9;
+    var phi_3469_: f64;
+    var phi_3467_: type_9;
+    var phi_3492_: type_9;
+    var phi_3535_: f64;
+    var phi_3545_: f64;
+    var phi_3555_: bool;
+    var phi_3557_: bool;
+    var phi_3562_: f64;
     var phi_3563_: bool;
-    var phi_3564_: bool;
-    var phi_3565_: f64;
-    var phi_3467_: f64;
+    var phi_3564_: f64;
+    var phi_3565_: bool;
     var phi_3566_: bool;
     var phi_3567_: bool;
-    var phi_3568_: bool;
+    var phi_3568_: f64;
+    var phi_3470_: f64;
     var phi_3569_: bool;
+    var phi_3570_: bool;
+    var phi_3571_: bool;
+    var phi_3572_: bool;
     var local_15: bool;
-    var phi_3573_: bool;
-    var phi_3574_: bool;
-    var phi_3578_: bool;
-    var phi_3582_: f64;
-    var phi_3583_: f64;
-    var phi_3585_: type_41;
-    var phi_3616_: f64;
-    var phi_3623_: f64;
-    var phi_3628_: f64;
-    var phi_3635_: f64;
-    var phi_3640_: f64;
-    var phi_3653_: f64;
-    var phi_3660_: f64;
-    var phi_3665_: f64;
-    var phi_3672_: f64;
-    var phi_3677_: f64;
-    var phi_3682_: f64;
-    var phi_3741_: f64;
-    var phi_3747_: f64;
-    var phi_3752_: f64;
-    var phi_3758_: f64;
-    var phi_3763_: f64;
-    var phi_3777_: f64;
-    var phi_3783_: f64;
-    var phi_3788_: f64;
-    var phi_3794_: f64;
-    var phi_3799_: f64;
-    var phi_3825_: f64;
-    var phi_3832_: f64;
-    var phi_3837_: f64;
-    var phi_3844_: f64;
-    var phi_3849_: f64;
-    var phi_3862_: f64;
-    var phi_3869_: f64;
-    var phi_3874_: f64;
-    var phi_3881_: f64;
-    var phi_3886_: f64;
-    var phi_3891_: f64;
-    var phi_3950_: f64;
-    var phi_3956_: f64;
-    var phi_3961_: f64;
-    var phi_3967_: f64;
-    var phi_3972_: f64;
-    var phi_3986_: f64;
-    var phi_3992_: f64;
-    var phi_3997_: f64;
-    var phi_4003_: f64;
-    var phi_4008_: f64;
-    var phi_4034_: f64;
-    var phi_4041_: f64;
-    var phi_4046_: f64;
-    var phi_4053_: f64;
-    var phi_4058_: f64;
-    var phi_4071_: f64;
-    var phi_4078_: f64;
-    var phi_4083_: f64;
-    var phi_4090_: f64;
-    var phi_4095_: f64;
-    var phi_4100_: f64;
-    var phi_4159_: f64;
-    var phi_4165_: f64;
-    var phi_4170_: f64;
-    var phi_4176_: f64;
-    var phi_4181_: f64;
-    var phi_4195_: f64;
-    var phi_4201_: f64;
-    var phi_4206_: f64;
-    var phi_4212_: f64;
-    var phi_4217_: f64;
-    var phi_4266_: f64;
-    var phi_4272_: f64;
-    var phi_4300_: f64;
-    var phi_4306_: f64;
-    var phi_4311_: u32;
-    var phi_4312_: u32;
-    var phi_4282_: f64;
-    var phi_4288_: f64;
-    var phi_4293_: u32;
-    var phi_4294_: u32;
-    var phi_4313_: u32;
+    var phi_3576_: bool;
+    var phi_3577_: bool;
+    var phi_3581_: bool;
+    var phi_3585_: f64;
+    var phi_3586_: f64;
+    var phi_3588_: type_43;
+    var phi_3619_: f64;
+    var phi_3626_: f64;
+    var phi_3631_: f64;
+    var phi_3638_: f64;
+    var phi_3643_: f64;
+    var phi_3656_: f64;
+    var phi_3663_: f64;
+    var phi_3668_: f64;
+    var phi_3675_: f64;
+    var phi_3680_: f64;
+    var phi_3685_: f64;
+    var phi_3744_: f64;
+    var phi_3750_: f64;
+    var phi_3755_: f64;
+    var phi_3761_: f64;
+    var phi_3766_: f64;
+    var phi_3780_: f64;
+    var phi_3786_: f64;
+    var phi_3791_: f64;
+    var phi_3797_: f64;
+    var phi_3802_: f64;
+    var phi_3828_: f64;
+    var phi_3835_: f64;
+    var phi_3840_: f64;
+    var phi_3847_: f64;
+    var phi_3852_: f64;
+    var phi_3865_: f64;
+    var phi_3872_: f64;
+    var phi_3877_: f64;
+    var phi_3884_: f64;
+    var phi_3889_: f64;
+    var phi_3894_: f64;
+    var phi_3953_: f64;
+    var phi_3959_: f64;
+    var phi_3964_: f64;
+    var phi_3970_: f64;
+    var phi_3975_: f64;
+    var phi_3989_: f64;
+    var phi_3995_: f64;
+    var phi_4000_: f64;
+    var phi_4006_: f64;
+    var phi_4011_: f64;
+    var phi_4037_: f64;
+    var phi_4044_: f64;
+    var phi_4049_: f64;
+    var phi_4056_: f64;
+    var phi_4061_: f64;
+    var phi_4074_: f64;
+    var phi_4081_: f64;
+    var phi_4086_: f64;
+    var phi_4093_: f64;
+    var phi_4098_: f64;
+    var phi_4103_: f64;
+    var phi_4162_: f64;
+    var phi_4168_: f64;
+    var phi_4173_: f64;
+    var phi_4179_: f64;
+    var phi_4184_: f64;
+    var phi_4198_: f64;
+    var phi_4204_: f64;
+    var phi_4209_: f64;
+    var phi_4215_: f64;
+    var phi_4220_: f64;
+    var phi_4269_: f64;
+    var phi_4275_: f64;
+    var phi_4303_: f64;
+    var phi_4309_: f64;
     var phi_4314_: u32;
-    var phi_4385_: f64;
-    var phi_4397_: f64;
-    var phi_4536_: f64;
-    var phi_4542_: f64;
-    var phi_4549_: f64;
-    var phi_4593_: type_19;
-    var phi_4596_: bool;
-    var phi_4594_: type_19;
-    var phi_4619_: type_19;
-    var phi_4646_: bool;
-    var phi_4647_: bool;
-    var phi_4597_: bool;
-    var phi_4648_: bool;
+    var phi_4315_: u32;
+    var phi_4285_: f64;
+    var phi_4291_: f64;
+    var phi_4296_: u32;
+    var phi_4297_: u32;
+    var phi_4316_: u32;
+    var phi_4317_: u32;
+    var phi_4388_: f64;
+    var phi_4400_: f64;
+    var phi_4539_: f64;
+    var phi_4545_: f64;
+    var phi_4552_: f64;
+    var phi_4596_: type_9;
+    var phi_4599_: bool;
+    var phi_4597_: type_9;
+    var phi_4622_: type_9;
     var phi_4649_: bool;
+    var phi_4650_: bool;
+    var phi_4600_: bool;
+    var phi_4651_: bool;
+    var phi_4652_: bool;
     var local_16: bool;
-    var phi_4653_: bool;
+    var phi_4656_: bool;
     var local_17: bool;
-    var phi_4660_: u32;
-    var phi_4661_: u32;
-    var phi_4662_: bool;
     var phi_4663_: u32;
     var phi_4664_: u32;
     var phi_4665_: bool;
-    var phi_4669_: u32;
-    var phi_4690_: bool;
-    var phi_4691_: bool;
-    var phi_4692_: bool;
-    var phi_4889_: f64;
-    var phi_4896_: f64;
-    var phi_4901_: f64;
-    var phi_4908_: f64;
-    var phi_4913_: f64;
-    var phi_4926_: f64;
-    var phi_4933_: f64;
-    var phi_4938_: f64;
-    var phi_4945_: f64;
-    var phi_4950_: f64;
-    var phi_4955_: f64;
-    var phi_4972_: f64;
-    var phi_4979_: f64;
-    var phi_4984_: f64;
-    var phi_4991_: f64;
-    var phi_4996_: f64;
-    var phi_5010_: f64;
-    var phi_5017_: f64;
-    var phi_5022_: f64;
-    var phi_5029_: f64;
-    var phi_5034_: f64;
-    var phi_5039_: f64;
-    var phi_5056_: f64;
-    var phi_5063_: f64;
-    var phi_5068_: f64;
-    var phi_5075_: f64;
-    var phi_5080_: f64;
-    var phi_5094_: f64;
-    var phi_5101_: f64;
-    var phi_5106_: f64;
-    var phi_5113_: f64;
-    var phi_5118_: f64;
-    var phi_5123_: f64;
-    var phi_5143_: type_19;
-    var phi_5146_: f64;
-    var phi_5144_: type_19;
-    var phi_5169_: type_19;
-    var phi_5280_: f64;
-    var phi_5287_: f64;
-    var phi_5295_: f64;
-    var phi_5340_: type_17;
-    var phi_5343_: f64;
-    var phi_5364_: bool;
-    var phi_5370_: type_18;
-    var phi_5341_: type_17;
-    var phi_5384_: type_18;
-    var phi_5344_: f64;
+    var phi_4666_: u32;
+    var phi_4667_: u32;
+    var phi_4668_: bool;
+    var phi_4672_: u32;
+    var phi_4693_: bool;
+    var phi_4694_: bool;
+    var phi_4695_: bool;
+    var phi_4892_: f64;
+    var phi_4899_: f64;
+    var phi_4904_: f64;
+    var phi_4911_: f64;
+    var phi_4916_: f64;
+    var phi_4929_: f64;
+    var phi_4936_: f64;
+    var phi_4941_: f64;
+    var phi_4948_: f64;
+    var phi_4953_: f64;
+    var phi_4958_: f64;
+    var phi_4975_: f64;
+    var phi_4982_: f64;
+    var phi_4987_: f64;
+    var phi_4994_: f64;
+    var phi_4999_: f64;
+    var phi_5013_: f64;
+    var phi_5020_: f64;
+    var phi_5025_: f64;
+    var phi_5032_: f64;
+    var phi_5037_: f64;
+    var phi_5042_: f64;
+    var phi_5059_: f64;
+    var phi_5066_: f64;
+    var phi_5071_: f64;
+    var phi_5078_: f64;
+    var phi_5083_: f64;
+    var phi_5097_: f64;
+    var phi_5104_: f64;
+    var phi_5109_: f64;
+    var phi_5116_: f64;
+    var phi_5121_: f64;
+    var phi_5126_: f64;
+    var phi_5146_: type_9;
+    var phi_5149_: f64;
+    var phi_5147_: type_9;
+    var phi_5172_: type_9;
+    var phi_5283_: f64;
+    var phi_5290_: f64;
+    var phi_5298_: f64;
+    var phi_5343_: type_16;
+    var phi_5346_: f64;
+    var phi_5367_: bool;
+    var phi_5373_: type_17;
+    var phi_5344_: type_16;
+    var phi_5387_: type_17;
+    var phi_5347_: f64;
     var local_18: f64;
-    var phi_5333_: f64;
-    var phi_5397_: f64;
-    var phi_5410_: type_19;
-    var phi_5413_: f64;
-    var phi_5411_: type_19;
-    var phi_5436_: type_19;
-    var phi_5487_: f64;
-    var phi_5493_: f64;
-    var phi_5507_: bool;
-    var phi_5508_: bool;
-    var phi_5542_: f64;
-    var phi_5543_: f64;
-    var phi_5544_: f64;
-    var phi_5545_: bool;
-    var phi_5549_: bool;
-    var phi_5550_: f64;
-    var phi_5551_: bool;
+    var phi_5336_: f64;
+    var phi_5400_: f64;
+    var phi_5413_: type_9;
+    var phi_5416_: f64;
+    var phi_5414_: type_9;
+    var phi_5439_: type_9;
+    var phi_5490_: f64;
+    var phi_5496_: f64;
+    var phi_5510_: bool;
+    var phi_5511_: bool;
+    var phi_5545_: f64;
+    var phi_5546_: f64;
+    var phi_5547_: f64;
+    var phi_5548_: bool;
     var phi_5552_: bool;
-    var phi_5553_: bool;
-    var phi_5554_: f64;
+    var phi_5553_: f64;
+    var phi_5554_: bool;
     var phi_5555_: bool;
     var phi_5556_: bool;
-    var phi_5557_: bool;
-    var phi_5414_: f64;
+    var phi_5557_: f64;
     var phi_5558_: bool;
     var phi_5559_: bool;
     var phi_5560_: bool;
+    var phi_5417_: f64;
     var phi_5561_: bool;
+    var phi_5562_: bool;
+    var phi_5563_: bool;
+    var phi_5564_: bool;
     var local_19: bool;
     var local_20: f64;
     var local_21: f64;
     var local_22: f64;
-    var phi_5579_: bool;
-    var phi_5580_: bool;
-    var phi_5581_: bool;
     var phi_5582_: bool;
     var phi_5583_: bool;
     var phi_5584_: bool;
@@ -761,210 +765,210 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5589_: bool;
     var phi_5590_: bool;
     var phi_5591_: bool;
-    var phi_5592_: f64;
-    var phi_5593_: f64;
+    var phi_5592_: bool;
+    var phi_5593_: bool;
     var phi_5594_: bool;
-    var phi_5595_: bool;
-    var phi_5596_: bool;
+    var phi_5595_: f64;
+    var phi_5596_: f64;
     var phi_5597_: bool;
     var phi_5598_: bool;
     var phi_5599_: bool;
     var phi_5600_: bool;
-    var phi_5601_: f64;
-    var phi_5602_: f64;
+    var phi_5601_: bool;
+    var phi_5602_: bool;
     var phi_5603_: bool;
-    var phi_5604_: bool;
-    var phi_5605_: bool;
+    var phi_5604_: f64;
+    var phi_5605_: f64;
     var phi_5606_: bool;
     var phi_5607_: bool;
     var phi_5608_: bool;
     var phi_5609_: bool;
     var phi_5610_: bool;
-    var phi_5611_: f64;
-    var phi_5147_: f64;
+    var phi_5611_: bool;
     var phi_5612_: bool;
     var phi_5613_: bool;
-    var phi_5614_: bool;
+    var phi_5614_: f64;
+    var phi_5150_: f64;
     var phi_5615_: bool;
     var phi_5616_: bool;
     var phi_5617_: bool;
     var phi_5618_: bool;
     var phi_5619_: bool;
     var phi_5620_: bool;
+    var phi_5621_: bool;
+    var phi_5622_: bool;
+    var phi_5623_: bool;
     var local_23: bool;
-    var phi_5625_: type_40;
-    var phi_5626_: bool;
-    var phi_5627_: bool;
-    var phi_5628_: bool;
+    var phi_5628_: type_42;
     var phi_5629_: bool;
     var phi_5630_: bool;
     var phi_5631_: bool;
     var phi_5632_: bool;
-    var phi_5636_: f64;
-    var phi_5637_: bool;
-    var phi_5638_: bool;
-    var phi_5639_: bool;
+    var phi_5633_: bool;
+    var phi_5634_: bool;
+    var phi_5635_: bool;
+    var phi_5639_: f64;
     var phi_5640_: bool;
     var phi_5641_: bool;
     var phi_5642_: bool;
     var phi_5643_: bool;
-    var phi_5648_: type_40;
-    var phi_5649_: bool;
-    var phi_5650_: bool;
-    var phi_5651_: bool;
+    var phi_5644_: bool;
+    var phi_5645_: bool;
+    var phi_5646_: bool;
+    var phi_5651_: type_42;
     var phi_5652_: bool;
     var phi_5653_: bool;
     var phi_5654_: bool;
+    var phi_5655_: bool;
+    var phi_5656_: bool;
+    var phi_5657_: bool;
     var local_24: f64;
-    var phi_5659_: type_40;
-    var phi_5660_: bool;
-    var phi_5661_: bool;
-    var phi_5662_: bool;
+    var phi_5662_: type_42;
     var phi_5663_: bool;
     var phi_5664_: bool;
+    var phi_5665_: bool;
+    var phi_5666_: bool;
+    var phi_5667_: bool;
     var local_25: f64;
-    var phi_5669_: type_40;
-    var phi_5670_: bool;
-    var phi_5671_: bool;
-    var phi_5672_: bool;
+    var phi_5672_: type_42;
     var phi_5673_: bool;
+    var phi_5674_: bool;
+    var phi_5675_: bool;
+    var phi_5676_: bool;
     var local_26: f64;
-    var phi_5678_: type_40;
-    var phi_5679_: bool;
-    var phi_5680_: bool;
-    var phi_5681_: bool;
+    var phi_5681_: type_42;
     var phi_5682_: bool;
-    var phi_5686_: type_40;
-    var phi_5687_: bool;
-    var phi_5688_: bool;
-    var phi_5689_: bool;
-    var phi_5693_: bool;
-    var phi_5694_: bool;
-    var phi_5698_: bool;
-    var phi_5699_: bool;
-    var phi_5703_: bool;
-    var phi_5704_: bool;
+    var phi_5683_: bool;
+    var phi_5684_: bool;
+    var phi_5685_: bool;
+    var phi_5689_: type_42;
+    var phi_5690_: bool;
+    var phi_5691_: bool;
+    var phi_5692_: bool;
+    var phi_5696_: bool;
+    var phi_5697_: bool;
+    var phi_5701_: bool;
+    var phi_5702_: bool;
+    var phi_5706_: bool;
+    var phi_5707_: bool;
     var local_27: f64;
-    var phi_5709_: type_40;
-    var phi_5710_: bool;
-    var phi_5714_: type_40;
-    var phi_5721_: bool;
-    var phi_5722_: f64;
-    var phi_5723_: bool;
+    var phi_5712_: type_42;
+    var phi_5713_: bool;
+    var phi_5717_: type_42;
     var phi_5724_: bool;
-    var phi_5725_: bool;
-    var phi_5726_: f64;
+    var phi_5725_: f64;
+    var phi_5726_: bool;
     var phi_5727_: bool;
     var phi_5728_: bool;
-    var phi_5729_: bool;
-    var phi_5730_: f64;
+    var phi_5729_: f64;
+    var phi_5730_: bool;
     var phi_5731_: bool;
     var phi_5732_: bool;
-    var phi_5733_: bool;
+    var phi_5733_: f64;
     var phi_5734_: bool;
-    var phi_5738_: bool;
-    var phi_5739_: bool;
-    var phi_5740_: bool;
-    var phi_5741_: f64;
-    var phi_5742_: type_41;
+    var phi_5735_: bool;
+    var phi_5736_: bool;
+    var phi_5737_: bool;
+    var phi_5741_: bool;
+    var phi_5742_: bool;
     var phi_5743_: bool;
-    var phi_5744_: bool;
-    var phi_5745_: bool;
+    var phi_5744_: f64;
+    var phi_5745_: type_43;
     var phi_5746_: bool;
+    var phi_5747_: bool;
+    var phi_5748_: bool;
+    var phi_5749_: bool;
     var local_28: bool;
-    var phi_5751_: type_40;
-    var phi_5752_: bool;
-    var phi_5753_: bool;
+    var phi_5754_: type_42;
+    var phi_5755_: bool;
+    var phi_5756_: bool;
     var local_29: f64;
-    var phi_5758_: type_40;
-    var phi_5759_: bool;
-    var local_30: type_41;
-    var phi_5765_: type_40;
-    var phi_5766_: bool;
-    var phi_5770_: type_40;
-    var phi_1521_: f64;
-    var phi_1528_: f64;
-    var phi_1533_: f64;
-    var phi_1540_: f64;
-    var phi_1545_: f64;
-    var phi_1558_: f64;
-    var phi_1565_: f64;
-    var phi_1570_: f64;
-    var phi_1577_: f64;
-    var phi_1582_: f64;
-    var phi_1587_: f64;
-    var phi_1604_: f64;
-    var phi_1611_: f64;
-    var phi_1616_: f64;
-    var phi_1623_: f64;
-    var phi_1628_: f64;
-    var phi_1642_: f64;
-    var phi_1649_: f64;
-    var phi_1654_: f64;
-    var phi_1661_: f64;
-    var phi_1666_: f64;
-    var phi_1671_: f64;
-    var phi_1688_: f64;
-    var phi_1695_: f64;
-    var phi_1700_: f64;
-    var phi_1707_: f64;
-    var phi_1712_: f64;
-    var phi_1726_: f64;
-    var phi_1733_: f64;
-    var phi_1738_: f64;
-    var phi_1745_: f64;
-    var phi_1750_: f64;
-    var phi_1755_: f64;
-    var phi_1775_: type_19;
-    var phi_1778_: f64;
-    var phi_1776_: type_19;
-    var phi_1801_: type_19;
-    var phi_1912_: f64;
-    var phi_1919_: f64;
-    var phi_1927_: f64;
-    var phi_1972_: type_17;
-    var phi_1975_: f64;
-    var phi_1996_: bool;
-    var phi_2002_: type_18;
-    var phi_1973_: type_17;
-    var phi_2016_: type_18;
-    var phi_1976_: f64;
+    var phi_5761_: type_42;
+    var phi_5762_: bool;
+    var local_30: type_43;
+    var phi_5768_: type_42;
+    var phi_5769_: bool;
+    var phi_5773_: type_42;
+    var phi_1524_: f64;
+    var phi_1531_: f64;
+    var phi_1536_: f64;
+    var phi_1543_: f64;
+    var phi_1548_: f64;
+    var phi_1561_: f64;
+    var phi_1568_: f64;
+    var phi_1573_: f64;
+    var phi_1580_: f64;
+    var phi_1585_: f64;
+    var phi_1590_: f64;
+    var phi_1607_: f64;
+    var phi_1614_: f64;
+    var phi_1619_: f64;
+    var phi_1626_: f64;
+    var phi_1631_: f64;
+    var phi_1645_: f64;
+    var phi_1652_: f64;
+    var phi_1657_: f64;
+    var phi_1664_: f64;
+    var phi_1669_: f64;
+    var phi_1674_: f64;
+    var phi_1691_: f64;
+    var phi_1698_: f64;
+    var phi_1703_: f64;
+    var phi_1710_: f64;
+    var phi_1715_: f64;
+    var phi_1729_: f64;
+    var phi_1736_: f64;
+    var phi_1741_: f64;
+    var phi_1748_: f64;
+    var phi_1753_: f64;
+    var phi_1758_: f64;
+    var phi_1778_: type_9;
+    var phi_1781_: f64;
+    var phi_1779_: type_9;
+    var phi_1804_: type_9;
+    var phi_1915_: f64;
+    var phi_1922_: f64;
+    var phi_1930_: f64;
+    var phi_1975_: type_16;
+    var phi_1978_: f64;
+    var phi_1999_: bool;
+    var phi_2005_: type_17;
+    var phi_1976_: type_16;
+    var phi_2019_: type_17;
+    var phi_1979_: f64;
     var local_31: f64;
-    var phi_1965_: f64;
-    var phi_2029_: f64;
-    var phi_2042_: type_19;
-    var phi_2045_: f64;
-    var phi_2043_: type_19;
-    var phi_2068_: type_19;
-    var phi_2119_: f64;
-    var phi_2125_: f64;
-    var phi_2139_: bool;
-    var phi_2140_: bool;
-    var phi_2174_: f64;
-    var phi_2175_: f64;
-    var phi_2176_: f64;
-    var phi_2177_: bool;
-    var phi_2181_: bool;
-    var phi_2182_: f64;
-    var phi_2183_: bool;
+    var phi_1968_: f64;
+    var phi_2032_: f64;
+    var phi_2045_: type_9;
+    var phi_2048_: f64;
+    var phi_2046_: type_9;
+    var phi_2071_: type_9;
+    var phi_2122_: f64;
+    var phi_2128_: f64;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
+    var phi_2177_: f64;
+    var phi_2178_: f64;
+    var phi_2179_: f64;
+    var phi_2180_: bool;
     var phi_2184_: bool;
-    var phi_2185_: bool;
-    var phi_2186_: f64;
+    var phi_2185_: f64;
+    var phi_2186_: bool;
     var phi_2187_: bool;
     var phi_2188_: bool;
-    var phi_2189_: bool;
-    var phi_2046_: f64;
+    var phi_2189_: f64;
     var phi_2190_: bool;
     var phi_2191_: bool;
     var phi_2192_: bool;
+    var phi_2049_: f64;
     var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
     var local_32: bool;
     var local_33: f64;
     var local_34: f64;
     var local_35: f64;
-    var phi_2211_: bool;
-    var phi_2212_: bool;
-    var phi_2213_: bool;
     var phi_2214_: bool;
     var phi_2215_: bool;
     var phi_2216_: bool;
@@ -975,159 +979,162 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2221_: bool;
     var phi_2222_: bool;
     var phi_2223_: bool;
-    var phi_2224_: f64;
-    var phi_2225_: f64;
+    var phi_2224_: bool;
+    var phi_2225_: bool;
     var phi_2226_: bool;
-    var phi_2227_: bool;
-    var phi_2228_: bool;
+    var phi_2227_: f64;
+    var phi_2228_: f64;
     var phi_2229_: bool;
     var phi_2230_: bool;
     var phi_2231_: bool;
     var phi_2232_: bool;
-    var phi_2233_: f64;
-    var phi_2234_: f64;
+    var phi_2233_: bool;
+    var phi_2234_: bool;
     var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
+    var phi_2236_: f64;
+    var phi_2237_: f64;
     var phi_2238_: bool;
     var phi_2239_: bool;
     var phi_2240_: bool;
     var phi_2241_: bool;
     var phi_2242_: bool;
-    var phi_2243_: f64;
-    var phi_1779_: f64;
+    var phi_2243_: bool;
     var phi_2244_: bool;
     var phi_2245_: bool;
-    var phi_2246_: bool;
+    var phi_2246_: f64;
+    var phi_1782_: f64;
     var phi_2247_: bool;
     var phi_2248_: bool;
     var phi_2249_: bool;
     var phi_2250_: bool;
     var phi_2251_: bool;
     var phi_2252_: bool;
+    var phi_2253_: bool;
+    var phi_2254_: bool;
+    var phi_2255_: bool;
     var local_36: bool;
-    var phi_2257_: type_40;
-    var phi_2258_: bool;
-    var phi_2259_: bool;
-    var phi_2260_: bool;
+    var phi_2260_: type_42;
     var phi_2261_: bool;
     var phi_2262_: bool;
     var phi_2263_: bool;
     var phi_2264_: bool;
-    var phi_2268_: f64;
-    var phi_2269_: bool;
-    var phi_2270_: bool;
-    var phi_2271_: bool;
+    var phi_2265_: bool;
+    var phi_2266_: bool;
+    var phi_2267_: bool;
+    var phi_2271_: f64;
     var phi_2272_: bool;
     var phi_2273_: bool;
     var phi_2274_: bool;
     var phi_2275_: bool;
-    var phi_2280_: type_40;
-    var phi_2281_: bool;
-    var phi_2282_: bool;
-    var phi_2283_: bool;
+    var phi_2276_: bool;
+    var phi_2277_: bool;
+    var phi_2278_: bool;
+    var phi_2283_: type_42;
     var phi_2284_: bool;
     var phi_2285_: bool;
     var phi_2286_: bool;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2289_: bool;
     var local_37: f64;
-    var phi_2291_: type_40;
-    var phi_2292_: bool;
-    var phi_2293_: bool;
-    var phi_2294_: bool;
+    var phi_2294_: type_42;
     var phi_2295_: bool;
     var phi_2296_: bool;
+    var phi_2297_: bool;
+    var phi_2298_: bool;
+    var phi_2299_: bool;
     var local_38: f64;
-    var phi_2301_: type_40;
-    var phi_2302_: bool;
-    var phi_2303_: bool;
-    var phi_2304_: bool;
+    var phi_2304_: type_42;
     var phi_2305_: bool;
+    var phi_2306_: bool;
+    var phi_2307_: bool;
+    var phi_2308_: bool;
     var local_39: f64;
-    var phi_2310_: type_40;
-    var phi_2311_: bool;
-    var phi_2312_: bool;
-    var phi_2313_: bool;
+    var phi_2313_: type_42;
     var phi_2314_: bool;
-    var phi_2318_: type_40;
-    var phi_2319_: bool;
-    var phi_2320_: bool;
-    var phi_2321_: bool;
-    var phi_2325_: bool;
-    var phi_2326_: bool;
-    var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2335_: bool;
-    var phi_2336_: bool;
+    var phi_2315_: bool;
+    var phi_2316_: bool;
+    var phi_2317_: bool;
+    var phi_2321_: type_42;
+    var phi_2322_: bool;
+    var phi_2323_: bool;
+    var phi_2324_: bool;
+    var phi_2328_: bool;
+    var phi_2329_: bool;
+    var phi_2333_: bool;
+    var phi_2334_: bool;
+    var phi_2338_: bool;
+    var phi_2339_: bool;
     var local_40: f64;
-    var phi_2341_: type_40;
-    var phi_2342_: bool;
-    var phi_2346_: type_40;
-    var phi_2360_: type_19;
-    var phi_2361_: type_19;
-    var phi_2384_: type_19;
-    var phi_2405_: f64;
-    var phi_2535_: type_17;
-    var phi_2538_: f64;
-    var phi_2559_: bool;
-    var phi_2565_: type_18;
-    var phi_2536_: type_17;
-    var phi_2579_: type_18;
-    var phi_2539_: f64;
+    var phi_2344_: type_42;
+    var phi_2345_: bool;
+    var phi_2349_: type_42;
+    var phi_2363_: type_9;
+    var phi_2364_: type_9;
+    var phi_2387_: type_9;
+    var phi_2408_: f64;
+    var phi_2538_: type_16;
+    var phi_2541_: f64;
+    var phi_2562_: bool;
+    var phi_2568_: type_17;
+    var phi_2539_: type_16;
+    var phi_2582_: type_17;
+    var phi_2542_: f64;
     var local_41: f64;
-    var phi_2528_: f64;
-    var phi_2592_: f64;
-    var phi_2610_: f64;
-    var phi_2617_: f64;
-    var phi_2622_: f64;
-    var phi_2629_: f64;
-    var phi_2634_: f64;
-    var phi_2647_: f64;
-    var phi_2654_: f64;
-    var phi_2659_: f64;
-    var phi_2666_: f64;
-    var phi_2671_: f64;
-    var phi_2676_: f64;
-    var phi_2693_: f64;
-    var phi_2700_: f64;
-    var phi_2705_: f64;
-    var phi_2712_: f64;
-    var phi_2717_: f64;
-    var phi_2731_: f64;
-    var phi_2738_: f64;
-    var phi_2743_: f64;
-    var phi_2750_: f64;
-    var phi_2755_: f64;
-    var phi_2760_: f64;
-    var phi_2777_: f64;
-    var phi_2784_: f64;
-    var phi_2789_: f64;
-    var phi_2796_: f64;
-    var phi_2801_: f64;
-    var phi_2815_: f64;
-    var phi_2822_: f64;
-    var phi_2827_: f64;
-    var phi_2834_: f64;
-    var phi_2839_: f64;
-    var phi_2844_: f64;
-    var phi_2868_: bool;
-    var phi_2869_: bool;
-    var phi_2870_: bool;
+    var phi_2531_: f64;
+    var phi_2595_: f64;
+    var phi_2613_: f64;
+    var phi_2620_: f64;
+    var phi_2625_: f64;
+    var phi_2632_: f64;
+    var phi_2637_: f64;
+    var phi_2650_: f64;
+    var phi_2657_: f64;
+    var phi_2662_: f64;
+    var phi_2669_: f64;
+    var phi_2674_: f64;
+    var phi_2679_: f64;
+    var phi_2696_: f64;
+    var phi_2703_: f64;
+    var phi_2708_: f64;
+    var phi_2715_: f64;
+    var phi_2720_: f64;
+    var phi_2734_: f64;
+    var phi_2741_: f64;
+    var phi_2746_: f64;
+    var phi_2753_: f64;
+    var phi_2758_: f64;
+    var phi_2763_: f64;
+    var phi_2780_: f64;
+    var phi_2787_: f64;
+    var phi_2792_: f64;
+    var phi_2799_: f64;
+    var phi_2804_: f64;
+    var phi_2818_: f64;
+    var phi_2825_: f64;
+    var phi_2830_: f64;
+    var phi_2837_: f64;
+    var phi_2842_: f64;
+    var phi_2847_: f64;
+    var phi_2871_: bool;
+    var phi_2872_: bool;
+    var phi_2873_: bool;
     var local_42: bool;
-    var phi_2875_: type_40;
-    var phi_2876_: bool;
-    var phi_2881_: type_40;
-    var phi_2882_: bool;
-    var phi_2884_: type_40;
-    var phi_2885_: type_40;
-    var phi_2886_: bool;
-    var phi_2890_: type_40;
-    var phi_5774_: type_40;
-    var phi_5775_: type_40;
-    var phi_5788_: type_30;
-    var phi_5811_: u32;
-    var phi_5815_: type_29;
-    var phi_5816_: bool;
-    var phi_5834_: u32;
+    var phi_2878_: type_42;
+    var phi_2879_: bool;
+    var phi_2884_: type_42;
+    var phi_2885_: bool;
+    var phi_2887_: type_42;
+    var phi_2888_: type_42;
+    var phi_2889_: bool;
+    var phi_2893_: type_42;
+    var phi_5777_: type_42;
+    var phi_5778_: type_42;
+    var phi_5791_: type_32;
+    var phi_5814_: u32;
+    var phi_5818_: type_22;
+    var phi_5819_: bool;
+    var phi_5838_: u32;
     var local_43: u32;
     var local_44: f64;
     var local_45: f64;
@@ -1176,3947 +1183,3946 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e101 = lane_2;
     let _e113 = ((_e99.y * _e100.x) + _e99.x);
     let _e116 = (_e100.x * _e100.y);
-    let _e118 = params.member.member_15;
-    let _e120 = input.member[0u];
-    if (_e118 < _e120) {
-        phi_225_ = _e118;
+    let _e119 = params.member.member_1.member_2;
+    let _e121 = input.member[0u];
+    if (_e119 < _e121) {
+        phi_229_ = _e119;
     } else {
-        phi_225_ = _e120;
+        phi_229_ = _e121;
     }
-    let _e123 = phi_225_;
-    let _e124 = (_e123 / 64u);
-    if ((_e123 % 64u) > 0u) {
-        phi_241_ = (_e124 + 1u);
+    let _e124 = phi_229_;
+    let _e125 = (_e124 / 64u);
+    if ((_e124 % 64u) > 0u) {
+        phi_245_ = (_e125 + 1u);
     } else {
-        phi_241_ = _e124;
+        phi_245_ = _e125;
     }
-    let _e129 = phi_241_;
-    if (_e129 > _e113) {
-        let _e131 = (_e129 - _e113);
+    let _e130 = phi_245_;
+    if (_e130 > _e113) {
+        let _e132 = (_e130 - _e113);
         if (_e116 == 0u) {
             return;
         }
-        let _e133 = (_e131 / _e116);
+        let _e134 = (_e132 / _e116);
         if (_e116 == 0u) {
             return;
         }
-        if ((_e131 % _e116) > 0u) {
-            phi_262_ = (_e133 + 1u);
+        if ((_e132 % _e116) > 0u) {
+            phi_266_ = (_e134 + 1u);
         } else {
-            phi_262_ = _e133;
+            phi_266_ = _e134;
         }
-        let _e139 = phi_262_;
-        phi_263_ = _e139;
+        let _e140 = phi_266_;
+        phi_267_ = _e140;
     } else {
-        phi_263_ = 0u;
+        phi_267_ = 0u;
     }
-    let _e141 = phi_263_;
-    phi_266_ = type_19(0u, _e141);
+    let _e142 = phi_267_;
+    phi_270_ = type_9(0u, _e142);
     loop {
-        let _e144 = phi_266_;
-        if (_e144.member < _e144.member_1) {
-            phi_267_ = type_19((_e144.member + 1u), _e144.member_1);
-            phi_290_ = type_19(1u, _e144.member);
+        let _e145 = phi_270_;
+        if (_e145.member < _e145.member_1) {
+            phi_271_ = type_9((_e145.member + 1u), _e145.member_1);
+            phi_294_ = type_9(1u, _e145.member);
         } else {
-            phi_267_ = _e144;
-            phi_290_ = type_19(0u, type_19().member_1);
+            phi_271_ = _e145;
+            phi_294_ = type_9(0u, type_9().member_1);
         }
-        let _e156 = phi_267_;
-        let _e158 = phi_290_;
-        let _e162 = (bitcast<i32>(_e158.member) != 0i);
-        if _e162 {
-            let _e166 = (((_e113 + (_e158.member_1 * _e116)) * 64u) + _e101);
-            let _e168 = params.member.member_8;
-            if (_e166 < _e123) {
-                let _e171 = (2u * _e166);
-                let _e174 = input.member[(4u + _e171)];
-                let _e177 = input.member[(_e171 + 5u)];
-                let _e179 = elements.member[_e174];
-                let _e181 = elements.member[_e177];
-                let _e187 = params.member.member_1;
-                if ((_e187 & 8u) != 0u) {
-                    let _e226 = paths.member[_e179[0]];
-                    let _e228 = paths.member[_e179[1]];
-                    let _e234 = paths.member[_e181[0]];
-                    let _e236 = paths.member[_e181[1]];
-                    let _e273 = function_3(array<f32, 3>(_e226.member[0], _e226.member[1], _e226.member[2]));
-                    let _e274 = function_3(array<f32, 3>(_e228.member[0], _e228.member[1], _e228.member[2]));
-                    let _e275 = function_3(array<f32, 3>(_e234.member[0], _e234.member[1], _e234.member[2]));
-                    let _e276 = function_3(array<f32, 3>(_e236.member[0], _e236.member[1], _e236.member[2]));
-                    let _e278 = function_3(array<f32, 3>(_e226.member_1[0], _e226.member_1[1], _e226.member_1[2]));
-                    let _e279 = function_3(array<f32, 3>(_e228.member_1[0], _e228.member_1[1], _e228.member_1[2]));
-                    let _e280 = function_3(array<f32, 3>(_e234.member_1[0], _e234.member_1[1], _e234.member_1[2]));
-                    let _e281 = function_3(array<f32, 3>(_e236.member_1[0], _e236.member_1[1], _e236.member_1[2]));
-                    phi_549_ = type_39(array<array<f64, 3>, 4>(_e273, _e274, _e275, _e276), array<array<f64, 3>, 4>(_e278, _e279, _e280, _e281));
+        let _e157 = phi_271_;
+        let _e159 = phi_294_;
+        let _e163 = (bitcast<i32>(_e159.member) != 0i);
+        if _e163 {
+            let _e167 = (((_e113 + (_e159.member_1 * _e116)) * 64u) + _e101);
+            if (_e167 < _e124) {
+                let _e169 = (2u * _e167);
+                let _e172 = input.member[(4u + _e169)];
+                let _e175 = input.member[(_e169 + 5u)];
+                let _e178 = elements.member[_e172];
+                let _e180 = elements.member[_e175];
+                let _e186 = params.member.member.member_1;
+                if ((_e186 & 8u) != 0u) {
+                    let _e225 = paths.member[_e178[0]];
+                    let _e227 = paths.member[_e178[1]];
+                    let _e233 = paths.member[_e180[0]];
+                    let _e235 = paths.member[_e180[1]];
+                    let _e272 = function_3(array<f32, 3>(_e225.member[0], _e225.member[1], _e225.member[2]));
+                    let _e273 = function_3(array<f32, 3>(_e227.member[0], _e227.member[1], _e227.member[2]));
+                    let _e274 = function_3(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
+                    let _e275 = function_3(array<f32, 3>(_e235.member[0], _e235.member[1], _e235.member[2]));
+                    let _e277 = function_3(array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
+                    let _e278 = function_3(array<f32, 3>(_e227.member_1[0], _e227.member_1[1], _e227.member_1[2]));
+                    let _e279 = function_3(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
+                    let _e280 = function_3(array<f32, 3>(_e235.member_1[0], _e235.member_1[1], _e235.member_1[2]));
+                    phi_552_ = type_41(array<array<f64, 3>, 4>(_e272, _e273, _e274, _e275), array<array<f64, 3>, 4>(_e277, _e278, _e279, _e280));
                 } else {
-                    let _e191 = wide.member[_e179[0]];
-                    let _e194 = params.member.member[0u];
-                    let _e197 = wide.member[(_e194 + _e179[0])];
-                    let _e199 = wide.member[_e179[1]];
-                    let _e202 = params.member.member[0u];
-                    let _e205 = wide.member[(_e202 + _e179[1])];
-                    let _e207 = wide.member[_e181[0]];
-                    let _e210 = params.member.member[0u];
-                    let _e213 = wide.member[(_e210 + _e181[0])];
-                    let _e215 = wide.member[_e181[1]];
-                    let _e218 = params.member.member[0u];
-                    let _e221 = wide.member[(_e218 + _e181[1])];
-                    phi_549_ = type_39(array<array<f64, 3>, 4>(_e191, _e199, _e207, _e215), array<array<f64, 3>, 4>(_e197, _e205, _e213, _e221));
+                    let _e190 = positions.member[_e178[0]];
+                    let _e193 = params.member.member.member[0u];
+                    let _e196 = positions.member[(_e193 + _e178[0])];
+                    let _e198 = positions.member[_e178[1]];
+                    let _e201 = params.member.member.member[0u];
+                    let _e204 = positions.member[(_e201 + _e178[1])];
+                    let _e206 = positions.member[_e180[0]];
+                    let _e209 = params.member.member.member[0u];
+                    let _e212 = positions.member[(_e209 + _e180[0])];
+                    let _e214 = positions.member[_e180[1]];
+                    let _e217 = params.member.member.member[0u];
+                    let _e220 = positions.member[(_e217 + _e180[1])];
+                    phi_552_ = type_41(array<array<f64, 3>, 4>(_e190, _e198, _e206, _e214), array<array<f64, 3>, 4>(_e196, _e204, _e212, _e220));
                 }
-                let _e285 = phi_549_;
-                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[2][0] - _e285.member[0][0]), (_e285.member[2][1] - _e285.member[0][1]), (_e285.member[2][2] - _e285.member[0][2])), array<f64, 3>((_e285.member_1[2][0] - _e285.member_1[0][0]), (_e285.member_1[2][1] - _e285.member_1[0][1]), (_e285.member_1[2][2] - _e285.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[1][0] - _e285.member[0][0]), (_e285.member[1][1] - _e285.member[0][1]), (_e285.member[1][2] - _e285.member[0][2])), array<f64, 3>((_e285.member_1[1][0] - _e285.member_1[0][0]), (_e285.member_1[1][1] - _e285.member_1[0][1]), (_e285.member_1[1][2] - _e285.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e285.member[2][0] - _e285.member[3][0]), (_e285.member[2][1] - _e285.member[3][1]), (_e285.member[2][2] - _e285.member[3][2])), array<f64, 3>((_e285.member_1[2][0] - _e285.member_1[3][0]), (_e285.member_1[2][1] - _e285.member_1[3][1]), (_e285.member_1[2][2] - _e285.member_1[3][2]))), (0.0lf + 0.0lf));
-                let _e366 = params.member.member_7;
-                let _e373 = bitcast<f64>(((u64(_e366[1]) * 4294967296lu) + u64(_e366[0])));
-                let _e374 = f64(0f);
-                let _e377 = local_12.member_1[0u];
-                let _e383 = local_12.member_2[0u];
-                let _e389 = ((_e377[1] * _e383[2]) - (_e377[2] * _e383[1]));
-                let _e392 = ((_e377[2] * _e383[0]) - (_e377[0] * _e383[2]));
-                let _e395 = ((_e377[0] * _e383[1]) - (_e377[1] * _e383[0]));
-                let _e398 = local_12.member_1[1u];
-                let _e404 = local_12.member_2[1u];
-                let _e410 = ((_e398[1] * _e404[2]) - (_e398[2] * _e404[1]));
-                let _e413 = ((_e398[2] * _e404[0]) - (_e398[0] * _e404[2]));
-                let _e416 = ((_e398[0] * _e404[1]) - (_e398[1] * _e404[0]));
-                let _e419 = local_12.member_1[0u];
-                let _e425 = local_12.member_2[1u];
-                let _e440 = local_12.member_1[1u];
-                let _e446 = local_12.member_2[0u];
-                let _e459 = (((_e419[1] * _e425[2]) - (_e419[2] * _e425[1])) + ((_e440[1] * _e446[2]) - (_e440[2] * _e446[1])));
-                let _e460 = (((_e419[2] * _e425[0]) - (_e419[0] * _e425[2])) + ((_e440[2] * _e446[0]) - (_e440[0] * _e446[2])));
-                let _e461 = (((_e419[0] * _e425[1]) - (_e419[1] * _e425[0])) + ((_e440[0] * _e446[1]) - (_e440[1] * _e446[0])));
-                let _e464 = local_12.member[0u];
-                let _e472 = (((_e464[0] * _e389) + (_e464[1] * _e392)) + (_e464[2] * _e395));
-                let _e475 = local_12.member[1u];
-                let _e486 = local_12.member[0u];
-                let _e495 = ((((_e475[0] * _e389) + (_e475[1] * _e392)) + (_e475[2] * _e395)) + (((_e486[0] * _e459) + (_e486[1] * _e460)) + (_e486[2] * _e461)));
-                let _e498 = local_12.member[0u];
-                let _e509 = local_12.member[1u];
-                let _e518 = ((((_e498[0] * _e410) + (_e498[1] * _e413)) + (_e498[2] * _e416)) + (((_e509[0] * _e459) + (_e509[1] * _e460)) + (_e509[2] * _e461)));
-                let _e521 = local_12.member[1u];
-                let _e529 = (((_e521[0] * _e410) + (_e521[1] * _e413)) + (_e521[2] * _e416));
-                let _e532 = local_12.member[0u];
-                if (_e532[0] < 0.0lf) {
-                    phi_918_ = -(_e532[0]);
+                let _e284 = phi_552_;
+                local_12 = type_40(array<array<f64, 3>, 2>(array<f64, 3>((_e284.member[2][0] - _e284.member[0][0]), (_e284.member[2][1] - _e284.member[0][1]), (_e284.member[2][2] - _e284.member[0][2])), array<f64, 3>((_e284.member_1[2][0] - _e284.member_1[0][0]), (_e284.member_1[2][1] - _e284.member_1[0][1]), (_e284.member_1[2][2] - _e284.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e284.member[1][0] - _e284.member[0][0]), (_e284.member[1][1] - _e284.member[0][1]), (_e284.member[1][2] - _e284.member[0][2])), array<f64, 3>((_e284.member_1[1][0] - _e284.member_1[0][0]), (_e284.member_1[1][1] - _e284.member_1[0][1]), (_e284.member_1[1][2] - _e284.member_1[0][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e284.member[2][0] - _e284.member[3][0]), (_e284.member[2][1] - _e284.member[3][1]), (_e284.member[2][2] - _e284.member[3][2])), array<f64, 3>((_e284.member_1[2][0] - _e284.member_1[3][0]), (_e284.member_1[2][1] - _e284.member_1[3][1]), (_e284.member_1[2][2] - _e284.member_1[3][2]))), (0.0lf + 0.0lf));
+                let _e365 = params.member.member.member_7;
+                let _e372 = bitcast<f64>(((u64(_e365[1]) * 4294967296lu) + u64(_e365[0])));
+                let _e373 = f64(0f);
+                let _e376 = local_12.member_1[0u];
+                let _e382 = local_12.member_2[0u];
+                let _e388 = ((_e376[1] * _e382[2]) - (_e376[2] * _e382[1]));
+                let _e391 = ((_e376[2] * _e382[0]) - (_e376[0] * _e382[2]));
+                let _e394 = ((_e376[0] * _e382[1]) - (_e376[1] * _e382[0]));
+                let _e397 = local_12.member_1[1u];
+                let _e403 = local_12.member_2[1u];
+                let _e409 = ((_e397[1] * _e403[2]) - (_e397[2] * _e403[1]));
+                let _e412 = ((_e397[2] * _e403[0]) - (_e397[0] * _e403[2]));
+                let _e415 = ((_e397[0] * _e403[1]) - (_e397[1] * _e403[0]));
+                let _e418 = local_12.member_1[0u];
+                let _e424 = local_12.member_2[1u];
+                let _e439 = local_12.member_1[1u];
+                let _e445 = local_12.member_2[0u];
+                let _e458 = (((_e418[1] * _e424[2]) - (_e418[2] * _e424[1])) + ((_e439[1] * _e445[2]) - (_e439[2] * _e445[1])));
+                let _e459 = (((_e418[2] * _e424[0]) - (_e418[0] * _e424[2])) + ((_e439[2] * _e445[0]) - (_e439[0] * _e445[2])));
+                let _e460 = (((_e418[0] * _e424[1]) - (_e418[1] * _e424[0])) + ((_e439[0] * _e445[1]) - (_e439[1] * _e445[0])));
+                let _e463 = local_12.member[0u];
+                let _e471 = (((_e463[0] * _e388) + (_e463[1] * _e391)) + (_e463[2] * _e394));
+                let _e474 = local_12.member[1u];
+                let _e485 = local_12.member[0u];
+                let _e494 = ((((_e474[0] * _e388) + (_e474[1] * _e391)) + (_e474[2] * _e394)) + (((_e485[0] * _e458) + (_e485[1] * _e459)) + (_e485[2] * _e460)));
+                let _e497 = local_12.member[0u];
+                let _e508 = local_12.member[1u];
+                let _e517 = ((((_e497[0] * _e409) + (_e497[1] * _e412)) + (_e497[2] * _e415)) + (((_e508[0] * _e458) + (_e508[1] * _e459)) + (_e508[2] * _e460)));
+                let _e520 = local_12.member[1u];
+                let _e528 = (((_e520[0] * _e409) + (_e520[1] * _e412)) + (_e520[2] * _e415));
+                let _e531 = local_12.member[0u];
+                if (_e531[0] < 0.0lf) {
+                    phi_921_ = -(_e531[0]);
                 } else {
-                    phi_918_ = _e532[0];
+                    phi_921_ = _e531[0];
                 }
-                let _e539 = phi_918_;
-                if (_e532[1] < 0.0lf) {
-                    phi_925_ = -(_e532[1]);
+                let _e538 = phi_921_;
+                if (_e531[1] < 0.0lf) {
+                    phi_928_ = -(_e531[1]);
                 } else {
-                    phi_925_ = _e532[1];
+                    phi_928_ = _e531[1];
                 }
-                let _e543 = phi_925_;
-                if (_e539 > _e543) {
-                    phi_930_ = _e539;
+                let _e542 = phi_928_;
+                if (_e538 > _e542) {
+                    phi_933_ = _e538;
                 } else {
-                    phi_930_ = _e543;
+                    phi_933_ = _e542;
                 }
-                let _e546 = phi_930_;
-                if (_e532[2] < 0.0lf) {
-                    phi_937_ = -(_e532[2]);
+                let _e545 = phi_933_;
+                if (_e531[2] < 0.0lf) {
+                    phi_940_ = -(_e531[2]);
                 } else {
-                    phi_937_ = _e532[2];
+                    phi_940_ = _e531[2];
                 }
-                let _e550 = phi_937_;
-                if (_e546 > _e550) {
-                    phi_942_ = _e546;
+                let _e549 = phi_940_;
+                if (_e545 > _e549) {
+                    phi_945_ = _e545;
                 } else {
-                    phi_942_ = _e550;
+                    phi_945_ = _e549;
                 }
-                let _e553 = phi_942_;
-                let _e556 = local_12.member[1u];
-                if (_e556[0] < 0.0lf) {
-                    phi_955_ = -(_e556[0]);
+                let _e552 = phi_945_;
+                let _e555 = local_12.member[1u];
+                if (_e555[0] < 0.0lf) {
+                    phi_958_ = -(_e555[0]);
                 } else {
-                    phi_955_ = _e556[0];
+                    phi_958_ = _e555[0];
                 }
-                let _e563 = phi_955_;
-                if (_e556[1] < 0.0lf) {
-                    phi_962_ = -(_e556[1]);
+                let _e562 = phi_958_;
+                if (_e555[1] < 0.0lf) {
+                    phi_965_ = -(_e555[1]);
                 } else {
-                    phi_962_ = _e556[1];
+                    phi_965_ = _e555[1];
                 }
-                let _e567 = phi_962_;
-                if (_e563 > _e567) {
-                    phi_967_ = _e563;
+                let _e566 = phi_965_;
+                if (_e562 > _e566) {
+                    phi_970_ = _e562;
                 } else {
-                    phi_967_ = _e567;
+                    phi_970_ = _e566;
                 }
-                let _e570 = phi_967_;
-                if (_e556[2] < 0.0lf) {
-                    phi_974_ = -(_e556[2]);
+                let _e569 = phi_970_;
+                if (_e555[2] < 0.0lf) {
+                    phi_977_ = -(_e555[2]);
                 } else {
-                    phi_974_ = _e556[2];
+                    phi_977_ = _e555[2];
                 }
-                let _e574 = phi_974_;
-                if (_e570 > _e574) {
-                    phi_979_ = _e570;
+                let _e573 = phi_977_;
+                if (_e569 > _e573) {
+                    phi_982_ = _e569;
                 } else {
-                    phi_979_ = _e574;
+                    phi_982_ = _e573;
                 }
-                let _e577 = phi_979_;
-                if (_e553 > _e577) {
-                    phi_984_ = _e553;
+                let _e576 = phi_982_;
+                if (_e552 > _e576) {
+                    phi_987_ = _e552;
                 } else {
-                    phi_984_ = _e577;
+                    phi_987_ = _e576;
                 }
-                let _e580 = phi_984_;
-                let _e582 = local_12.member_3;
-                let _e583 = (_e580 + _e582);
-                let _e586 = local_12.member_1[0u];
-                if (_e586[0] < 0.0lf) {
-                    phi_1001_ = -(_e586[0]);
+                let _e579 = phi_987_;
+                let _e581 = local_12.member_3;
+                let _e582 = (_e579 + _e581);
+                let _e585 = local_12.member_1[0u];
+                if (_e585[0] < 0.0lf) {
+                    phi_1004_ = -(_e585[0]);
                 } else {
-                    phi_1001_ = _e586[0];
+                    phi_1004_ = _e585[0];
                 }
-                let _e593 = phi_1001_;
-                if (_e586[1] < 0.0lf) {
-                    phi_1008_ = -(_e586[1]);
+                let _e592 = phi_1004_;
+                if (_e585[1] < 0.0lf) {
+                    phi_1011_ = -(_e585[1]);
                 } else {
-                    phi_1008_ = _e586[1];
+                    phi_1011_ = _e585[1];
                 }
-                let _e597 = phi_1008_;
-                if (_e593 > _e597) {
-                    phi_1013_ = _e593;
+                let _e596 = phi_1011_;
+                if (_e592 > _e596) {
+                    phi_1016_ = _e592;
                 } else {
-                    phi_1013_ = _e597;
+                    phi_1016_ = _e596;
                 }
-                let _e600 = phi_1013_;
-                if (_e586[2] < 0.0lf) {
-                    phi_1020_ = -(_e586[2]);
+                let _e599 = phi_1016_;
+                if (_e585[2] < 0.0lf) {
+                    phi_1023_ = -(_e585[2]);
                 } else {
-                    phi_1020_ = _e586[2];
+                    phi_1023_ = _e585[2];
                 }
-                let _e604 = phi_1020_;
-                if (_e600 > _e604) {
-                    phi_1025_ = _e600;
+                let _e603 = phi_1023_;
+                if (_e599 > _e603) {
+                    phi_1028_ = _e599;
                 } else {
-                    phi_1025_ = _e604;
+                    phi_1028_ = _e603;
                 }
-                let _e607 = phi_1025_;
-                let _e610 = local_12.member_1[1u];
-                if (_e610[0] < 0.0lf) {
-                    phi_1039_ = -(_e610[0]);
+                let _e606 = phi_1028_;
+                let _e609 = local_12.member_1[1u];
+                if (_e609[0] < 0.0lf) {
+                    phi_1042_ = -(_e609[0]);
                 } else {
-                    phi_1039_ = _e610[0];
+                    phi_1042_ = _e609[0];
                 }
-                let _e617 = phi_1039_;
-                if (_e610[1] < 0.0lf) {
-                    phi_1046_ = -(_e610[1]);
+                let _e616 = phi_1042_;
+                if (_e609[1] < 0.0lf) {
+                    phi_1049_ = -(_e609[1]);
                 } else {
-                    phi_1046_ = _e610[1];
+                    phi_1049_ = _e609[1];
                 }
-                let _e621 = phi_1046_;
-                if (_e617 > _e621) {
-                    phi_1051_ = _e617;
+                let _e620 = phi_1049_;
+                if (_e616 > _e620) {
+                    phi_1054_ = _e616;
                 } else {
-                    phi_1051_ = _e621;
+                    phi_1054_ = _e620;
                 }
-                let _e624 = phi_1051_;
-                if (_e610[2] < 0.0lf) {
-                    phi_1058_ = -(_e610[2]);
+                let _e623 = phi_1054_;
+                if (_e609[2] < 0.0lf) {
+                    phi_1061_ = -(_e609[2]);
                 } else {
-                    phi_1058_ = _e610[2];
+                    phi_1061_ = _e609[2];
                 }
-                let _e628 = phi_1058_;
-                if (_e624 > _e628) {
-                    phi_1063_ = _e624;
+                let _e627 = phi_1061_;
+                if (_e623 > _e627) {
+                    phi_1066_ = _e623;
                 } else {
-                    phi_1063_ = _e628;
+                    phi_1066_ = _e627;
                 }
-                let _e631 = phi_1063_;
-                if (_e607 > _e631) {
-                    phi_1068_ = _e607;
+                let _e630 = phi_1066_;
+                if (_e606 > _e630) {
+                    phi_1071_ = _e606;
                 } else {
-                    phi_1068_ = _e631;
+                    phi_1071_ = _e630;
                 }
-                let _e634 = phi_1068_;
-                let _e636 = local_12.member_3;
-                let _e637 = (_e634 + _e636);
-                let _e640 = local_12.member_2[0u];
-                if (_e640[0] < 0.0lf) {
-                    phi_1085_ = -(_e640[0]);
+                let _e633 = phi_1071_;
+                let _e635 = local_12.member_3;
+                let _e636 = (_e633 + _e635);
+                let _e639 = local_12.member_2[0u];
+                if (_e639[0] < 0.0lf) {
+                    phi_1088_ = -(_e639[0]);
                 } else {
-                    phi_1085_ = _e640[0];
+                    phi_1088_ = _e639[0];
                 }
-                let _e647 = phi_1085_;
-                if (_e640[1] < 0.0lf) {
-                    phi_1092_ = -(_e640[1]);
+                let _e646 = phi_1088_;
+                if (_e639[1] < 0.0lf) {
+                    phi_1095_ = -(_e639[1]);
                 } else {
-                    phi_1092_ = _e640[1];
+                    phi_1095_ = _e639[1];
                 }
-                let _e651 = phi_1092_;
-                if (_e647 > _e651) {
-                    phi_1097_ = _e647;
+                let _e650 = phi_1095_;
+                if (_e646 > _e650) {
+                    phi_1100_ = _e646;
                 } else {
-                    phi_1097_ = _e651;
+                    phi_1100_ = _e650;
                 }
-                let _e654 = phi_1097_;
-                if (_e640[2] < 0.0lf) {
-                    phi_1104_ = -(_e640[2]);
+                let _e653 = phi_1100_;
+                if (_e639[2] < 0.0lf) {
+                    phi_1107_ = -(_e639[2]);
                 } else {
-                    phi_1104_ = _e640[2];
+                    phi_1107_ = _e639[2];
                 }
-                let _e658 = phi_1104_;
-                if (_e654 > _e658) {
-                    phi_1109_ = _e654;
+                let _e657 = phi_1107_;
+                if (_e653 > _e657) {
+                    phi_1112_ = _e653;
                 } else {
-                    phi_1109_ = _e658;
+                    phi_1112_ = _e657;
                 }
-                let _e661 = phi_1109_;
-                let _e664 = local_12.member_2[1u];
-                if (_e664[0] < 0.0lf) {
-                    phi_1123_ = -(_e664[0]);
+                let _e660 = phi_1112_;
+                let _e663 = local_12.member_2[1u];
+                if (_e663[0] < 0.0lf) {
+                    phi_1126_ = -(_e663[0]);
                 } else {
-                    phi_1123_ = _e664[0];
+                    phi_1126_ = _e663[0];
                 }
-                let _e671 = phi_1123_;
-                if (_e664[1] < 0.0lf) {
-                    phi_1130_ = -(_e664[1]);
+                let _e670 = phi_1126_;
+                if (_e663[1] < 0.0lf) {
+                    phi_1133_ = -(_e663[1]);
                 } else {
-                    phi_1130_ = _e664[1];
+                    phi_1133_ = _e663[1];
                 }
-                let _e675 = phi_1130_;
-                if (_e671 > _e675) {
-                    phi_1135_ = _e671;
+                let _e674 = phi_1133_;
+                if (_e670 > _e674) {
+                    phi_1138_ = _e670;
                 } else {
-                    phi_1135_ = _e675;
+                    phi_1138_ = _e674;
                 }
-                let _e678 = phi_1135_;
-                if (_e664[2] < 0.0lf) {
-                    phi_1142_ = -(_e664[2]);
+                let _e677 = phi_1138_;
+                if (_e663[2] < 0.0lf) {
+                    phi_1145_ = -(_e663[2]);
                 } else {
-                    phi_1142_ = _e664[2];
+                    phi_1145_ = _e663[2];
                 }
-                let _e682 = phi_1142_;
-                if (_e678 > _e682) {
-                    phi_1147_ = _e678;
+                let _e681 = phi_1145_;
+                if (_e677 > _e681) {
+                    phi_1150_ = _e677;
                 } else {
-                    phi_1147_ = _e682;
+                    phi_1150_ = _e681;
                 }
-                let _e685 = phi_1147_;
-                if (_e661 > _e685) {
-                    phi_1152_ = _e661;
+                let _e684 = phi_1150_;
+                if (_e660 > _e684) {
+                    phi_1155_ = _e660;
                 } else {
-                    phi_1152_ = _e685;
+                    phi_1155_ = _e684;
                 }
-                let _e688 = phi_1152_;
-                let _e690 = local_12.member_3;
-                let _e691 = (_e688 + _e690);
-                let _e692 = f64(1f);
-                let _e693 = f64(8f);
-                let _e695 = ((_e637 * _e693) * _e691);
-                let _e703 = local_12.member_3;
-                if (_e389 < 0.0lf) {
-                    phi_1189_ = -(_e389);
+                let _e687 = phi_1155_;
+                let _e689 = local_12.member_3;
+                let _e690 = (_e687 + _e689);
+                let _e691 = f64(1f);
+                let _e692 = f64(8f);
+                let _e694 = ((_e636 * _e692) * _e690);
+                let _e702 = local_12.member_3;
+                if (_e388 < 0.0lf) {
+                    phi_1192_ = -(_e388);
                 } else {
-                    phi_1189_ = _e389;
+                    phi_1192_ = _e388;
                 }
-                let _e723 = phi_1189_;
-                if (_e392 < 0.0lf) {
-                    phi_1195_ = -(_e392);
+                let _e722 = phi_1192_;
+                if (_e391 < 0.0lf) {
+                    phi_1198_ = -(_e391);
                 } else {
-                    phi_1195_ = _e392;
+                    phi_1198_ = _e391;
                 }
-                let _e727 = phi_1195_;
-                if (_e395 < 0.0lf) {
-                    phi_1202_ = -(_e395);
+                let _e726 = phi_1198_;
+                if (_e394 < 0.0lf) {
+                    phi_1205_ = -(_e394);
                 } else {
-                    phi_1202_ = _e395;
+                    phi_1205_ = _e394;
                 }
-                let _e732 = phi_1202_;
-                let _e733 = ((_e723 + _e727) + _e732);
-                if (_e410 < 0.0lf) {
-                    phi_1209_ = -(_e410);
+                let _e731 = phi_1205_;
+                let _e732 = ((_e722 + _e726) + _e731);
+                if (_e409 < 0.0lf) {
+                    phi_1212_ = -(_e409);
                 } else {
-                    phi_1209_ = _e410;
+                    phi_1212_ = _e409;
                 }
-                let _e737 = phi_1209_;
-                if (_e413 < 0.0lf) {
-                    phi_1215_ = -(_e413);
+                let _e736 = phi_1212_;
+                if (_e412 < 0.0lf) {
+                    phi_1218_ = -(_e412);
                 } else {
-                    phi_1215_ = _e413;
+                    phi_1218_ = _e412;
                 }
-                let _e741 = phi_1215_;
-                if (_e416 < 0.0lf) {
-                    phi_1222_ = -(_e416);
+                let _e740 = phi_1218_;
+                if (_e415 < 0.0lf) {
+                    phi_1225_ = -(_e415);
                 } else {
-                    phi_1222_ = _e416;
+                    phi_1225_ = _e415;
                 }
-                let _e746 = phi_1222_;
-                let _e747 = ((_e737 + _e741) + _e746);
-                if (_e733 > _e747) {
-                    phi_1228_ = _e733;
+                let _e745 = phi_1225_;
+                let _e746 = ((_e736 + _e740) + _e745);
+                if (_e732 > _e746) {
+                    phi_1231_ = _e732;
                 } else {
-                    phi_1228_ = _e747;
+                    phi_1231_ = _e746;
                 }
-                let _e750 = phi_1228_;
+                let _e749 = phi_1231_;
+                if (_e458 < 0.0lf) {
+                    phi_1237_ = -(_e458);
+                } else {
+                    phi_1237_ = _e458;
+                }
+                let _e753 = phi_1237_;
                 if (_e459 < 0.0lf) {
-                    phi_1234_ = -(_e459);
+                    phi_1243_ = -(_e459);
                 } else {
-                    phi_1234_ = _e459;
+                    phi_1243_ = _e459;
                 }
-                let _e754 = phi_1234_;
+                let _e757 = phi_1243_;
                 if (_e460 < 0.0lf) {
-                    phi_1240_ = -(_e460);
+                    phi_1250_ = -(_e460);
                 } else {
-                    phi_1240_ = _e460;
+                    phi_1250_ = _e460;
                 }
-                let _e758 = phi_1240_;
-                if (_e461 < 0.0lf) {
-                    phi_1247_ = -(_e461);
+                let _e762 = phi_1250_;
+                let _e764 = (((_e753 + _e757) + _e762) * f64(0.5f));
+                if (_e749 > _e764) {
+                    phi_1257_ = _e749;
                 } else {
-                    phi_1247_ = _e461;
+                    phi_1257_ = _e764;
                 }
-                let _e763 = phi_1247_;
-                let _e765 = (((_e754 + _e758) + _e763) * f64(0.5f));
-                if (_e750 > _e765) {
-                    phi_1254_ = _e750;
+                let _e767 = phi_1257_;
+                let _e773 = local_12.member_3;
+                let _e787 = (((((_e582 * _e692) * _e694) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e702 * f64(19f)) * ((_e582 * (_e636 + _e690)) + (_e636 * _e690)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e691 + _e582) * ((_e691 + _e636) * (_e691 + _e690)))));
+                let _e788 = f64(3f);
+                let _e789 = (_e471 * _e788);
+                let _e790 = (_e528 * _e788);
+                if (_e789 < _e790) {
+                    phi_1285_ = _e789;
                 } else {
-                    phi_1254_ = _e765;
+                    phi_1285_ = _e790;
                 }
-                let _e768 = phi_1254_;
-                let _e774 = local_12.member_3;
-                let _e788 = (((((_e583 * _e693) * _e695) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e703 * f64(19f)) * ((_e583 * (_e637 + _e691)) + (_e637 * _e691)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e692 + _e583) * ((_e692 + _e637) * (_e692 + _e691)))));
-                let _e789 = f64(3f);
-                let _e790 = (_e472 * _e789);
-                let _e791 = (_e529 * _e789);
-                if (_e790 < _e791) {
-                    phi_1282_ = _e790;
+                let _e793 = phi_1285_;
+                if (_e494 < _e517) {
+                    phi_1290_ = _e494;
                 } else {
-                    phi_1282_ = _e791;
+                    phi_1290_ = _e517;
                 }
-                let _e794 = phi_1282_;
-                if (_e495 < _e518) {
-                    phi_1287_ = _e495;
+                let _e796 = phi_1290_;
+                if (_e793 < _e796) {
+                    phi_1295_ = _e793;
                 } else {
-                    phi_1287_ = _e518;
+                    phi_1295_ = _e796;
                 }
-                let _e797 = phi_1287_;
-                if (_e794 < _e797) {
-                    phi_1292_ = _e794;
+                let _e799 = phi_1295_;
+                if (_e789 > _e790) {
+                    phi_1300_ = _e789;
                 } else {
-                    phi_1292_ = _e797;
+                    phi_1300_ = _e790;
                 }
-                let _e800 = phi_1292_;
-                if (_e790 > _e791) {
-                    phi_1297_ = _e790;
+                let _e802 = phi_1300_;
+                if (_e494 > _e517) {
+                    phi_1305_ = _e494;
                 } else {
-                    phi_1297_ = _e791;
+                    phi_1305_ = _e517;
                 }
-                let _e803 = phi_1297_;
-                if (_e495 > _e518) {
-                    phi_1302_ = _e495;
+                let _e805 = phi_1305_;
+                if (_e802 > _e805) {
+                    phi_1310_ = _e802;
                 } else {
-                    phi_1302_ = _e518;
+                    phi_1310_ = _e805;
                 }
-                let _e806 = phi_1302_;
-                if (_e803 > _e806) {
-                    phi_1307_ = _e803;
+                let _e808 = phi_1310_;
+                let _e814 = -(_e808);
+                if (_e799 > _e814) {
+                    phi_1321_ = _e799;
                 } else {
-                    phi_1307_ = _e806;
+                    phi_1321_ = _e814;
                 }
-                let _e809 = phi_1307_;
-                let _e815 = -(_e809);
-                if (_e800 > _e815) {
-                    phi_1318_ = _e800;
+                let _e817 = phi_1321_;
+                if ((_e817 - (_e787 + ((_e372 * (((_e767 + (_e694 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e773 * f64(6f)) * (_e636 + _e690))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e691 + _e636) * (_e691 + _e690))))) * f64((3f * 1.0001f))))) > _e373) {
+                    phi_5778_ = type_42(0u, type_42().member_1);
                 } else {
-                    phi_1318_ = _e815;
-                }
-                let _e818 = phi_1318_;
-                if ((_e818 - (_e788 + ((_e373 * (((_e768 + (_e695 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e774 * f64(6f)) * (_e637 + _e691))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e692 + _e637) * (_e692 + _e691))))) * f64((3f * 1.0001f))))) > _e374) {
-                    phi_5775_ = type_40(0u, type_40().member_1);
-                } else {
-                    if (_e373 > _e374) {
-                        let _e2916 = f64(1f);
-                        let _e2920 = local_12.member[0u];
-                        let _e2926 = local_12.member_1[0u];
-                        let _e2932 = local_12.member_2[0u];
-                        let _e2936 = (_e2920[0] - _e2926[0]);
-                        let _e2937 = (_e2920[1] - _e2926[1]);
-                        let _e2938 = (_e2920[2] - _e2926[2]);
-                        local_9 = array<array<f64, 3>, 4>(_e2920, array<f64, 3>(_e2936, _e2937, _e2938), array<f64, 3>((_e2920[0] - _e2932[0]), (_e2920[1] - _e2932[1]), (_e2920[2] - _e2932[2])), array<f64, 3>((_e2936 - _e2932[0]), (_e2937 - _e2932[1]), (_e2938 - _e2932[2])));
-                        let _e2951 = local_12.member[1u];
-                        let _e2957 = local_12.member_1[1u];
-                        let _e2963 = local_12.member_2[1u];
-                        let _e2967 = (_e2951[0] - _e2957[0]);
-                        let _e2968 = (_e2951[1] - _e2957[1]);
-                        let _e2969 = (_e2951[2] - _e2957[2]);
-                        local_10 = array<array<f64, 3>, 4>(_e2951, array<f64, 3>(_e2967, _e2968, _e2969), array<f64, 3>((_e2951[0] - _e2963[0]), (_e2951[1] - _e2963[1]), (_e2951[2] - _e2963[2])), array<f64, 3>((_e2967 - _e2963[0]), (_e2968 - _e2963[1]), (_e2969 - _e2963[2])));
-                        let _e2982 = local_12.member[0u];
-                        if (_e2982[0] < 0.0lf) {
-                            phi_1521_ = -(_e2982[0]);
+                    if (_e372 > _e373) {
+                        let _e2915 = f64(1f);
+                        let _e2919 = local_12.member[0u];
+                        let _e2925 = local_12.member_1[0u];
+                        let _e2931 = local_12.member_2[0u];
+                        let _e2935 = (_e2919[0] - _e2925[0]);
+                        let _e2936 = (_e2919[1] - _e2925[1]);
+                        let _e2937 = (_e2919[2] - _e2925[2]);
+                        local_9 = array<array<f64, 3>, 4>(_e2919, array<f64, 3>(_e2935, _e2936, _e2937), array<f64, 3>((_e2919[0] - _e2931[0]), (_e2919[1] - _e2931[1]), (_e2919[2] - _e2931[2])), array<f64, 3>((_e2935 - _e2931[0]), (_e2936 - _e2931[1]), (_e2937 - _e2931[2])));
+                        let _e2950 = local_12.member[1u];
+                        let _e2956 = local_12.member_1[1u];
+                        let _e2962 = local_12.member_2[1u];
+                        let _e2966 = (_e2950[0] - _e2956[0]);
+                        let _e2967 = (_e2950[1] - _e2956[1]);
+                        let _e2968 = (_e2950[2] - _e2956[2]);
+                        local_10 = array<array<f64, 3>, 4>(_e2950, array<f64, 3>(_e2966, _e2967, _e2968), array<f64, 3>((_e2950[0] - _e2962[0]), (_e2950[1] - _e2962[1]), (_e2950[2] - _e2962[2])), array<f64, 3>((_e2966 - _e2962[0]), (_e2967 - _e2962[1]), (_e2968 - _e2962[2])));
+                        let _e2981 = local_12.member[0u];
+                        if (_e2981[0] < 0.0lf) {
+                            phi_1524_ = -(_e2981[0]);
                         } else {
-                            phi_1521_ = _e2982[0];
+                            phi_1524_ = _e2981[0];
                         }
-                        let _e2989 = phi_1521_;
-                        if (_e2982[1] < 0.0lf) {
-                            phi_1528_ = -(_e2982[1]);
+                        let _e2988 = phi_1524_;
+                        if (_e2981[1] < 0.0lf) {
+                            phi_1531_ = -(_e2981[1]);
                         } else {
-                            phi_1528_ = _e2982[1];
+                            phi_1531_ = _e2981[1];
                         }
-                        let _e2993 = phi_1528_;
-                        if (_e2989 > _e2993) {
-                            phi_1533_ = _e2989;
+                        let _e2992 = phi_1531_;
+                        if (_e2988 > _e2992) {
+                            phi_1536_ = _e2988;
                         } else {
-                            phi_1533_ = _e2993;
+                            phi_1536_ = _e2992;
                         }
-                        let _e2996 = phi_1533_;
-                        if (_e2982[2] < 0.0lf) {
-                            phi_1540_ = -(_e2982[2]);
+                        let _e2995 = phi_1536_;
+                        if (_e2981[2] < 0.0lf) {
+                            phi_1543_ = -(_e2981[2]);
                         } else {
-                            phi_1540_ = _e2982[2];
+                            phi_1543_ = _e2981[2];
                         }
-                        let _e3000 = phi_1540_;
-                        if (_e2996 > _e3000) {
-                            phi_1545_ = _e2996;
+                        let _e2999 = phi_1543_;
+                        if (_e2995 > _e2999) {
+                            phi_1548_ = _e2995;
                         } else {
-                            phi_1545_ = _e3000;
+                            phi_1548_ = _e2999;
                         }
-                        let _e3003 = phi_1545_;
-                        let _e3006 = local_12.member[1u];
-                        if (_e3006[0] < 0.0lf) {
-                            phi_1558_ = -(_e3006[0]);
+                        let _e3002 = phi_1548_;
+                        let _e3005 = local_12.member[1u];
+                        if (_e3005[0] < 0.0lf) {
+                            phi_1561_ = -(_e3005[0]);
                         } else {
-                            phi_1558_ = _e3006[0];
+                            phi_1561_ = _e3005[0];
                         }
-                        let _e3013 = phi_1558_;
-                        if (_e3006[1] < 0.0lf) {
-                            phi_1565_ = -(_e3006[1]);
+                        let _e3012 = phi_1561_;
+                        if (_e3005[1] < 0.0lf) {
+                            phi_1568_ = -(_e3005[1]);
                         } else {
-                            phi_1565_ = _e3006[1];
+                            phi_1568_ = _e3005[1];
                         }
-                        let _e3017 = phi_1565_;
-                        if (_e3013 > _e3017) {
-                            phi_1570_ = _e3013;
+                        let _e3016 = phi_1568_;
+                        if (_e3012 > _e3016) {
+                            phi_1573_ = _e3012;
                         } else {
-                            phi_1570_ = _e3017;
+                            phi_1573_ = _e3016;
                         }
-                        let _e3020 = phi_1570_;
-                        if (_e3006[2] < 0.0lf) {
-                            phi_1577_ = -(_e3006[2]);
+                        let _e3019 = phi_1573_;
+                        if (_e3005[2] < 0.0lf) {
+                            phi_1580_ = -(_e3005[2]);
                         } else {
-                            phi_1577_ = _e3006[2];
+                            phi_1580_ = _e3005[2];
                         }
-                        let _e3024 = phi_1577_;
-                        if (_e3020 > _e3024) {
-                            phi_1582_ = _e3020;
+                        let _e3023 = phi_1580_;
+                        if (_e3019 > _e3023) {
+                            phi_1585_ = _e3019;
                         } else {
-                            phi_1582_ = _e3024;
+                            phi_1585_ = _e3023;
                         }
-                        let _e3027 = phi_1582_;
-                        if (_e3003 > _e3027) {
-                            phi_1587_ = _e3003;
+                        let _e3026 = phi_1585_;
+                        if (_e3002 > _e3026) {
+                            phi_1590_ = _e3002;
                         } else {
-                            phi_1587_ = _e3027;
+                            phi_1590_ = _e3026;
                         }
-                        let _e3030 = phi_1587_;
-                        let _e3032 = local_12.member_3;
-                        let _e3036 = local_12.member_1[0u];
-                        if (_e3036[0] < 0.0lf) {
-                            phi_1604_ = -(_e3036[0]);
+                        let _e3029 = phi_1590_;
+                        let _e3031 = local_12.member_3;
+                        let _e3035 = local_12.member_1[0u];
+                        if (_e3035[0] < 0.0lf) {
+                            phi_1607_ = -(_e3035[0]);
                         } else {
-                            phi_1604_ = _e3036[0];
+                            phi_1607_ = _e3035[0];
                         }
-                        let _e3043 = phi_1604_;
-                        if (_e3036[1] < 0.0lf) {
-                            phi_1611_ = -(_e3036[1]);
+                        let _e3042 = phi_1607_;
+                        if (_e3035[1] < 0.0lf) {
+                            phi_1614_ = -(_e3035[1]);
                         } else {
-                            phi_1611_ = _e3036[1];
+                            phi_1614_ = _e3035[1];
                         }
-                        let _e3047 = phi_1611_;
-                        if (_e3043 > _e3047) {
-                            phi_1616_ = _e3043;
+                        let _e3046 = phi_1614_;
+                        if (_e3042 > _e3046) {
+                            phi_1619_ = _e3042;
                         } else {
-                            phi_1616_ = _e3047;
+                            phi_1619_ = _e3046;
                         }
-                        let _e3050 = phi_1616_;
-                        if (_e3036[2] < 0.0lf) {
-                            phi_1623_ = -(_e3036[2]);
+                        let _e3049 = phi_1619_;
+                        if (_e3035[2] < 0.0lf) {
+                            phi_1626_ = -(_e3035[2]);
                         } else {
-                            phi_1623_ = _e3036[2];
+                            phi_1626_ = _e3035[2];
                         }
-                        let _e3054 = phi_1623_;
-                        if (_e3050 > _e3054) {
-                            phi_1628_ = _e3050;
+                        let _e3053 = phi_1626_;
+                        if (_e3049 > _e3053) {
+                            phi_1631_ = _e3049;
                         } else {
-                            phi_1628_ = _e3054;
+                            phi_1631_ = _e3053;
                         }
-                        let _e3057 = phi_1628_;
-                        let _e3060 = local_12.member_1[1u];
-                        if (_e3060[0] < 0.0lf) {
-                            phi_1642_ = -(_e3060[0]);
+                        let _e3056 = phi_1631_;
+                        let _e3059 = local_12.member_1[1u];
+                        if (_e3059[0] < 0.0lf) {
+                            phi_1645_ = -(_e3059[0]);
                         } else {
-                            phi_1642_ = _e3060[0];
+                            phi_1645_ = _e3059[0];
                         }
-                        let _e3067 = phi_1642_;
-                        if (_e3060[1] < 0.0lf) {
-                            phi_1649_ = -(_e3060[1]);
+                        let _e3066 = phi_1645_;
+                        if (_e3059[1] < 0.0lf) {
+                            phi_1652_ = -(_e3059[1]);
                         } else {
-                            phi_1649_ = _e3060[1];
+                            phi_1652_ = _e3059[1];
                         }
-                        let _e3071 = phi_1649_;
-                        if (_e3067 > _e3071) {
-                            phi_1654_ = _e3067;
+                        let _e3070 = phi_1652_;
+                        if (_e3066 > _e3070) {
+                            phi_1657_ = _e3066;
                         } else {
-                            phi_1654_ = _e3071;
+                            phi_1657_ = _e3070;
                         }
-                        let _e3074 = phi_1654_;
-                        if (_e3060[2] < 0.0lf) {
-                            phi_1661_ = -(_e3060[2]);
+                        let _e3073 = phi_1657_;
+                        if (_e3059[2] < 0.0lf) {
+                            phi_1664_ = -(_e3059[2]);
                         } else {
-                            phi_1661_ = _e3060[2];
+                            phi_1664_ = _e3059[2];
                         }
-                        let _e3078 = phi_1661_;
-                        if (_e3074 > _e3078) {
-                            phi_1666_ = _e3074;
+                        let _e3077 = phi_1664_;
+                        if (_e3073 > _e3077) {
+                            phi_1669_ = _e3073;
                         } else {
-                            phi_1666_ = _e3078;
+                            phi_1669_ = _e3077;
                         }
-                        let _e3081 = phi_1666_;
-                        if (_e3057 > _e3081) {
-                            phi_1671_ = _e3057;
+                        let _e3080 = phi_1669_;
+                        if (_e3056 > _e3080) {
+                            phi_1674_ = _e3056;
                         } else {
-                            phi_1671_ = _e3081;
+                            phi_1674_ = _e3080;
                         }
-                        let _e3084 = phi_1671_;
-                        let _e3086 = local_12.member_3;
-                        let _e3090 = local_12.member_2[0u];
-                        if (_e3090[0] < 0.0lf) {
-                            phi_1688_ = -(_e3090[0]);
+                        let _e3083 = phi_1674_;
+                        let _e3085 = local_12.member_3;
+                        let _e3089 = local_12.member_2[0u];
+                        if (_e3089[0] < 0.0lf) {
+                            phi_1691_ = -(_e3089[0]);
                         } else {
-                            phi_1688_ = _e3090[0];
+                            phi_1691_ = _e3089[0];
                         }
-                        let _e3097 = phi_1688_;
-                        if (_e3090[1] < 0.0lf) {
-                            phi_1695_ = -(_e3090[1]);
+                        let _e3096 = phi_1691_;
+                        if (_e3089[1] < 0.0lf) {
+                            phi_1698_ = -(_e3089[1]);
                         } else {
-                            phi_1695_ = _e3090[1];
+                            phi_1698_ = _e3089[1];
                         }
-                        let _e3101 = phi_1695_;
-                        if (_e3097 > _e3101) {
-                            phi_1700_ = _e3097;
+                        let _e3100 = phi_1698_;
+                        if (_e3096 > _e3100) {
+                            phi_1703_ = _e3096;
                         } else {
-                            phi_1700_ = _e3101;
+                            phi_1703_ = _e3100;
                         }
-                        let _e3104 = phi_1700_;
-                        if (_e3090[2] < 0.0lf) {
-                            phi_1707_ = -(_e3090[2]);
+                        let _e3103 = phi_1703_;
+                        if (_e3089[2] < 0.0lf) {
+                            phi_1710_ = -(_e3089[2]);
                         } else {
-                            phi_1707_ = _e3090[2];
+                            phi_1710_ = _e3089[2];
                         }
-                        let _e3108 = phi_1707_;
-                        if (_e3104 > _e3108) {
-                            phi_1712_ = _e3104;
+                        let _e3107 = phi_1710_;
+                        if (_e3103 > _e3107) {
+                            phi_1715_ = _e3103;
                         } else {
-                            phi_1712_ = _e3108;
+                            phi_1715_ = _e3107;
                         }
-                        let _e3111 = phi_1712_;
-                        let _e3114 = local_12.member_2[1u];
-                        if (_e3114[0] < 0.0lf) {
-                            phi_1726_ = -(_e3114[0]);
+                        let _e3110 = phi_1715_;
+                        let _e3113 = local_12.member_2[1u];
+                        if (_e3113[0] < 0.0lf) {
+                            phi_1729_ = -(_e3113[0]);
                         } else {
-                            phi_1726_ = _e3114[0];
+                            phi_1729_ = _e3113[0];
                         }
-                        let _e3121 = phi_1726_;
-                        if (_e3114[1] < 0.0lf) {
-                            phi_1733_ = -(_e3114[1]);
+                        let _e3120 = phi_1729_;
+                        if (_e3113[1] < 0.0lf) {
+                            phi_1736_ = -(_e3113[1]);
                         } else {
-                            phi_1733_ = _e3114[1];
+                            phi_1736_ = _e3113[1];
                         }
-                        let _e3125 = phi_1733_;
-                        if (_e3121 > _e3125) {
-                            phi_1738_ = _e3121;
+                        let _e3124 = phi_1736_;
+                        if (_e3120 > _e3124) {
+                            phi_1741_ = _e3120;
                         } else {
-                            phi_1738_ = _e3125;
+                            phi_1741_ = _e3124;
                         }
-                        let _e3128 = phi_1738_;
-                        if (_e3114[2] < 0.0lf) {
-                            phi_1745_ = -(_e3114[2]);
+                        let _e3127 = phi_1741_;
+                        if (_e3113[2] < 0.0lf) {
+                            phi_1748_ = -(_e3113[2]);
                         } else {
-                            phi_1745_ = _e3114[2];
+                            phi_1748_ = _e3113[2];
                         }
-                        let _e3132 = phi_1745_;
-                        if (_e3128 > _e3132) {
-                            phi_1750_ = _e3128;
+                        let _e3131 = phi_1748_;
+                        if (_e3127 > _e3131) {
+                            phi_1753_ = _e3127;
                         } else {
-                            phi_1750_ = _e3132;
+                            phi_1753_ = _e3131;
                         }
-                        let _e3135 = phi_1750_;
-                        if (_e3111 > _e3135) {
-                            phi_1755_ = _e3111;
+                        let _e3134 = phi_1753_;
+                        if (_e3110 > _e3134) {
+                            phi_1758_ = _e3110;
                         } else {
-                            phi_1755_ = _e3135;
+                            phi_1758_ = _e3134;
                         }
-                        let _e3138 = phi_1755_;
-                        let _e3140 = local_12.member_3;
-                        let _e3148 = local_12.member_3;
-                        phi_1775_ = type_19(0u, 48u);
-                        phi_1778_ = f64(0f);
+                        let _e3137 = phi_1758_;
+                        let _e3139 = local_12.member_3;
+                        let _e3147 = local_12.member_3;
+                        phi_1778_ = type_9(0u, 48u);
+                        phi_1781_ = f64(0f);
                         loop {
-                            let _e3157 = phi_1775_;
-                            let _e3159 = phi_1778_;
-                            local_77 = _e3159;
-                            local_37 = _e3159;
-                            local_38 = _e3159;
-                            local_39 = _e3159;
-                            local_40 = _e3159;
-                            if (_e3157.member < _e3157.member_1) {
-                                phi_1776_ = type_19((_e3157.member + 1u), _e3157.member_1);
-                                phi_1801_ = type_19(1u, _e3157.member);
+                            let _e3156 = phi_1778_;
+                            let _e3158 = phi_1781_;
+                            local_77 = _e3158;
+                            local_37 = _e3158;
+                            local_38 = _e3158;
+                            local_39 = _e3158;
+                            local_40 = _e3158;
+                            if (_e3156.member < _e3156.member_1) {
+                                phi_1779_ = type_9((_e3156.member + 1u), _e3156.member_1);
+                                phi_1804_ = type_9(1u, _e3156.member);
                             } else {
-                                phi_1776_ = _e3157;
-                                phi_1801_ = type_19(0u, type_19().member_1);
+                                phi_1779_ = _e3156;
+                                phi_1804_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3171 = phi_1776_;
-                            let _e3173 = phi_1801_;
-                            if (bitcast<i32>(_e3173.member) != 0i) {
-                                let _e3179 = local_12.member[0u];
-                                let _e3185 = local_12.member[1u];
-                                let _e3201 = local_12.member_1[0u];
-                                let _e3207 = local_12.member_1[1u];
-                                let _e3223 = local_12.member_2[0u];
-                                let _e3229 = local_12.member_2[1u];
-                                let _e3243 = function_2(array<f64, 3>((_e3179[0] + ((_e3185[0] - _e3179[0]) * _e3159)), (_e3179[1] + ((_e3185[1] - _e3179[1]) * _e3159)), (_e3179[2] + ((_e3185[2] - _e3179[2]) * _e3159))), array<f64, 3>((_e3201[0] + ((_e3207[0] - _e3201[0]) * _e3159)), (_e3201[1] + ((_e3207[1] - _e3201[1]) * _e3159)), (_e3201[2] + ((_e3207[2] - _e3201[2]) * _e3159))), array<f64, 3>((_e3223[0] + ((_e3229[0] - _e3223[0]) * _e3159)), (_e3223[1] + ((_e3229[1] - _e3223[1]) * _e3159)), (_e3223[2] + ((_e3229[2] - _e3223[2]) * _e3159))), 1u);
-                                if (_e3243[0] < 0.0lf) {
-                                    phi_1912_ = -(_e3243[0]);
+                            let _e3170 = phi_1779_;
+                            let _e3172 = phi_1804_;
+                            if (bitcast<i32>(_e3172.member) != 0i) {
+                                let _e3178 = local_12.member[0u];
+                                let _e3184 = local_12.member[1u];
+                                let _e3200 = local_12.member_1[0u];
+                                let _e3206 = local_12.member_1[1u];
+                                let _e3222 = local_12.member_2[0u];
+                                let _e3228 = local_12.member_2[1u];
+                                let _e3242 = function_2(array<f64, 3>((_e3178[0] + ((_e3184[0] - _e3178[0]) * _e3158)), (_e3178[1] + ((_e3184[1] - _e3178[1]) * _e3158)), (_e3178[2] + ((_e3184[2] - _e3178[2]) * _e3158))), array<f64, 3>((_e3200[0] + ((_e3206[0] - _e3200[0]) * _e3158)), (_e3200[1] + ((_e3206[1] - _e3200[1]) * _e3158)), (_e3200[2] + ((_e3206[2] - _e3200[2]) * _e3158))), array<f64, 3>((_e3222[0] + ((_e3228[0] - _e3222[0]) * _e3158)), (_e3222[1] + ((_e3228[1] - _e3222[1]) * _e3158)), (_e3222[2] + ((_e3228[2] - _e3222[2]) * _e3158))), 1u);
+                                if (_e3242[0] < 0.0lf) {
+                                    phi_1915_ = -(_e3242[0]);
                                 } else {
-                                    phi_1912_ = _e3243[0];
+                                    phi_1915_ = _e3242[0];
                                 }
-                                let _e3248 = phi_1912_;
-                                if (_e3243[1] < 0.0lf) {
-                                    phi_1919_ = -(_e3243[1]);
+                                let _e3247 = phi_1915_;
+                                if (_e3242[1] < 0.0lf) {
+                                    phi_1922_ = -(_e3242[1]);
                                 } else {
-                                    phi_1919_ = _e3243[1];
+                                    phi_1922_ = _e3242[1];
                                 }
-                                let _e3253 = phi_1919_;
-                                if (_e3243[2] < 0.0lf) {
-                                    phi_1927_ = -(_e3243[2]);
+                                let _e3252 = phi_1922_;
+                                if (_e3242[2] < 0.0lf) {
+                                    phi_1930_ = -(_e3242[2]);
                                 } else {
-                                    phi_1927_ = _e3243[2];
+                                    phi_1930_ = _e3242[2];
                                 }
-                                let _e3259 = phi_1927_;
-                                let _e3260 = ((_e3248 + _e3253) + _e3259);
-                                if (_e3260 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3260) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3266 = (f64(1f) / _e3260);
-                                        let _e3268 = (_e3243[0] * _e3266);
-                                        let _e3270 = (_e3243[1] * _e3266);
-                                        let _e3272 = (_e3243[2] * _e3266);
-                                        let _e3277 = (((_e3268 * _e3268) + (_e3270 * _e3270)) + (_e3272 * _e3272));
-                                        if (_e3277 <= 2.2250738585072014e-308lf) {
-                                            if (_e3277 > 0.0lf) {
-                                                phi_1965_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e3258 = phi_1930_;
+                                let _e3259 = ((_e3247 + _e3252) + _e3258);
+                                if (_e3259 > f64(0f)) {
+                                    if ((bitcast<u64>(_e3259) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e3265 = (f64(1f) / _e3259);
+                                        let _e3267 = (_e3242[0] * _e3265);
+                                        let _e3269 = (_e3242[1] * _e3265);
+                                        let _e3271 = (_e3242[2] * _e3265);
+                                        let _e3276 = (((_e3267 * _e3267) + (_e3269 * _e3269)) + (_e3271 * _e3271));
+                                        if (_e3276 <= 2.2250738585072014e-308lf) {
+                                            if (_e3276 > 0.0lf) {
+                                                phi_1968_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_1965_ = 0.0lf;
+                                                phi_1968_ = 0.0lf;
                                             }
-                                            let _e3329 = phi_1965_;
-                                            phi_2029_ = _e3329;
+                                            let _e3328 = phi_1968_;
+                                            phi_2032_ = _e3328;
                                         } else {
-                                            phi_1972_ = type_17(0i, 5i);
-                                            phi_1975_ = bitcast<f64>(((bitcast<u64>(_e3277) / 2lu) + 2303426169912950784lu));
+                                            phi_1975_ = type_16(0i, 5i);
+                                            phi_1978_ = bitcast<f64>(((bitcast<u64>(_e3276) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3284 = phi_1972_;
-                                                let _e3286 = phi_1975_;
-                                                local_31 = _e3286;
-                                                if (_e3284.member < _e3284.member_1) {
-                                                    let _e3293 = (_e3284.member + 1i);
-                                                    if ((false == (_e3293 > _e3284.member)) != false) {
-                                                        phi_1996_ = true;
+                                                let _e3283 = phi_1975_;
+                                                let _e3285 = phi_1978_;
+                                                local_31 = _e3285;
+                                                if (_e3283.member < _e3283.member_1) {
+                                                    let _e3292 = (_e3283.member + 1i);
+                                                    if ((false == (_e3292 > _e3283.member)) != false) {
+                                                        phi_1999_ = true;
                                                     } else {
-                                                        phi_1996_ = false;
+                                                        phi_1999_ = false;
                                                     }
-                                                    let _e3298 = phi_1996_;
-                                                    if _e3298 {
-                                                        phi_2002_ = type_18(0u, type_18().member_1);
+                                                    let _e3297 = phi_1999_;
+                                                    if _e3297 {
+                                                        phi_2005_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2002_ = type_18(1u, _e3293);
+                                                        phi_2005_ = type_17(1u, _e3292);
                                                     }
-                                                    let _e3303 = phi_2002_;
-                                                    phi_1973_ = type_17(_e3303.member_1, _e3284.member_1);
-                                                    phi_2016_ = type_18(1u, _e3284.member);
+                                                    let _e3302 = phi_2005_;
+                                                    phi_1976_ = type_16(_e3302.member_1, _e3283.member_1);
+                                                    phi_2019_ = type_17(1u, _e3283.member);
                                                 } else {
-                                                    phi_1973_ = _e3284;
-                                                    phi_2016_ = type_18(0u, type_18().member_1);
+                                                    phi_1976_ = _e3283;
+                                                    phi_2019_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e3309 = phi_1973_;
-                                                let _e3311 = phi_2016_;
-                                                let _e3314 = (bitcast<i32>(_e3311.member) != 0i);
-                                                if _e3314 {
-                                                    phi_1976_ = (0.5lf * (_e3286 + (_e3277 / _e3286)));
+                                                let _e3308 = phi_1976_;
+                                                let _e3310 = phi_2019_;
+                                                let _e3313 = (bitcast<i32>(_e3310.member) != 0i);
+                                                if _e3313 {
+                                                    phi_1979_ = (0.5lf * (_e3285 + (_e3276 / _e3285)));
                                                 } else {
-                                                    phi_1976_ = f64();
+                                                    phi_1979_ = f64();
                                                 }
-                                                let _e3319 = phi_1976_;
+                                                let _e3318 = phi_1979_;
                                                 continue;
                                                 continuing {
-                                                    phi_1972_ = _e3309;
-                                                    phi_1975_ = _e3319;
-                                                    break if !(_e3314);
+                                                    phi_1975_ = _e3308;
+                                                    phi_1978_ = _e3318;
+                                                    break if !(_e3313);
                                                 }
                                             }
-                                            let _e3324 = local_31;
-                                            phi_2029_ = (_e3324 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e3323 = local_31;
+                                            phi_2032_ = (_e3323 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e3331 = phi_2029_;
-                                        phi_2042_ = type_19(0u, 4u);
-                                        phi_2045_ = f64(2f);
+                                        let _e3330 = phi_2032_;
+                                        phi_2045_ = type_9(0u, 4u);
+                                        phi_2048_ = f64(2f);
                                         loop {
-                                            let _e3343 = phi_2042_;
-                                            let _e3345 = phi_2045_;
-                                            local_33 = _e3345;
-                                            local_34 = _e3345;
-                                            local_35 = _e3345;
-                                            local_67 = _e3345;
-                                            local_68 = _e3345;
-                                            if (_e3343.member < _e3343.member_1) {
-                                                phi_2043_ = type_19((_e3343.member + 1u), _e3343.member_1);
-                                                phi_2068_ = type_19(1u, _e3343.member);
+                                            let _e3342 = phi_2045_;
+                                            let _e3344 = phi_2048_;
+                                            local_33 = _e3344;
+                                            local_34 = _e3344;
+                                            local_35 = _e3344;
+                                            local_67 = _e3344;
+                                            local_68 = _e3344;
+                                            if (_e3342.member < _e3342.member_1) {
+                                                phi_2046_ = type_9((_e3342.member + 1u), _e3342.member_1);
+                                                phi_2071_ = type_9(1u, _e3342.member);
                                             } else {
-                                                phi_2043_ = _e3343;
-                                                phi_2068_ = type_19(0u, type_19().member_1);
+                                                phi_2046_ = _e3342;
+                                                phi_2071_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e3357 = phi_2043_;
-                                            let _e3359 = phi_2068_;
-                                            if (bitcast<i32>(_e3359.member) != 0i) {
-                                                let _e3365 = local_9[_e3359.member_1];
-                                                let _e3373 = (((_e3268 * _e3365[0]) + (_e3270 * _e3365[1])) + (_e3272 * _e3365[2]));
-                                                let _e3375 = local_10[_e3359.member_1];
-                                                let _e3383 = (((_e3268 * _e3375[0]) + (_e3270 * _e3375[1])) + (_e3272 * _e3375[2]));
-                                                if (_e3373 < 0.0lf) {
-                                                    phi_2119_ = -(_e3373);
+                                            let _e3356 = phi_2046_;
+                                            let _e3358 = phi_2071_;
+                                            if (bitcast<i32>(_e3358.member) != 0i) {
+                                                let _e3364 = local_9[_e3358.member_1];
+                                                let _e3372 = (((_e3267 * _e3364[0]) + (_e3269 * _e3364[1])) + (_e3271 * _e3364[2]));
+                                                let _e3374 = local_10[_e3358.member_1];
+                                                let _e3382 = (((_e3267 * _e3374[0]) + (_e3269 * _e3374[1])) + (_e3271 * _e3374[2]));
+                                                if (_e3372 < 0.0lf) {
+                                                    phi_2122_ = -(_e3372);
                                                 } else {
-                                                    phi_2119_ = _e3373;
+                                                    phi_2122_ = _e3372;
                                                 }
-                                                let _e3387 = phi_2119_;
-                                                if (_e3383 < 0.0lf) {
-                                                    phi_2125_ = -(_e3383);
+                                                let _e3386 = phi_2122_;
+                                                if (_e3382 < 0.0lf) {
+                                                    phi_2128_ = -(_e3382);
                                                 } else {
-                                                    phi_2125_ = _e3383;
+                                                    phi_2128_ = _e3382;
                                                 }
-                                                let _e3391 = phi_2125_;
-                                                let _e3396 = (((((((((_e3030 + _e3032) + (_e3084 + _e3086)) + (_e3138 + _e3140)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3148 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e373 * _e3331) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3387 + _e3391) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e3373 > _e3396) {
-                                                    if (_e3383 > _e3396) {
-                                                        phi_2139_ = false;
+                                                let _e3390 = phi_2128_;
+                                                let _e3395 = (((((((((_e3029 + _e3031) + (_e3083 + _e3085)) + (_e3137 + _e3139)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3147 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e372 * _e3330) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3386 + _e3390) * (1.1102230246251565e-16lf * f64(8f))));
+                                                if (_e3372 > _e3395) {
+                                                    if (_e3382 > _e3395) {
+                                                        phi_2142_ = false;
                                                     } else {
-                                                        phi_2139_ = true;
+                                                        phi_2142_ = true;
                                                     }
-                                                    let _e3400 = phi_2139_;
-                                                    phi_2140_ = _e3400;
+                                                    let _e3399 = phi_2142_;
+                                                    phi_2143_ = _e3399;
                                                 } else {
-                                                    phi_2140_ = true;
+                                                    phi_2143_ = true;
                                                 }
-                                                let _e3402 = phi_2140_;
-                                                if _e3402 {
-                                                    if ((_e3373 + ((_e3383 - _e3373) * _e3159)) > _e3396) {
-                                                        if (_e3383 < _e3373) {
-                                                            let _e3411 = ((_e3373 - _e3383) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e3411 {
-                                                                let _e3419 = (((_e3373 - _e3396) / (_e3373 - _e3383)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e3345 < _e3419) {
-                                                                    phi_2174_ = _e3345;
+                                                let _e3401 = phi_2143_;
+                                                if _e3401 {
+                                                    if ((_e3372 + ((_e3382 - _e3372) * _e3158)) > _e3395) {
+                                                        if (_e3382 < _e3372) {
+                                                            let _e3410 = ((_e3372 - _e3382) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                            if _e3410 {
+                                                                let _e3418 = (((_e3372 - _e3395) / (_e3372 - _e3382)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                if (_e3344 < _e3418) {
+                                                                    phi_2177_ = _e3344;
                                                                 } else {
-                                                                    phi_2174_ = _e3419;
+                                                                    phi_2177_ = _e3418;
                                                                 }
-                                                                let _e3422 = phi_2174_;
-                                                                phi_2175_ = _e3422;
+                                                                let _e3421 = phi_2177_;
+                                                                phi_2178_ = _e3421;
                                                             } else {
-                                                                phi_2175_ = f64();
+                                                                phi_2178_ = f64();
                                                             }
-                                                            let _e3424 = phi_2175_;
-                                                            phi_2176_ = _e3424;
-                                                            phi_2177_ = _e3411;
+                                                            let _e3423 = phi_2178_;
+                                                            phi_2179_ = _e3423;
+                                                            phi_2180_ = _e3410;
                                                         } else {
-                                                            phi_2176_ = _e3345;
-                                                            phi_2177_ = true;
+                                                            phi_2179_ = _e3344;
+                                                            phi_2180_ = true;
                                                         }
-                                                        let _e3426 = phi_2176_;
-                                                        let _e3428 = phi_2177_;
-                                                        if _e3428 {
-                                                            phi_2181_ = false;
+                                                        let _e3425 = phi_2179_;
+                                                        let _e3427 = phi_2180_;
+                                                        if _e3427 {
+                                                            phi_2184_ = false;
                                                         } else {
-                                                            phi_2181_ = true;
+                                                            phi_2184_ = true;
                                                         }
-                                                        let _e3430 = phi_2181_;
-                                                        phi_2182_ = _e3426;
-                                                        phi_2183_ = _e3428;
-                                                        phi_2184_ = _e3430;
-                                                        phi_2185_ = false;
+                                                        let _e3429 = phi_2184_;
+                                                        phi_2185_ = _e3425;
+                                                        phi_2186_ = _e3427;
+                                                        phi_2187_ = _e3429;
+                                                        phi_2188_ = false;
                                                     } else {
-                                                        phi_2182_ = f64();
-                                                        phi_2183_ = false;
-                                                        phi_2184_ = false;
-                                                        phi_2185_ = true;
+                                                        phi_2185_ = f64();
+                                                        phi_2186_ = false;
+                                                        phi_2187_ = false;
+                                                        phi_2188_ = true;
                                                     }
-                                                    let _e3432 = phi_2182_;
-                                                    let _e3434 = phi_2183_;
-                                                    let _e3436 = phi_2184_;
-                                                    let _e3438 = phi_2185_;
-                                                    phi_2186_ = _e3432;
-                                                    phi_2187_ = _e3434;
-                                                    phi_2188_ = _e3436;
-                                                    phi_2189_ = _e3438;
+                                                    let _e3431 = phi_2185_;
+                                                    let _e3433 = phi_2186_;
+                                                    let _e3435 = phi_2187_;
+                                                    let _e3437 = phi_2188_;
+                                                    phi_2189_ = _e3431;
+                                                    phi_2190_ = _e3433;
+                                                    phi_2191_ = _e3435;
+                                                    phi_2192_ = _e3437;
                                                 } else {
-                                                    phi_2186_ = _e3345;
-                                                    phi_2187_ = true;
-                                                    phi_2188_ = false;
-                                                    phi_2189_ = false;
+                                                    phi_2189_ = _e3344;
+                                                    phi_2190_ = true;
+                                                    phi_2191_ = false;
+                                                    phi_2192_ = false;
                                                 }
-                                                let _e3440 = phi_2186_;
-                                                let _e3442 = phi_2187_;
-                                                let _e3444 = phi_2188_;
-                                                let _e3446 = phi_2189_;
-                                                phi_2046_ = _e3440;
-                                                phi_2190_ = _e3442;
-                                                phi_2191_ = false;
-                                                phi_2192_ = _e3444;
-                                                phi_2193_ = _e3446;
+                                                let _e3439 = phi_2189_;
+                                                let _e3441 = phi_2190_;
+                                                let _e3443 = phi_2191_;
+                                                let _e3445 = phi_2192_;
+                                                phi_2049_ = _e3439;
+                                                phi_2193_ = _e3441;
+                                                phi_2194_ = false;
+                                                phi_2195_ = _e3443;
+                                                phi_2196_ = _e3445;
                                             } else {
-                                                phi_2046_ = f64();
-                                                phi_2190_ = false;
-                                                phi_2191_ = true;
-                                                phi_2192_ = false;
+                                                phi_2049_ = f64();
                                                 phi_2193_ = false;
+                                                phi_2194_ = true;
+                                                phi_2195_ = false;
+                                                phi_2196_ = false;
                                             }
-                                            let _e3448 = phi_2046_;
-                                            let _e3450 = phi_2190_;
-                                            let _e3452 = phi_2191_;
-                                            let _e3454 = phi_2192_;
-                                            let _e3456 = phi_2193_;
-                                            local_32 = _e3452;
-                                            local_65 = _e3454;
-                                            local_66 = _e3456;
+                                            let _e3447 = phi_2049_;
+                                            let _e3449 = phi_2193_;
+                                            let _e3451 = phi_2194_;
+                                            let _e3453 = phi_2195_;
+                                            let _e3455 = phi_2196_;
+                                            local_32 = _e3451;
+                                            local_65 = _e3453;
+                                            local_66 = _e3455;
                                             continue;
                                             continuing {
-                                                phi_2042_ = _e3357;
-                                                phi_2045_ = _e3448;
-                                                break if !(_e3450);
+                                                phi_2045_ = _e3356;
+                                                phi_2048_ = _e3447;
+                                                break if !(_e3449);
                                             }
                                         }
-                                        let _e3459 = local_32;
-                                        if _e3459 {
-                                            let _e3461 = local_33;
-                                            let _e3462 = (_e3461 > _e2916);
-                                            if _e3462 {
-                                                phi_2215_ = false;
-                                                phi_2216_ = false;
-                                                phi_2217_ = false;
+                                        let _e3458 = local_32;
+                                        if _e3458 {
+                                            let _e3460 = local_33;
+                                            let _e3461 = (_e3460 > _e2915);
+                                            if _e3461 {
+                                                phi_2218_ = false;
+                                                phi_2219_ = false;
+                                                phi_2220_ = false;
                                             } else {
-                                                let _e3464 = local_34;
-                                                if (_e3464 > _e3159) {
-                                                    let _e3467 = local_35;
-                                                    let _e3470 = ((_e3467 - _e3159) < f64(0.00000000023283064f));
-                                                    if _e3470 {
-                                                        phi_2211_ = false;
+                                                let _e3463 = local_34;
+                                                if (_e3463 > _e3158) {
+                                                    let _e3466 = local_35;
+                                                    let _e3469 = ((_e3466 - _e3158) < f64(0.00000000023283064f));
+                                                    if _e3469 {
+                                                        phi_2214_ = false;
                                                     } else {
-                                                        phi_2211_ = true;
+                                                        phi_2214_ = true;
                                                     }
-                                                    let _e3472 = phi_2211_;
-                                                    phi_2212_ = _e3472;
-                                                    phi_2213_ = _e3470;
-                                                    phi_2214_ = false;
+                                                    let _e3471 = phi_2214_;
+                                                    phi_2215_ = _e3471;
+                                                    phi_2216_ = _e3469;
+                                                    phi_2217_ = false;
                                                 } else {
-                                                    phi_2212_ = false;
-                                                    phi_2213_ = false;
-                                                    phi_2214_ = true;
+                                                    phi_2215_ = false;
+                                                    phi_2216_ = false;
+                                                    phi_2217_ = true;
                                                 }
-                                                let _e3474 = phi_2212_;
-                                                let _e3476 = phi_2213_;
-                                                let _e3478 = phi_2214_;
-                                                phi_2215_ = _e3474;
-                                                phi_2216_ = _e3476;
-                                                phi_2217_ = _e3478;
+                                                let _e3473 = phi_2215_;
+                                                let _e3475 = phi_2216_;
+                                                let _e3477 = phi_2217_;
+                                                phi_2218_ = _e3473;
+                                                phi_2219_ = _e3475;
+                                                phi_2220_ = _e3477;
                                             }
-                                            let _e3480 = phi_2215_;
-                                            let _e3482 = phi_2216_;
-                                            let _e3484 = phi_2217_;
-                                            phi_2218_ = _e3480;
-                                            phi_2219_ = _e3462;
-                                            phi_2220_ = _e3482;
-                                            phi_2221_ = _e3484;
+                                            let _e3479 = phi_2218_;
+                                            let _e3481 = phi_2219_;
+                                            let _e3483 = phi_2220_;
+                                            phi_2221_ = _e3479;
+                                            phi_2222_ = _e3461;
+                                            phi_2223_ = _e3481;
+                                            phi_2224_ = _e3483;
+                                            phi_2225_ = false;
+                                            phi_2226_ = false;
+                                        } else {
+                                            phi_2221_ = false;
                                             phi_2222_ = false;
                                             phi_2223_ = false;
-                                        } else {
-                                            phi_2218_ = false;
-                                            phi_2219_ = false;
-                                            phi_2220_ = false;
-                                            phi_2221_ = false;
-                                            let _e4756 = local_65;
-                                            phi_2222_ = _e4756;
-                                            let _e4759 = local_66;
-                                            phi_2223_ = _e4759;
+                                            phi_2224_ = false;
+                                            let _e4757 = local_65;
+                                            phi_2225_ = _e4757;
+                                            let _e4760 = local_66;
+                                            phi_2226_ = _e4760;
                                         }
-                                        let _e3486 = phi_2218_;
-                                        let _e3488 = phi_2219_;
-                                        let _e3490 = phi_2220_;
-                                        let _e3492 = phi_2221_;
-                                        let _e3494 = phi_2222_;
-                                        let _e3496 = phi_2223_;
-                                        let _e4762 = local_67;
-                                        phi_2224_ = _e4762;
-                                        let _e4765 = local_68;
-                                        phi_2225_ = _e4765;
-                                        phi_2226_ = _e3486;
-                                        phi_2227_ = _e3488;
-                                        phi_2228_ = _e3490;
-                                        phi_2229_ = _e3492;
-                                        phi_2230_ = _e3494;
-                                        phi_2231_ = _e3496;
-                                        phi_2232_ = false;
+                                        let _e3485 = phi_2221_;
+                                        let _e3487 = phi_2222_;
+                                        let _e3489 = phi_2223_;
+                                        let _e3491 = phi_2224_;
+                                        let _e3493 = phi_2225_;
+                                        let _e3495 = phi_2226_;
+                                        let _e4763 = local_67;
+                                        phi_2227_ = _e4763;
+                                        let _e4766 = local_68;
+                                        phi_2228_ = _e4766;
+                                        phi_2229_ = _e3485;
+                                        phi_2230_ = _e3487;
+                                        phi_2231_ = _e3489;
+                                        phi_2232_ = _e3491;
+                                        phi_2233_ = _e3493;
+                                        phi_2234_ = _e3495;
+                                        phi_2235_ = false;
                                     } else {
-                                        phi_2224_ = f64();
-                                        phi_2225_ = f64();
-                                        phi_2226_ = false;
-                                        phi_2227_ = false;
-                                        phi_2228_ = false;
+                                        phi_2227_ = f64();
+                                        phi_2228_ = f64();
                                         phi_2229_ = false;
                                         phi_2230_ = false;
                                         phi_2231_ = false;
-                                        phi_2232_ = true;
+                                        phi_2232_ = false;
+                                        phi_2233_ = false;
+                                        phi_2234_ = false;
+                                        phi_2235_ = true;
                                     }
-                                    let _e3498 = phi_2224_;
-                                    let _e3500 = phi_2225_;
-                                    let _e3502 = phi_2226_;
-                                    let _e3504 = phi_2227_;
-                                    let _e3506 = phi_2228_;
-                                    let _e3508 = phi_2229_;
-                                    let _e3510 = phi_2230_;
-                                    let _e3512 = phi_2231_;
-                                    let _e3514 = phi_2232_;
-                                    phi_2233_ = _e3498;
-                                    phi_2234_ = _e3500;
-                                    phi_2235_ = _e3502;
-                                    phi_2236_ = _e3504;
-                                    phi_2237_ = _e3506;
-                                    phi_2238_ = _e3508;
-                                    phi_2239_ = _e3510;
-                                    phi_2240_ = _e3512;
-                                    phi_2241_ = _e3514;
-                                    phi_2242_ = false;
+                                    let _e3497 = phi_2227_;
+                                    let _e3499 = phi_2228_;
+                                    let _e3501 = phi_2229_;
+                                    let _e3503 = phi_2230_;
+                                    let _e3505 = phi_2231_;
+                                    let _e3507 = phi_2232_;
+                                    let _e3509 = phi_2233_;
+                                    let _e3511 = phi_2234_;
+                                    let _e3513 = phi_2235_;
+                                    phi_2236_ = _e3497;
+                                    phi_2237_ = _e3499;
+                                    phi_2238_ = _e3501;
+                                    phi_2239_ = _e3503;
+                                    phi_2240_ = _e3505;
+                                    phi_2241_ = _e3507;
+                                    phi_2242_ = _e3509;
+                                    phi_2243_ = _e3511;
+                                    phi_2244_ = _e3513;
+                                    phi_2245_ = false;
                                 } else {
-                                    phi_2233_ = f64();
-                                    phi_2234_ = f64();
-                                    phi_2235_ = false;
-                                    phi_2236_ = false;
-                                    phi_2237_ = false;
+                                    phi_2236_ = f64();
+                                    phi_2237_ = f64();
                                     phi_2238_ = false;
                                     phi_2239_ = false;
                                     phi_2240_ = false;
                                     phi_2241_ = false;
-                                    phi_2242_ = true;
+                                    phi_2242_ = false;
+                                    phi_2243_ = false;
+                                    phi_2244_ = false;
+                                    phi_2245_ = true;
                                 }
-                                let _e3516 = phi_2233_;
-                                let _e3518 = phi_2234_;
-                                let _e3520 = phi_2235_;
-                                let _e3522 = phi_2236_;
-                                let _e3524 = phi_2237_;
-                                let _e3526 = phi_2238_;
-                                let _e3528 = phi_2239_;
-                                let _e3530 = phi_2240_;
-                                let _e3532 = phi_2241_;
-                                let _e3534 = phi_2242_;
-                                phi_2243_ = _e3516;
-                                phi_1779_ = _e3518;
-                                phi_2244_ = _e3520;
-                                phi_2245_ = _e3522;
-                                phi_2246_ = _e3524;
-                                phi_2247_ = false;
-                                phi_2248_ = _e3526;
-                                phi_2249_ = _e3528;
-                                phi_2250_ = _e3530;
-                                phi_2251_ = _e3532;
-                                phi_2252_ = _e3534;
+                                let _e3515 = phi_2236_;
+                                let _e3517 = phi_2237_;
+                                let _e3519 = phi_2238_;
+                                let _e3521 = phi_2239_;
+                                let _e3523 = phi_2240_;
+                                let _e3525 = phi_2241_;
+                                let _e3527 = phi_2242_;
+                                let _e3529 = phi_2243_;
+                                let _e3531 = phi_2244_;
+                                let _e3533 = phi_2245_;
+                                phi_2246_ = _e3515;
+                                phi_1782_ = _e3517;
+                                phi_2247_ = _e3519;
+                                phi_2248_ = _e3521;
+                                phi_2249_ = _e3523;
+                                phi_2250_ = false;
+                                phi_2251_ = _e3525;
+                                phi_2252_ = _e3527;
+                                phi_2253_ = _e3529;
+                                phi_2254_ = _e3531;
+                                phi_2255_ = _e3533;
                             } else {
-                                phi_2243_ = f64();
-                                phi_1779_ = f64();
-                                phi_2244_ = false;
-                                phi_2245_ = false;
-                                phi_2246_ = false;
-                                phi_2247_ = true;
+                                phi_2246_ = f64();
+                                phi_1782_ = f64();
+                                phi_2247_ = false;
                                 phi_2248_ = false;
                                 phi_2249_ = false;
-                                phi_2250_ = false;
+                                phi_2250_ = true;
                                 phi_2251_ = false;
                                 phi_2252_ = false;
+                                phi_2253_ = false;
+                                phi_2254_ = false;
+                                phi_2255_ = false;
                             }
-                            let _e3536 = phi_2243_;
-                            let _e3538 = phi_1779_;
-                            let _e3540 = phi_2244_;
-                            let _e3542 = phi_2245_;
-                            let _e3544 = phi_2246_;
-                            let _e3546 = phi_2247_;
-                            let _e3548 = phi_2248_;
-                            let _e3550 = phi_2249_;
-                            let _e3552 = phi_2250_;
-                            let _e3554 = phi_2251_;
-                            let _e3556 = phi_2252_;
-                            local_36 = _e3542;
-                            local_69 = _e3544;
-                            local_70 = _e3546;
-                            local_71 = _e3548;
-                            local_72 = _e3550;
-                            local_73 = _e3552;
-                            local_74 = _e3554;
-                            local_75 = _e3556;
-                            local_76 = _e3536;
-                            local_78 = _e3542;
+                            let _e3535 = phi_2246_;
+                            let _e3537 = phi_1782_;
+                            let _e3539 = phi_2247_;
+                            let _e3541 = phi_2248_;
+                            let _e3543 = phi_2249_;
+                            let _e3545 = phi_2250_;
+                            let _e3547 = phi_2251_;
+                            let _e3549 = phi_2252_;
+                            let _e3551 = phi_2253_;
+                            let _e3553 = phi_2254_;
+                            let _e3555 = phi_2255_;
+                            local_36 = _e3541;
+                            local_69 = _e3543;
+                            local_70 = _e3545;
+                            local_71 = _e3547;
+                            local_72 = _e3549;
+                            local_73 = _e3551;
+                            local_74 = _e3553;
+                            local_75 = _e3555;
+                            local_76 = _e3535;
+                            local_78 = _e3541;
                             continue;
                             continuing {
-                                phi_1775_ = _e3171;
-                                phi_1778_ = _e3538;
-                                break if !(_e3540);
+                                phi_1778_ = _e3170;
+                                phi_1781_ = _e3537;
+                                break if !(_e3539);
                             }
                         }
-                        let _e3559 = local_36;
-                        if _e3559 {
-                            phi_2257_ = type_40(0u, type_40().member_1);
-                            phi_2258_ = false;
-                            phi_2259_ = false;
-                            phi_2260_ = false;
+                        let _e3558 = local_36;
+                        if _e3558 {
+                            phi_2260_ = type_42(0u, type_42().member_1);
                             phi_2261_ = false;
                             phi_2262_ = false;
                             phi_2263_ = false;
                             phi_2264_ = false;
+                            phi_2265_ = false;
+                            phi_2266_ = false;
+                            phi_2267_ = false;
                         } else {
-                            phi_2257_ = type_40();
-                            let _e4798 = local_69;
-                            phi_2258_ = _e4798;
-                            let _e4801 = local_70;
-                            phi_2259_ = _e4801;
-                            let _e4804 = local_71;
-                            phi_2260_ = _e4804;
-                            let _e4807 = local_72;
-                            phi_2261_ = _e4807;
-                            let _e4810 = local_73;
-                            phi_2262_ = _e4810;
-                            let _e4813 = local_74;
-                            phi_2263_ = _e4813;
-                            let _e4816 = local_75;
-                            phi_2264_ = _e4816;
+                            phi_2260_ = type_42();
+                            let _e4799 = local_69;
+                            phi_2261_ = _e4799;
+                            let _e4802 = local_70;
+                            phi_2262_ = _e4802;
+                            let _e4805 = local_71;
+                            phi_2263_ = _e4805;
+                            let _e4808 = local_72;
+                            phi_2264_ = _e4808;
+                            let _e4811 = local_73;
+                            phi_2265_ = _e4811;
+                            let _e4814 = local_74;
+                            phi_2266_ = _e4814;
+                            let _e4817 = local_75;
+                            phi_2267_ = _e4817;
                         }
-                        let _e3563 = phi_2257_;
-                        let _e3565 = phi_2258_;
-                        let _e3567 = phi_2259_;
-                        let _e3569 = phi_2260_;
-                        let _e3571 = phi_2261_;
-                        let _e3573 = phi_2262_;
-                        let _e3575 = phi_2263_;
-                        let _e3577 = phi_2264_;
-                        if _e3565 {
-                            let _e4819 = local_76;
-                            phi_2268_ = _e4819;
-                            phi_2269_ = true;
-                            phi_2270_ = false;
-                            phi_2271_ = false;
-                            phi_2272_ = false;
+                        let _e3562 = phi_2260_;
+                        let _e3564 = phi_2261_;
+                        let _e3566 = phi_2262_;
+                        let _e3568 = phi_2263_;
+                        let _e3570 = phi_2264_;
+                        let _e3572 = phi_2265_;
+                        let _e3574 = phi_2266_;
+                        let _e3576 = phi_2267_;
+                        if _e3564 {
+                            let _e4820 = local_76;
+                            phi_2271_ = _e4820;
+                            phi_2272_ = true;
                             phi_2273_ = false;
                             phi_2274_ = false;
                             phi_2275_ = false;
+                            phi_2276_ = false;
+                            phi_2277_ = false;
+                            phi_2278_ = false;
                         } else {
-                            let _e4821 = local_77;
-                            phi_2268_ = _e4821;
-                            phi_2269_ = _e3567;
-                            phi_2270_ = _e3569;
-                            phi_2271_ = _e3571;
-                            phi_2272_ = _e3573;
-                            let _e4828 = local_78;
-                            phi_2273_ = _e4828;
-                            phi_2274_ = _e3575;
-                            phi_2275_ = _e3577;
+                            let _e4822 = local_77;
+                            phi_2271_ = _e4822;
+                            phi_2272_ = _e3566;
+                            phi_2273_ = _e3568;
+                            phi_2274_ = _e3570;
+                            phi_2275_ = _e3572;
+                            let _e4829 = local_78;
+                            phi_2276_ = _e4829;
+                            phi_2277_ = _e3574;
+                            phi_2278_ = _e3576;
                         }
-                        let _e3579 = phi_2268_;
-                        let _e3581 = phi_2269_;
-                        let _e3583 = phi_2270_;
-                        let _e3585 = phi_2271_;
-                        let _e3587 = phi_2272_;
-                        let _e3589 = phi_2273_;
-                        let _e3591 = phi_2274_;
-                        let _e3593 = phi_2275_;
-                        if _e3581 {
-                            phi_2280_ = type_40(1u, _e3579);
-                            phi_2281_ = false;
-                            phi_2282_ = false;
-                            phi_2283_ = false;
+                        let _e3578 = phi_2271_;
+                        let _e3580 = phi_2272_;
+                        let _e3582 = phi_2273_;
+                        let _e3584 = phi_2274_;
+                        let _e3586 = phi_2275_;
+                        let _e3588 = phi_2276_;
+                        let _e3590 = phi_2277_;
+                        let _e3592 = phi_2278_;
+                        if _e3580 {
+                            phi_2283_ = type_42(1u, _e3578);
                             phi_2284_ = false;
                             phi_2285_ = false;
                             phi_2286_ = false;
+                            phi_2287_ = false;
+                            phi_2288_ = false;
+                            phi_2289_ = false;
                         } else {
-                            phi_2280_ = type_40();
-                            phi_2281_ = _e3583;
-                            phi_2282_ = _e3585;
-                            phi_2283_ = _e3587;
-                            phi_2284_ = _e3589;
-                            phi_2285_ = _e3591;
-                            phi_2286_ = _e3593;
+                            phi_2283_ = type_42();
+                            phi_2284_ = _e3582;
+                            phi_2285_ = _e3584;
+                            phi_2286_ = _e3586;
+                            phi_2287_ = _e3588;
+                            phi_2288_ = _e3590;
+                            phi_2289_ = _e3592;
                         }
-                        let _e3596 = phi_2280_;
-                        let _e3598 = phi_2281_;
-                        let _e3600 = phi_2282_;
-                        let _e3602 = phi_2283_;
-                        let _e3604 = phi_2284_;
-                        let _e3606 = phi_2285_;
-                        let _e3608 = phi_2286_;
-                        if _e3598 {
-                            let _e3610 = local_37;
-                            phi_2291_ = type_40(1u, _e3610);
-                            phi_2292_ = false;
-                            phi_2293_ = false;
-                            phi_2294_ = true;
+                        let _e3595 = phi_2283_;
+                        let _e3597 = phi_2284_;
+                        let _e3599 = phi_2285_;
+                        let _e3601 = phi_2286_;
+                        let _e3603 = phi_2287_;
+                        let _e3605 = phi_2288_;
+                        let _e3607 = phi_2289_;
+                        if _e3597 {
+                            let _e3609 = local_37;
+                            phi_2294_ = type_42(1u, _e3609);
                             phi_2295_ = false;
                             phi_2296_ = false;
+                            phi_2297_ = true;
+                            phi_2298_ = false;
+                            phi_2299_ = false;
                         } else {
-                            phi_2291_ = _e3563;
-                            phi_2292_ = _e3600;
-                            phi_2293_ = _e3602;
-                            phi_2294_ = _e3604;
-                            phi_2295_ = _e3606;
-                            phi_2296_ = _e3608;
+                            phi_2294_ = _e3562;
+                            phi_2295_ = _e3599;
+                            phi_2296_ = _e3601;
+                            phi_2297_ = _e3603;
+                            phi_2298_ = _e3605;
+                            phi_2299_ = _e3607;
                         }
-                        let _e3613 = phi_2291_;
-                        let _e3615 = phi_2292_;
-                        let _e3617 = phi_2293_;
-                        let _e3619 = phi_2294_;
-                        let _e3621 = phi_2295_;
-                        let _e3623 = phi_2296_;
-                        if _e3615 {
-                            let _e3625 = local_38;
-                            phi_2301_ = type_40(1u, _e3625);
-                            phi_2302_ = false;
-                            phi_2303_ = false;
-                            phi_2304_ = false;
+                        let _e3612 = phi_2294_;
+                        let _e3614 = phi_2295_;
+                        let _e3616 = phi_2296_;
+                        let _e3618 = phi_2297_;
+                        let _e3620 = phi_2298_;
+                        let _e3622 = phi_2299_;
+                        if _e3614 {
+                            let _e3624 = local_38;
+                            phi_2304_ = type_42(1u, _e3624);
                             phi_2305_ = false;
+                            phi_2306_ = false;
+                            phi_2307_ = false;
+                            phi_2308_ = false;
                         } else {
-                            phi_2301_ = type_40();
-                            phi_2302_ = _e3617;
-                            phi_2303_ = _e3619;
-                            phi_2304_ = _e3621;
-                            phi_2305_ = _e3623;
+                            phi_2304_ = type_42();
+                            phi_2305_ = _e3616;
+                            phi_2306_ = _e3618;
+                            phi_2307_ = _e3620;
+                            phi_2308_ = _e3622;
                         }
-                        let _e3628 = phi_2301_;
-                        let _e3630 = phi_2302_;
-                        let _e3632 = phi_2303_;
-                        let _e3634 = phi_2304_;
-                        let _e3636 = phi_2305_;
-                        if _e3630 {
-                            let _e3638 = local_39;
-                            phi_2310_ = type_40(1u, _e3638);
-                            phi_2311_ = true;
-                            phi_2312_ = false;
-                            phi_2313_ = false;
-                            phi_2314_ = false;
+                        let _e3627 = phi_2304_;
+                        let _e3629 = phi_2305_;
+                        let _e3631 = phi_2306_;
+                        let _e3633 = phi_2307_;
+                        let _e3635 = phi_2308_;
+                        if _e3629 {
+                            let _e3637 = local_39;
+                            phi_2313_ = type_42(1u, _e3637);
+                            phi_2314_ = true;
+                            phi_2315_ = false;
+                            phi_2316_ = false;
+                            phi_2317_ = false;
                         } else {
-                            phi_2310_ = _e3628;
-                            phi_2311_ = _e3615;
-                            phi_2312_ = _e3632;
-                            phi_2313_ = _e3634;
-                            phi_2314_ = _e3636;
+                            phi_2313_ = _e3627;
+                            phi_2314_ = _e3614;
+                            phi_2315_ = _e3631;
+                            phi_2316_ = _e3633;
+                            phi_2317_ = _e3635;
                         }
-                        let _e3641 = phi_2310_;
-                        let _e3643 = phi_2311_;
-                        let _e3645 = phi_2312_;
-                        let _e3647 = phi_2313_;
-                        let _e3649 = phi_2314_;
-                        if _e3643 {
-                            phi_2318_ = _e3641;
-                            phi_2319_ = true;
-                            phi_2320_ = false;
-                            phi_2321_ = false;
+                        let _e3640 = phi_2313_;
+                        let _e3642 = phi_2314_;
+                        let _e3644 = phi_2315_;
+                        let _e3646 = phi_2316_;
+                        let _e3648 = phi_2317_;
+                        if _e3642 {
+                            phi_2321_ = _e3640;
+                            phi_2322_ = true;
+                            phi_2323_ = false;
+                            phi_2324_ = false;
                         } else {
-                            phi_2318_ = _e3613;
-                            phi_2319_ = _e3645;
-                            phi_2320_ = _e3647;
-                            phi_2321_ = _e3649;
+                            phi_2321_ = _e3612;
+                            phi_2322_ = _e3644;
+                            phi_2323_ = _e3646;
+                            phi_2324_ = _e3648;
                         }
-                        let _e3651 = phi_2318_;
-                        let _e3653 = phi_2319_;
-                        let _e3655 = phi_2320_;
-                        let _e3657 = phi_2321_;
-                        if _e3653 {
-                            phi_2325_ = false;
-                            phi_2326_ = false;
+                        let _e3650 = phi_2321_;
+                        let _e3652 = phi_2322_;
+                        let _e3654 = phi_2323_;
+                        let _e3656 = phi_2324_;
+                        if _e3652 {
+                            phi_2328_ = false;
+                            phi_2329_ = false;
                         } else {
-                            phi_2325_ = _e3655;
-                            phi_2326_ = _e3657;
+                            phi_2328_ = _e3654;
+                            phi_2329_ = _e3656;
                         }
-                        let _e3659 = phi_2325_;
-                        let _e3661 = phi_2326_;
-                        if _e3659 {
-                            phi_2330_ = false;
-                            phi_2331_ = false;
+                        let _e3658 = phi_2328_;
+                        let _e3660 = phi_2329_;
+                        if _e3658 {
+                            phi_2333_ = false;
+                            phi_2334_ = false;
                         } else {
-                            phi_2330_ = _e3661;
-                            phi_2331_ = _e3653;
+                            phi_2333_ = _e3660;
+                            phi_2334_ = _e3652;
                         }
-                        let _e3663 = phi_2330_;
-                        let _e3665 = phi_2331_;
-                        if _e3663 {
-                            phi_2335_ = true;
-                            phi_2336_ = false;
+                        let _e3662 = phi_2333_;
+                        let _e3664 = phi_2334_;
+                        if _e3662 {
+                            phi_2338_ = true;
+                            phi_2339_ = false;
                         } else {
-                            phi_2335_ = _e3659;
-                            phi_2336_ = _e3665;
+                            phi_2338_ = _e3658;
+                            phi_2339_ = _e3664;
                         }
-                        let _e3667 = phi_2335_;
-                        let _e3669 = phi_2336_;
-                        if _e3667 {
-                            let _e3671 = local_40;
-                            phi_2341_ = type_40(1u, _e3671);
-                            phi_2342_ = true;
+                        let _e3666 = phi_2338_;
+                        let _e3668 = phi_2339_;
+                        if _e3666 {
+                            let _e3670 = local_40;
+                            phi_2344_ = type_42(1u, _e3670);
+                            phi_2345_ = true;
                         } else {
-                            phi_2341_ = _e3651;
-                            phi_2342_ = _e3669;
+                            phi_2344_ = _e3650;
+                            phi_2345_ = _e3668;
                         }
-                        let _e3674 = phi_2341_;
-                        let _e3676 = phi_2342_;
-                        if _e3676 {
-                            phi_2346_ = _e3674;
+                        let _e3673 = phi_2344_;
+                        let _e3675 = phi_2345_;
+                        if _e3675 {
+                            phi_2349_ = _e3673;
                         } else {
-                            phi_2346_ = _e3596;
+                            phi_2349_ = _e3595;
                         }
-                        let _e3678 = phi_2346_;
-                        if (_e3678.member != 0u) {
+                        let _e3677 = phi_2349_;
+                        if (_e3677.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2360_ = type_19(0u, 3u);
+                            phi_2363_ = type_9(0u, 3u);
                             loop {
-                                let _e3690 = phi_2360_;
-                                if (_e3690.member < _e3690.member_1) {
-                                    phi_2361_ = type_19((_e3690.member + 1u), _e3690.member_1);
-                                    phi_2384_ = type_19(1u, _e3690.member);
+                                let _e3689 = phi_2363_;
+                                if (_e3689.member < _e3689.member_1) {
+                                    phi_2364_ = type_9((_e3689.member + 1u), _e3689.member_1);
+                                    phi_2387_ = type_9(1u, _e3689.member);
                                 } else {
-                                    phi_2361_ = _e3690;
-                                    phi_2384_ = type_19(0u, type_19().member_1);
+                                    phi_2364_ = _e3689;
+                                    phi_2387_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3702 = phi_2361_;
-                                let _e3704 = phi_2384_;
-                                if (bitcast<i32>(_e3704.member) != 0i) {
-                                    let _e3710 = local_11[_e3704.member_1];
-                                    let _e3712 = (_e3678.member_1 + f64(_e3710));
-                                    if (_e3712 < _e2916) {
-                                        phi_2405_ = _e3712;
+                                let _e3701 = phi_2364_;
+                                let _e3703 = phi_2387_;
+                                if (bitcast<i32>(_e3703.member) != 0i) {
+                                    let _e3709 = local_11[_e3703.member_1];
+                                    let _e3711 = (_e3677.member_1 + f64(_e3709));
+                                    if (_e3711 < _e2915) {
+                                        phi_2408_ = _e3711;
                                     } else {
-                                        phi_2405_ = _e2916;
+                                        phi_2408_ = _e2915;
                                     }
-                                    let _e3715 = phi_2405_;
-                                    let _e3718 = local_12.member[0u];
-                                    let _e3724 = local_12.member[1u];
-                                    let _e3740 = local_12.member_1[0u];
-                                    let _e3746 = local_12.member_1[1u];
-                                    let _e3762 = local_12.member_2[0u];
-                                    let _e3768 = local_12.member_2[1u];
-                                    let _e3782 = function_2(array<f64, 3>((_e3718[0] + ((_e3724[0] - _e3718[0]) * _e3715)), (_e3718[1] + ((_e3724[1] - _e3718[1]) * _e3715)), (_e3718[2] + ((_e3724[2] - _e3718[2]) * _e3715))), array<f64, 3>((_e3740[0] + ((_e3746[0] - _e3740[0]) * _e3715)), (_e3740[1] + ((_e3746[1] - _e3740[1]) * _e3715)), (_e3740[2] + ((_e3746[2] - _e3740[2]) * _e3715))), array<f64, 3>((_e3762[0] + ((_e3768[0] - _e3762[0]) * _e3715)), (_e3762[1] + ((_e3768[1] - _e3762[1]) * _e3715)), (_e3762[2] + ((_e3768[2] - _e3762[2]) * _e3715))), 1u);
-                                    let _e3793 = (((_e3782[0] * _e3782[0]) + (_e3782[1] * _e3782[1])) + (_e3782[2] * _e3782[2]));
-                                    if (_e3793 <= 2.2250738585072014e-308lf) {
-                                        if (_e3793 > 0.0lf) {
-                                            phi_2528_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e3714 = phi_2408_;
+                                    let _e3717 = local_12.member[0u];
+                                    let _e3723 = local_12.member[1u];
+                                    let _e3739 = local_12.member_1[0u];
+                                    let _e3745 = local_12.member_1[1u];
+                                    let _e3761 = local_12.member_2[0u];
+                                    let _e3767 = local_12.member_2[1u];
+                                    let _e3781 = function_2(array<f64, 3>((_e3717[0] + ((_e3723[0] - _e3717[0]) * _e3714)), (_e3717[1] + ((_e3723[1] - _e3717[1]) * _e3714)), (_e3717[2] + ((_e3723[2] - _e3717[2]) * _e3714))), array<f64, 3>((_e3739[0] + ((_e3745[0] - _e3739[0]) * _e3714)), (_e3739[1] + ((_e3745[1] - _e3739[1]) * _e3714)), (_e3739[2] + ((_e3745[2] - _e3739[2]) * _e3714))), array<f64, 3>((_e3761[0] + ((_e3767[0] - _e3761[0]) * _e3714)), (_e3761[1] + ((_e3767[1] - _e3761[1]) * _e3714)), (_e3761[2] + ((_e3767[2] - _e3761[2]) * _e3714))), 1u);
+                                    let _e3792 = (((_e3781[0] * _e3781[0]) + (_e3781[1] * _e3781[1])) + (_e3781[2] * _e3781[2]));
+                                    if (_e3792 <= 2.2250738585072014e-308lf) {
+                                        if (_e3792 > 0.0lf) {
+                                            phi_2531_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_2528_ = 0.0lf;
+                                            phi_2531_ = 0.0lf;
                                         }
-                                        let _e3845 = phi_2528_;
-                                        phi_2592_ = _e3845;
+                                        let _e3844 = phi_2531_;
+                                        phi_2595_ = _e3844;
                                     } else {
-                                        phi_2535_ = type_17(0i, 5i);
-                                        phi_2538_ = bitcast<f64>(((bitcast<u64>(_e3793) / 2lu) + 2303426169912950784lu));
+                                        phi_2538_ = type_16(0i, 5i);
+                                        phi_2541_ = bitcast<f64>(((bitcast<u64>(_e3792) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e3800 = phi_2535_;
-                                            let _e3802 = phi_2538_;
-                                            local_41 = _e3802;
-                                            if (_e3800.member < _e3800.member_1) {
-                                                let _e3809 = (_e3800.member + 1i);
-                                                if ((false == (_e3809 > _e3800.member)) != false) {
-                                                    phi_2559_ = true;
+                                            let _e3799 = phi_2538_;
+                                            let _e3801 = phi_2541_;
+                                            local_41 = _e3801;
+                                            if (_e3799.member < _e3799.member_1) {
+                                                let _e3808 = (_e3799.member + 1i);
+                                                if ((false == (_e3808 > _e3799.member)) != false) {
+                                                    phi_2562_ = true;
                                                 } else {
-                                                    phi_2559_ = false;
+                                                    phi_2562_ = false;
                                                 }
-                                                let _e3814 = phi_2559_;
-                                                if _e3814 {
-                                                    phi_2565_ = type_18(0u, type_18().member_1);
+                                                let _e3813 = phi_2562_;
+                                                if _e3813 {
+                                                    phi_2568_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_2565_ = type_18(1u, _e3809);
+                                                    phi_2568_ = type_17(1u, _e3808);
                                                 }
-                                                let _e3819 = phi_2565_;
-                                                phi_2536_ = type_17(_e3819.member_1, _e3800.member_1);
-                                                phi_2579_ = type_18(1u, _e3800.member);
+                                                let _e3818 = phi_2568_;
+                                                phi_2539_ = type_16(_e3818.member_1, _e3799.member_1);
+                                                phi_2582_ = type_17(1u, _e3799.member);
                                             } else {
-                                                phi_2536_ = _e3800;
-                                                phi_2579_ = type_18(0u, type_18().member_1);
+                                                phi_2539_ = _e3799;
+                                                phi_2582_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e3825 = phi_2536_;
-                                            let _e3827 = phi_2579_;
-                                            let _e3830 = (bitcast<i32>(_e3827.member) != 0i);
-                                            if _e3830 {
-                                                phi_2539_ = (0.5lf * (_e3802 + (_e3793 / _e3802)));
+                                            let _e3824 = phi_2539_;
+                                            let _e3826 = phi_2582_;
+                                            let _e3829 = (bitcast<i32>(_e3826.member) != 0i);
+                                            if _e3829 {
+                                                phi_2542_ = (0.5lf * (_e3801 + (_e3792 / _e3801)));
                                             } else {
-                                                phi_2539_ = f64();
+                                                phi_2542_ = f64();
                                             }
-                                            let _e3835 = phi_2539_;
+                                            let _e3834 = phi_2542_;
                                             continue;
                                             continuing {
-                                                phi_2535_ = _e3825;
-                                                phi_2538_ = _e3835;
-                                                break if !(_e3830);
+                                                phi_2538_ = _e3824;
+                                                phi_2541_ = _e3834;
+                                                break if !(_e3829);
                                             }
                                         }
-                                        let _e3840 = local_41;
-                                        phi_2592_ = (_e3840 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e3839 = local_41;
+                                        phi_2595_ = (_e3839 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e3847 = phi_2592_;
-                                    let _e3855 = local_12.member[0u];
-                                    if (_e3855[0] < 0.0lf) {
-                                        phi_2610_ = -(_e3855[0]);
+                                    let _e3846 = phi_2595_;
+                                    let _e3854 = local_12.member[0u];
+                                    if (_e3854[0] < 0.0lf) {
+                                        phi_2613_ = -(_e3854[0]);
                                     } else {
-                                        phi_2610_ = _e3855[0];
+                                        phi_2613_ = _e3854[0];
                                     }
-                                    let _e3862 = phi_2610_;
-                                    if (_e3855[1] < 0.0lf) {
-                                        phi_2617_ = -(_e3855[1]);
+                                    let _e3861 = phi_2613_;
+                                    if (_e3854[1] < 0.0lf) {
+                                        phi_2620_ = -(_e3854[1]);
                                     } else {
-                                        phi_2617_ = _e3855[1];
+                                        phi_2620_ = _e3854[1];
                                     }
-                                    let _e3866 = phi_2617_;
-                                    if (_e3862 > _e3866) {
-                                        phi_2622_ = _e3862;
+                                    let _e3865 = phi_2620_;
+                                    if (_e3861 > _e3865) {
+                                        phi_2625_ = _e3861;
                                     } else {
-                                        phi_2622_ = _e3866;
+                                        phi_2625_ = _e3865;
                                     }
-                                    let _e3869 = phi_2622_;
-                                    if (_e3855[2] < 0.0lf) {
-                                        phi_2629_ = -(_e3855[2]);
+                                    let _e3868 = phi_2625_;
+                                    if (_e3854[2] < 0.0lf) {
+                                        phi_2632_ = -(_e3854[2]);
                                     } else {
-                                        phi_2629_ = _e3855[2];
+                                        phi_2632_ = _e3854[2];
                                     }
-                                    let _e3873 = phi_2629_;
-                                    if (_e3869 > _e3873) {
-                                        phi_2634_ = _e3869;
+                                    let _e3872 = phi_2632_;
+                                    if (_e3868 > _e3872) {
+                                        phi_2637_ = _e3868;
                                     } else {
-                                        phi_2634_ = _e3873;
+                                        phi_2637_ = _e3872;
                                     }
-                                    let _e3876 = phi_2634_;
-                                    let _e3879 = local_12.member[1u];
-                                    if (_e3879[0] < 0.0lf) {
-                                        phi_2647_ = -(_e3879[0]);
+                                    let _e3875 = phi_2637_;
+                                    let _e3878 = local_12.member[1u];
+                                    if (_e3878[0] < 0.0lf) {
+                                        phi_2650_ = -(_e3878[0]);
                                     } else {
-                                        phi_2647_ = _e3879[0];
+                                        phi_2650_ = _e3878[0];
                                     }
-                                    let _e3886 = phi_2647_;
-                                    if (_e3879[1] < 0.0lf) {
-                                        phi_2654_ = -(_e3879[1]);
+                                    let _e3885 = phi_2650_;
+                                    if (_e3878[1] < 0.0lf) {
+                                        phi_2657_ = -(_e3878[1]);
                                     } else {
-                                        phi_2654_ = _e3879[1];
+                                        phi_2657_ = _e3878[1];
                                     }
-                                    let _e3890 = phi_2654_;
-                                    if (_e3886 > _e3890) {
-                                        phi_2659_ = _e3886;
+                                    let _e3889 = phi_2657_;
+                                    if (_e3885 > _e3889) {
+                                        phi_2662_ = _e3885;
                                     } else {
-                                        phi_2659_ = _e3890;
+                                        phi_2662_ = _e3889;
                                     }
-                                    let _e3893 = phi_2659_;
-                                    if (_e3879[2] < 0.0lf) {
-                                        phi_2666_ = -(_e3879[2]);
+                                    let _e3892 = phi_2662_;
+                                    if (_e3878[2] < 0.0lf) {
+                                        phi_2669_ = -(_e3878[2]);
                                     } else {
-                                        phi_2666_ = _e3879[2];
+                                        phi_2669_ = _e3878[2];
                                     }
-                                    let _e3897 = phi_2666_;
-                                    if (_e3893 > _e3897) {
-                                        phi_2671_ = _e3893;
+                                    let _e3896 = phi_2669_;
+                                    if (_e3892 > _e3896) {
+                                        phi_2674_ = _e3892;
                                     } else {
-                                        phi_2671_ = _e3897;
+                                        phi_2674_ = _e3896;
                                     }
-                                    let _e3900 = phi_2671_;
-                                    if (_e3876 > _e3900) {
-                                        phi_2676_ = _e3876;
+                                    let _e3899 = phi_2674_;
+                                    if (_e3875 > _e3899) {
+                                        phi_2679_ = _e3875;
                                     } else {
-                                        phi_2676_ = _e3900;
+                                        phi_2679_ = _e3899;
                                     }
-                                    let _e3903 = phi_2676_;
-                                    let _e3905 = local_12.member_3;
-                                    let _e3909 = local_12.member_1[0u];
-                                    if (_e3909[0] < 0.0lf) {
-                                        phi_2693_ = -(_e3909[0]);
+                                    let _e3902 = phi_2679_;
+                                    let _e3904 = local_12.member_3;
+                                    let _e3908 = local_12.member_1[0u];
+                                    if (_e3908[0] < 0.0lf) {
+                                        phi_2696_ = -(_e3908[0]);
                                     } else {
-                                        phi_2693_ = _e3909[0];
+                                        phi_2696_ = _e3908[0];
                                     }
-                                    let _e3916 = phi_2693_;
-                                    if (_e3909[1] < 0.0lf) {
-                                        phi_2700_ = -(_e3909[1]);
+                                    let _e3915 = phi_2696_;
+                                    if (_e3908[1] < 0.0lf) {
+                                        phi_2703_ = -(_e3908[1]);
                                     } else {
-                                        phi_2700_ = _e3909[1];
+                                        phi_2703_ = _e3908[1];
                                     }
-                                    let _e3920 = phi_2700_;
-                                    if (_e3916 > _e3920) {
-                                        phi_2705_ = _e3916;
+                                    let _e3919 = phi_2703_;
+                                    if (_e3915 > _e3919) {
+                                        phi_2708_ = _e3915;
                                     } else {
-                                        phi_2705_ = _e3920;
+                                        phi_2708_ = _e3919;
                                     }
-                                    let _e3923 = phi_2705_;
-                                    if (_e3909[2] < 0.0lf) {
-                                        phi_2712_ = -(_e3909[2]);
+                                    let _e3922 = phi_2708_;
+                                    if (_e3908[2] < 0.0lf) {
+                                        phi_2715_ = -(_e3908[2]);
                                     } else {
-                                        phi_2712_ = _e3909[2];
+                                        phi_2715_ = _e3908[2];
                                     }
-                                    let _e3927 = phi_2712_;
-                                    if (_e3923 > _e3927) {
-                                        phi_2717_ = _e3923;
+                                    let _e3926 = phi_2715_;
+                                    if (_e3922 > _e3926) {
+                                        phi_2720_ = _e3922;
                                     } else {
-                                        phi_2717_ = _e3927;
+                                        phi_2720_ = _e3926;
                                     }
-                                    let _e3930 = phi_2717_;
-                                    let _e3933 = local_12.member_1[1u];
-                                    if (_e3933[0] < 0.0lf) {
-                                        phi_2731_ = -(_e3933[0]);
+                                    let _e3929 = phi_2720_;
+                                    let _e3932 = local_12.member_1[1u];
+                                    if (_e3932[0] < 0.0lf) {
+                                        phi_2734_ = -(_e3932[0]);
                                     } else {
-                                        phi_2731_ = _e3933[0];
+                                        phi_2734_ = _e3932[0];
                                     }
-                                    let _e3940 = phi_2731_;
-                                    if (_e3933[1] < 0.0lf) {
-                                        phi_2738_ = -(_e3933[1]);
+                                    let _e3939 = phi_2734_;
+                                    if (_e3932[1] < 0.0lf) {
+                                        phi_2741_ = -(_e3932[1]);
                                     } else {
-                                        phi_2738_ = _e3933[1];
+                                        phi_2741_ = _e3932[1];
                                     }
-                                    let _e3944 = phi_2738_;
-                                    if (_e3940 > _e3944) {
-                                        phi_2743_ = _e3940;
+                                    let _e3943 = phi_2741_;
+                                    if (_e3939 > _e3943) {
+                                        phi_2746_ = _e3939;
                                     } else {
-                                        phi_2743_ = _e3944;
+                                        phi_2746_ = _e3943;
                                     }
-                                    let _e3947 = phi_2743_;
-                                    if (_e3933[2] < 0.0lf) {
-                                        phi_2750_ = -(_e3933[2]);
+                                    let _e3946 = phi_2746_;
+                                    if (_e3932[2] < 0.0lf) {
+                                        phi_2753_ = -(_e3932[2]);
                                     } else {
-                                        phi_2750_ = _e3933[2];
+                                        phi_2753_ = _e3932[2];
                                     }
-                                    let _e3951 = phi_2750_;
-                                    if (_e3947 > _e3951) {
-                                        phi_2755_ = _e3947;
+                                    let _e3950 = phi_2753_;
+                                    if (_e3946 > _e3950) {
+                                        phi_2758_ = _e3946;
                                     } else {
-                                        phi_2755_ = _e3951;
+                                        phi_2758_ = _e3950;
                                     }
-                                    let _e3954 = phi_2755_;
-                                    if (_e3930 > _e3954) {
-                                        phi_2760_ = _e3930;
+                                    let _e3953 = phi_2758_;
+                                    if (_e3929 > _e3953) {
+                                        phi_2763_ = _e3929;
                                     } else {
-                                        phi_2760_ = _e3954;
+                                        phi_2763_ = _e3953;
                                     }
-                                    let _e3957 = phi_2760_;
-                                    let _e3959 = local_12.member_3;
-                                    let _e3963 = local_12.member_2[0u];
-                                    if (_e3963[0] < 0.0lf) {
-                                        phi_2777_ = -(_e3963[0]);
+                                    let _e3956 = phi_2763_;
+                                    let _e3958 = local_12.member_3;
+                                    let _e3962 = local_12.member_2[0u];
+                                    if (_e3962[0] < 0.0lf) {
+                                        phi_2780_ = -(_e3962[0]);
                                     } else {
-                                        phi_2777_ = _e3963[0];
+                                        phi_2780_ = _e3962[0];
                                     }
-                                    let _e3970 = phi_2777_;
-                                    if (_e3963[1] < 0.0lf) {
-                                        phi_2784_ = -(_e3963[1]);
+                                    let _e3969 = phi_2780_;
+                                    if (_e3962[1] < 0.0lf) {
+                                        phi_2787_ = -(_e3962[1]);
                                     } else {
-                                        phi_2784_ = _e3963[1];
+                                        phi_2787_ = _e3962[1];
                                     }
-                                    let _e3974 = phi_2784_;
-                                    if (_e3970 > _e3974) {
-                                        phi_2789_ = _e3970;
+                                    let _e3973 = phi_2787_;
+                                    if (_e3969 > _e3973) {
+                                        phi_2792_ = _e3969;
                                     } else {
-                                        phi_2789_ = _e3974;
+                                        phi_2792_ = _e3973;
                                     }
-                                    let _e3977 = phi_2789_;
-                                    if (_e3963[2] < 0.0lf) {
-                                        phi_2796_ = -(_e3963[2]);
+                                    let _e3976 = phi_2792_;
+                                    if (_e3962[2] < 0.0lf) {
+                                        phi_2799_ = -(_e3962[2]);
                                     } else {
-                                        phi_2796_ = _e3963[2];
+                                        phi_2799_ = _e3962[2];
                                     }
-                                    let _e3981 = phi_2796_;
-                                    if (_e3977 > _e3981) {
-                                        phi_2801_ = _e3977;
+                                    let _e3980 = phi_2799_;
+                                    if (_e3976 > _e3980) {
+                                        phi_2804_ = _e3976;
                                     } else {
-                                        phi_2801_ = _e3981;
+                                        phi_2804_ = _e3980;
                                     }
-                                    let _e3984 = phi_2801_;
-                                    let _e3987 = local_12.member_2[1u];
-                                    if (_e3987[0] < 0.0lf) {
-                                        phi_2815_ = -(_e3987[0]);
+                                    let _e3983 = phi_2804_;
+                                    let _e3986 = local_12.member_2[1u];
+                                    if (_e3986[0] < 0.0lf) {
+                                        phi_2818_ = -(_e3986[0]);
                                     } else {
-                                        phi_2815_ = _e3987[0];
+                                        phi_2818_ = _e3986[0];
                                     }
-                                    let _e3994 = phi_2815_;
-                                    if (_e3987[1] < 0.0lf) {
-                                        phi_2822_ = -(_e3987[1]);
+                                    let _e3993 = phi_2818_;
+                                    if (_e3986[1] < 0.0lf) {
+                                        phi_2825_ = -(_e3986[1]);
                                     } else {
-                                        phi_2822_ = _e3987[1];
+                                        phi_2825_ = _e3986[1];
                                     }
-                                    let _e3998 = phi_2822_;
-                                    if (_e3994 > _e3998) {
-                                        phi_2827_ = _e3994;
+                                    let _e3997 = phi_2825_;
+                                    if (_e3993 > _e3997) {
+                                        phi_2830_ = _e3993;
                                     } else {
-                                        phi_2827_ = _e3998;
+                                        phi_2830_ = _e3997;
                                     }
-                                    let _e4001 = phi_2827_;
-                                    if (_e3987[2] < 0.0lf) {
-                                        phi_2834_ = -(_e3987[2]);
+                                    let _e4000 = phi_2830_;
+                                    if (_e3986[2] < 0.0lf) {
+                                        phi_2837_ = -(_e3986[2]);
                                     } else {
-                                        phi_2834_ = _e3987[2];
+                                        phi_2837_ = _e3986[2];
                                     }
-                                    let _e4005 = phi_2834_;
-                                    if (_e4001 > _e4005) {
-                                        phi_2839_ = _e4001;
+                                    let _e4004 = phi_2837_;
+                                    if (_e4000 > _e4004) {
+                                        phi_2842_ = _e4000;
                                     } else {
-                                        phi_2839_ = _e4005;
+                                        phi_2842_ = _e4004;
                                     }
-                                    let _e4008 = phi_2839_;
-                                    if (_e3984 > _e4008) {
-                                        phi_2844_ = _e3984;
+                                    let _e4007 = phi_2842_;
+                                    if (_e3983 > _e4007) {
+                                        phi_2847_ = _e3983;
                                     } else {
-                                        phi_2844_ = _e4008;
+                                        phi_2847_ = _e4007;
                                     }
-                                    let _e4011 = phi_2844_;
-                                    let _e4013 = local_12.member_3;
-                                    let _e4021 = local_12.member_3;
-                                    let _e4031 = (((_e3847 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3903 + _e3905) + (_e3957 + _e3959)) + (_e4011 + _e4013)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4021 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e373);
-                                    if _e4031 {
-                                        phi_2868_ = false;
+                                    let _e4010 = phi_2847_;
+                                    let _e4012 = local_12.member_3;
+                                    let _e4020 = local_12.member_3;
+                                    let _e4030 = (((_e3846 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3902 + _e3904) + (_e3956 + _e3958)) + (_e4010 + _e4012)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4020 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e372);
+                                    if _e4030 {
+                                        phi_2871_ = false;
                                     } else {
-                                        phi_2868_ = true;
+                                        phi_2871_ = true;
                                     }
-                                    let _e4033 = phi_2868_;
-                                    phi_2869_ = _e4033;
-                                    phi_2870_ = _e4031;
+                                    let _e4032 = phi_2871_;
+                                    phi_2872_ = _e4032;
+                                    phi_2873_ = _e4030;
                                 } else {
-                                    phi_2869_ = false;
-                                    phi_2870_ = false;
+                                    phi_2872_ = false;
+                                    phi_2873_ = false;
                                 }
-                                let _e4035 = phi_2869_;
-                                let _e4037 = phi_2870_;
-                                local_42 = _e4037;
+                                let _e4034 = phi_2872_;
+                                let _e4036 = phi_2873_;
+                                local_42 = _e4036;
                                 continue;
                                 continuing {
-                                    phi_2360_ = _e3702;
-                                    break if !(_e4035);
+                                    phi_2363_ = _e3701;
+                                    break if !(_e4034);
                                 }
                             }
-                            let _e4040 = local_42;
-                            if _e4040 {
-                                phi_2875_ = type_40(1u, _e3678.member_1);
-                                phi_2876_ = false;
+                            let _e4039 = local_42;
+                            if _e4039 {
+                                phi_2878_ = type_42(1u, _e3677.member_1);
+                                phi_2879_ = false;
                             } else {
-                                phi_2875_ = type_40();
-                                phi_2876_ = true;
+                                phi_2878_ = type_42();
+                                phi_2879_ = true;
                             }
-                            let _e4043 = phi_2875_;
-                            let _e4045 = phi_2876_;
-                            if _e4045 {
-                                phi_2881_ = type_40(2u, _e3678.member_1);
-                                phi_2882_ = false;
+                            let _e4042 = phi_2878_;
+                            let _e4044 = phi_2879_;
+                            if _e4044 {
+                                phi_2884_ = type_42(2u, _e3677.member_1);
+                                phi_2885_ = false;
                             } else {
-                                phi_2881_ = type_40();
-                                phi_2882_ = true;
+                                phi_2884_ = type_42();
+                                phi_2885_ = true;
                             }
-                            let _e4048 = phi_2881_;
-                            let _e4050 = phi_2882_;
-                            phi_2884_ = _e4048;
-                            phi_2885_ = _e4043;
-                            phi_2886_ = _e4050;
+                            let _e4047 = phi_2884_;
+                            let _e4049 = phi_2885_;
+                            phi_2887_ = _e4047;
+                            phi_2888_ = _e4042;
+                            phi_2889_ = _e4049;
                         } else {
-                            phi_2884_ = type_40();
-                            phi_2885_ = type_40(0u, type_40().member_1);
-                            phi_2886_ = true;
+                            phi_2887_ = type_42();
+                            phi_2888_ = type_42(0u, type_42().member_1);
+                            phi_2889_ = true;
                         }
-                        let _e4052 = phi_2884_;
-                        let _e4054 = phi_2885_;
-                        let _e4056 = phi_2886_;
-                        if _e4056 {
-                            phi_2890_ = _e4054;
+                        let _e4051 = phi_2887_;
+                        let _e4053 = phi_2888_;
+                        let _e4055 = phi_2889_;
+                        if _e4055 {
+                            phi_2893_ = _e4053;
                         } else {
-                            phi_2890_ = _e4052;
+                            phi_2893_ = _e4051;
                         }
-                        let _e4058 = phi_2890_;
-                        phi_5774_ = _e4058;
+                        let _e4057 = phi_2893_;
+                        phi_5777_ = _e4057;
                     } else {
-                        if (_e472 < 0.0lf) {
-                            phi_2901_ = -(_e472);
+                        if (_e471 < 0.0lf) {
+                            phi_2904_ = -(_e471);
                         } else {
-                            phi_2901_ = _e472;
+                            phi_2904_ = _e471;
                         }
-                        let _e827 = phi_2901_;
-                        if (_e495 < 0.0lf) {
-                            phi_2907_ = -(_e495);
+                        let _e826 = phi_2904_;
+                        if (_e494 < 0.0lf) {
+                            phi_2910_ = -(_e494);
                         } else {
-                            phi_2907_ = _e495;
+                            phi_2910_ = _e494;
                         }
-                        let _e831 = phi_2907_;
-                        if (_e827 > _e831) {
-                            phi_2912_ = _e827;
+                        let _e830 = phi_2910_;
+                        if (_e826 > _e830) {
+                            phi_2915_ = _e826;
                         } else {
-                            phi_2912_ = _e831;
+                            phi_2915_ = _e830;
                         }
-                        let _e834 = phi_2912_;
-                        if (_e518 < 0.0lf) {
-                            phi_2918_ = -(_e518);
+                        let _e833 = phi_2915_;
+                        if (_e517 < 0.0lf) {
+                            phi_2921_ = -(_e517);
                         } else {
-                            phi_2918_ = _e518;
+                            phi_2921_ = _e517;
                         }
-                        let _e838 = phi_2918_;
-                        if (_e529 < 0.0lf) {
-                            phi_2924_ = -(_e529);
+                        let _e837 = phi_2921_;
+                        if (_e528 < 0.0lf) {
+                            phi_2927_ = -(_e528);
                         } else {
-                            phi_2924_ = _e529;
+                            phi_2927_ = _e528;
                         }
-                        let _e842 = phi_2924_;
-                        if (_e838 > _e842) {
-                            phi_2929_ = _e838;
+                        let _e841 = phi_2927_;
+                        if (_e837 > _e841) {
+                            phi_2932_ = _e837;
                         } else {
-                            phi_2929_ = _e842;
+                            phi_2932_ = _e841;
                         }
-                        let _e845 = phi_2929_;
-                        if (_e834 > _e845) {
-                            phi_2934_ = _e834;
+                        let _e844 = phi_2932_;
+                        if (_e833 > _e844) {
+                            phi_2937_ = _e833;
                         } else {
-                            phi_2934_ = _e845;
+                            phi_2937_ = _e844;
                         }
-                        let _e848 = phi_2934_;
-                        let _e850 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e851 = f64(1f);
-                        if (_e848 >= _e850) {
-                            phi_2944_ = (_e848 <= (_e851 / _e850));
+                        let _e847 = phi_2937_;
+                        let _e849 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e850 = f64(1f);
+                        if (_e847 >= _e849) {
+                            phi_2947_ = (_e847 <= (_e850 / _e849));
                         } else {
-                            phi_2944_ = false;
+                            phi_2947_ = false;
                         }
-                        let _e856 = phi_2944_;
-                        if _e856 {
-                            phi_2951_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e855 = phi_2947_;
+                        if _e855 {
+                            phi_2954_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_2951_ = f64(2f);
+                            phi_2954_ = f64(2f);
                         }
-                        let _e861 = phi_2951_;
-                        let _e863 = ((_e788 * f64(0.34f)) + (_e848 * _e861));
-                        if _e856 {
-                            phi_2959_ = (_e851 / _e848);
+                        let _e860 = phi_2954_;
+                        let _e862 = ((_e787 * f64(0.34f)) + (_e847 * _e860));
+                        if _e855 {
+                            phi_2962_ = (_e850 / _e847);
                         } else {
-                            phi_2959_ = f64(0f);
+                            phi_2962_ = f64(0f);
                         }
-                        let _e867 = phi_2959_;
-                        let _e868 = f64(0f);
-                        let _e869 = f64(1f);
-                        let _e870 = f64(3f);
-                        let _e876 = ((_e495 - (_e870 * _e472)) * _e867);
-                        let _e877 = ((_e518 - _e495) * _e867);
-                        let _e878 = (((_e870 * _e529) - _e518) * _e867);
-                        local_6[0u] = _e868;
-                        local_6[1u] = _e869;
-                        local_6[2u] = _e869;
-                        local_6[3u] = _e869;
-                        let _e885 = ((_e877 * _e877) - (_e876 * _e878));
-                        if (_e885 > _e868) {
-                            if (_e885 <= 2.2250738585072014e-308lf) {
-                                if (_e885 > 0.0lf) {
-                                    phi_2995_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e866 = phi_2962_;
+                        let _e867 = f64(0f);
+                        let _e868 = f64(1f);
+                        let _e869 = f64(3f);
+                        let _e875 = ((_e494 - (_e869 * _e471)) * _e866);
+                        let _e876 = ((_e517 - _e494) * _e866);
+                        let _e877 = (((_e869 * _e528) - _e517) * _e866);
+                        local_6[0u] = _e867;
+                        local_6[1u] = _e868;
+                        local_6[2u] = _e868;
+                        local_6[3u] = _e868;
+                        let _e884 = ((_e876 * _e876) - (_e875 * _e877));
+                        if (_e884 > _e867) {
+                            if (_e884 <= 2.2250738585072014e-308lf) {
+                                if (_e884 > 0.0lf) {
+                                    phi_2998_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_2995_ = 0.0lf;
+                                    phi_2998_ = 0.0lf;
                                 }
-                                let _e938 = phi_2995_;
-                                phi_3059_ = _e938;
+                                let _e937 = phi_2998_;
+                                phi_3062_ = _e937;
                             } else {
-                                phi_3002_ = type_17(0i, 5i);
-                                phi_3005_ = bitcast<f64>(((bitcast<u64>(_e885) / 2lu) + 2303426169912950784lu));
+                                phi_3005_ = type_16(0i, 5i);
+                                phi_3008_ = bitcast<f64>(((bitcast<u64>(_e884) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e893 = phi_3002_;
-                                    let _e895 = phi_3005_;
-                                    local_13 = _e895;
-                                    if (_e893.member < _e893.member_1) {
-                                        let _e902 = (_e893.member + 1i);
-                                        if ((false == (_e902 > _e893.member)) != false) {
-                                            phi_3026_ = true;
+                                    let _e892 = phi_3005_;
+                                    let _e894 = phi_3008_;
+                                    local_13 = _e894;
+                                    if (_e892.member < _e892.member_1) {
+                                        let _e901 = (_e892.member + 1i);
+                                        if ((false == (_e901 > _e892.member)) != false) {
+                                            phi_3029_ = true;
                                         } else {
-                                            phi_3026_ = false;
+                                            phi_3029_ = false;
                                         }
-                                        let _e907 = phi_3026_;
-                                        if _e907 {
-                                            phi_3032_ = type_18(0u, type_18().member_1);
+                                        let _e906 = phi_3029_;
+                                        if _e906 {
+                                            phi_3035_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_3032_ = type_18(1u, _e902);
+                                            phi_3035_ = type_17(1u, _e901);
                                         }
-                                        let _e912 = phi_3032_;
-                                        phi_3003_ = type_17(_e912.member_1, _e893.member_1);
-                                        phi_3046_ = type_18(1u, _e893.member);
+                                        let _e911 = phi_3035_;
+                                        phi_3006_ = type_16(_e911.member_1, _e892.member_1);
+                                        phi_3049_ = type_17(1u, _e892.member);
                                     } else {
-                                        phi_3003_ = _e893;
-                                        phi_3046_ = type_18(0u, type_18().member_1);
+                                        phi_3006_ = _e892;
+                                        phi_3049_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e918 = phi_3003_;
-                                    let _e920 = phi_3046_;
-                                    let _e923 = (bitcast<i32>(_e920.member) != 0i);
-                                    if _e923 {
-                                        phi_3006_ = (0.5lf * (_e895 + (_e885 / _e895)));
+                                    let _e917 = phi_3006_;
+                                    let _e919 = phi_3049_;
+                                    let _e922 = (bitcast<i32>(_e919.member) != 0i);
+                                    if _e922 {
+                                        phi_3009_ = (0.5lf * (_e894 + (_e884 / _e894)));
                                     } else {
-                                        phi_3006_ = f64();
+                                        phi_3009_ = f64();
                                     }
-                                    let _e928 = phi_3006_;
+                                    let _e927 = phi_3009_;
                                     continue;
                                     continuing {
-                                        phi_3002_ = _e918;
-                                        phi_3005_ = _e928;
-                                        break if !(_e923);
+                                        phi_3005_ = _e917;
+                                        phi_3008_ = _e927;
+                                        break if !(_e922);
                                     }
                                 }
-                                let _e933 = local_13;
-                                phi_3059_ = (_e933 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e932 = local_13;
+                                phi_3062_ = (_e932 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e940 = phi_3059_;
-                            if (_e877 < _e868) {
-                                phi_3065_ = -(_e940);
+                            let _e939 = phi_3062_;
+                            if (_e876 < _e867) {
+                                phi_3068_ = -(_e939);
                             } else {
-                                phi_3065_ = _e940;
+                                phi_3068_ = _e939;
                             }
-                            let _e944 = phi_3065_;
-                            let _e946 = -((_e877 + _e944));
-                            local_7[0u] = (_e946 / (_e946 + _e878));
-                            local_7[1u] = (_e876 / (_e876 + _e946));
-                            let _e955 = local_7[1u];
-                            let _e956 = local_7[0u];
-                            if (_e955 < _e956) {
-                                let _e959 = local_7[1u];
-                                let _e961 = local_7[0u];
-                                local_7[0u] = _e959;
-                                local_7[1u] = _e961;
+                            let _e943 = phi_3068_;
+                            let _e945 = -((_e876 + _e943));
+                            local_7[0u] = (_e945 / (_e945 + _e877));
+                            local_7[1u] = (_e875 / (_e875 + _e945));
+                            let _e954 = local_7[1u];
+                            let _e955 = local_7[0u];
+                            if (_e954 < _e955) {
+                                let _e958 = local_7[1u];
+                                let _e960 = local_7[0u];
+                                local_7[0u] = _e958;
+                                local_7[1u] = _e960;
                             }
-                            phi_3090_ = type_19(0u, 2u);
-                            phi_3093_ = 1u;
+                            phi_3093_ = type_9(0u, 2u);
+                            phi_3096_ = 1u;
                             loop {
-                                let _e965 = phi_3090_;
-                                let _e967 = phi_3093_;
-                                local_43 = _e967;
-                                if (_e965.member < _e965.member_1) {
-                                    phi_3091_ = type_19((_e965.member + 1u), _e965.member_1);
-                                    phi_3116_ = type_19(1u, _e965.member);
+                                let _e964 = phi_3093_;
+                                let _e966 = phi_3096_;
+                                local_43 = _e966;
+                                if (_e964.member < _e964.member_1) {
+                                    phi_3094_ = type_9((_e964.member + 1u), _e964.member_1);
+                                    phi_3119_ = type_9(1u, _e964.member);
                                 } else {
-                                    phi_3091_ = _e965;
-                                    phi_3116_ = type_19(0u, type_19().member_1);
+                                    phi_3094_ = _e964;
+                                    phi_3119_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e979 = phi_3091_;
-                                let _e981 = phi_3116_;
-                                let _e985 = (bitcast<i32>(_e981.member) != 0i);
-                                if _e985 {
-                                    let _e987 = local_7[_e981.member_1];
-                                    if (_e987 > _e868) {
-                                        let _e990 = local_7[_e981.member_1];
-                                        if (_e990 < _e869) {
-                                            let _e993 = local_7[_e981.member_1];
-                                            local_6[_e967] = _e993;
-                                            phi_3160_ = (_e967 + 1u);
+                                let _e978 = phi_3094_;
+                                let _e980 = phi_3119_;
+                                let _e984 = (bitcast<i32>(_e980.member) != 0i);
+                                if _e984 {
+                                    let _e986 = local_7[_e980.member_1];
+                                    if (_e986 > _e867) {
+                                        let _e989 = local_7[_e980.member_1];
+                                        if (_e989 < _e868) {
+                                            let _e992 = local_7[_e980.member_1];
+                                            local_6[_e966] = _e992;
+                                            phi_3163_ = (_e966 + 1u);
                                         } else {
-                                            phi_3160_ = _e967;
+                                            phi_3163_ = _e966;
                                         }
-                                        let _e997 = phi_3160_;
-                                        phi_3161_ = _e997;
+                                        let _e996 = phi_3163_;
+                                        phi_3164_ = _e996;
                                     } else {
-                                        phi_3161_ = _e967;
+                                        phi_3164_ = _e966;
                                     }
-                                    let _e999 = phi_3161_;
-                                    phi_3094_ = _e999;
+                                    let _e998 = phi_3164_;
+                                    phi_3097_ = _e998;
                                 } else {
-                                    phi_3094_ = u32();
+                                    phi_3097_ = u32();
                                 }
-                                let _e1001 = phi_3094_;
+                                let _e1000 = phi_3097_;
                                 continue;
                                 continuing {
-                                    phi_3090_ = _e979;
-                                    phi_3093_ = _e1001;
-                                    break if !(_e985);
+                                    phi_3093_ = _e978;
+                                    phi_3096_ = _e1000;
+                                    break if !(_e984);
                                 }
                             }
-                            let _e4236 = local_43;
-                            phi_3162_ = _e4236;
+                            let _e4237 = local_43;
+                            phi_3165_ = _e4237;
                         } else {
-                            phi_3162_ = 1u;
+                            phi_3165_ = 1u;
                         }
-                        let _e1004 = phi_3162_;
-                        local_6[_e1004] = _e869;
-                        let _e1006 = local_6;
-                        local_8 = _e1006;
-                        phi_3182_ = type_19(0u, _e1004);
+                        let _e1003 = phi_3165_;
+                        local_6[_e1003] = _e868;
+                        let _e1005 = local_6;
+                        local_8 = _e1005;
+                        phi_3185_ = type_9(0u, _e1003);
                         loop {
-                            let _e1009 = phi_3182_;
-                            if (_e1009.member < _e1009.member_1) {
-                                phi_3183_ = type_19((_e1009.member + 1u), _e1009.member_1);
-                                phi_3206_ = type_19(1u, _e1009.member);
+                            let _e1008 = phi_3185_;
+                            if (_e1008.member < _e1008.member_1) {
+                                phi_3186_ = type_9((_e1008.member + 1u), _e1008.member_1);
+                                phi_3209_ = type_9(1u, _e1008.member);
                             } else {
-                                phi_3183_ = _e1009;
-                                phi_3206_ = type_19(0u, type_19().member_1);
+                                phi_3186_ = _e1008;
+                                phi_3209_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1021 = phi_3183_;
-                            let _e1023 = phi_3206_;
-                            if (bitcast<i32>(_e1023.member) != 0i) {
-                                let _e1029 = local_8[_e1023.member_1];
-                                let _e1032 = local_8[(_e1023.member_1 + 1u)];
-                                let _e1034 = (f64(1f) - _e1029);
-                                let _e1045 = ((((_e472 * _e1034) + (_e495 * _e1029)) * (_e1034 * _e1034)) + (((_e518 * _e1034) + (_e529 * _e1029)) * (_e1029 * _e1029)));
-                                let _e1047 = (f64(1f) - _e1032);
-                                let _e1058 = ((((_e472 * _e1047) + (_e495 * _e1032)) * (_e1047 * _e1047)) + (((_e518 * _e1047) + (_e529 * _e1032)) * (_e1032 * _e1032)));
-                                if (_e1045 < 0.0lf) {
-                                    phi_3260_ = -(_e1045);
+                            let _e1020 = phi_3186_;
+                            let _e1022 = phi_3209_;
+                            if (bitcast<i32>(_e1022.member) != 0i) {
+                                let _e1028 = local_8[_e1022.member_1];
+                                let _e1031 = local_8[(_e1022.member_1 + 1u)];
+                                let _e1033 = (f64(1f) - _e1028);
+                                let _e1044 = ((((_e471 * _e1033) + (_e494 * _e1028)) * (_e1033 * _e1033)) + (((_e517 * _e1033) + (_e528 * _e1028)) * (_e1028 * _e1028)));
+                                let _e1046 = (f64(1f) - _e1031);
+                                let _e1057 = ((((_e471 * _e1046) + (_e494 * _e1031)) * (_e1046 * _e1046)) + (((_e517 * _e1046) + (_e528 * _e1031)) * (_e1031 * _e1031)));
+                                if (_e1044 < 0.0lf) {
+                                    phi_3263_ = -(_e1044);
                                 } else {
-                                    phi_3260_ = _e1045;
+                                    phi_3263_ = _e1044;
                                 }
-                                let _e1062 = phi_3260_;
-                                let _e1063 = (_e1062 > _e863);
-                                if (_e1058 < 0.0lf) {
-                                    phi_3267_ = -(_e1058);
+                                let _e1061 = phi_3263_;
+                                let _e1062 = (_e1061 > _e862);
+                                if (_e1057 < 0.0lf) {
+                                    phi_3270_ = -(_e1057);
                                 } else {
-                                    phi_3267_ = _e1058;
+                                    phi_3270_ = _e1057;
                                 }
-                                let _e1067 = phi_3267_;
-                                let _e1068 = (_e1067 > _e863);
-                                let _e1069 = f64(0f);
-                                if _e1063 {
-                                    if _e1068 {
-                                        phi_3279_ = ((_e1045 > _e1069) != (_e1058 > _e1069));
-                                        phi_3280_ = false;
+                                let _e1066 = phi_3270_;
+                                let _e1067 = (_e1066 > _e862);
+                                let _e1068 = f64(0f);
+                                if _e1062 {
+                                    if _e1067 {
+                                        phi_3282_ = ((_e1044 > _e1068) != (_e1057 > _e1068));
+                                        phi_3283_ = false;
                                     } else {
-                                        phi_3279_ = bool();
-                                        phi_3280_ = true;
+                                        phi_3282_ = bool();
+                                        phi_3283_ = true;
                                     }
-                                    let _e1074 = phi_3279_;
-                                    let _e1076 = phi_3280_;
-                                    phi_3281_ = _e1074;
-                                    phi_3282_ = _e1076;
+                                    let _e1073 = phi_3282_;
+                                    let _e1075 = phi_3283_;
+                                    phi_3284_ = _e1073;
+                                    phi_3285_ = _e1075;
                                 } else {
-                                    phi_3281_ = bool();
-                                    phi_3282_ = true;
+                                    phi_3284_ = bool();
+                                    phi_3285_ = true;
                                 }
-                                let _e1078 = phi_3281_;
-                                let _e1080 = phi_3282_;
-                                if _e1080 {
-                                    phi_3286_ = false;
+                                let _e1077 = phi_3284_;
+                                let _e1079 = phi_3285_;
+                                if _e1079 {
+                                    phi_3289_ = false;
                                 } else {
-                                    phi_3286_ = _e1078;
+                                    phi_3289_ = _e1077;
                                 }
-                                let _e1082 = phi_3286_;
-                                if _e1063 {
-                                    if _e1068 {
-                                        if _e1082 {
-                                            phi_3298_ = type_41();
+                                let _e1081 = phi_3289_;
+                                if _e1062 {
+                                    if _e1067 {
+                                        if _e1081 {
+                                            phi_3301_ = type_43();
                                         } else {
-                                            phi_3298_ = type_41(f64(1f), _e1069, _e1082);
+                                            phi_3301_ = type_43(f64(1f), _e1068, _e1081);
                                         }
-                                        let _e1086 = phi_3298_;
-                                        phi_3299_ = _e1086;
-                                        phi_3300_ = _e1082;
+                                        let _e1085 = phi_3301_;
+                                        phi_3302_ = _e1085;
+                                        phi_3303_ = _e1081;
                                     } else {
-                                        phi_3299_ = type_41();
-                                        phi_3300_ = true;
+                                        phi_3302_ = type_43();
+                                        phi_3303_ = true;
                                     }
-                                    let _e1088 = phi_3299_;
-                                    let _e1090 = phi_3300_;
-                                    phi_3301_ = _e1088;
-                                    phi_3302_ = _e1090;
+                                    let _e1087 = phi_3302_;
+                                    let _e1089 = phi_3303_;
+                                    phi_3304_ = _e1087;
+                                    phi_3305_ = _e1089;
                                 } else {
-                                    phi_3301_ = type_41();
-                                    phi_3302_ = true;
+                                    phi_3304_ = type_43();
+                                    phi_3305_ = true;
                                 }
-                                let _e1092 = phi_3301_;
-                                let _e1094 = phi_3302_;
-                                if _e1094 {
-                                    if _e1063 {
-                                        if (_e1045 < _e1069) {
-                                            phi_3315_ = f64(-1f);
+                                let _e1091 = phi_3304_;
+                                let _e1093 = phi_3305_;
+                                if _e1093 {
+                                    if _e1062 {
+                                        if (_e1044 < _e1068) {
+                                            phi_3318_ = f64(-1f);
                                         } else {
-                                            phi_3315_ = f64(1f);
+                                            phi_3318_ = f64(1f);
                                         }
-                                        let _e1099 = phi_3315_;
-                                        let _e1100 = f64(0.00000000000022737368f);
-                                        let _e1101 = f64(0.5f);
-                                        let _e1102 = f64(3f);
-                                        let _e1105 = (_e518 - _e495);
-                                        phi_3328_ = type_19(0u, 64u);
-                                        phi_3331_ = _e1032;
-                                        phi_3333_ = _e1029;
-                                        phi_3335_ = (_e1101 * (_e1029 + _e1032));
+                                        let _e1098 = phi_3318_;
+                                        let _e1099 = f64(0.00000000000022737368f);
+                                        let _e1100 = f64(0.5f);
+                                        let _e1101 = f64(3f);
+                                        let _e1104 = (_e517 - _e494);
+                                        phi_3331_ = type_9(0u, 64u);
+                                        phi_3334_ = _e1031;
+                                        phi_3336_ = _e1028;
+                                        phi_3338_ = (_e1100 * (_e1028 + _e1031));
                                         loop {
-                                            let _e1111 = phi_3328_;
-                                            let _e1113 = phi_3331_;
-                                            let _e1115 = phi_3333_;
-                                            let _e1117 = phi_3335_;
-                                            local_45 = _e1115;
-                                            if (_e1111.member < _e1111.member_1) {
-                                                phi_3329_ = type_19((_e1111.member + 1u), _e1111.member_1);
-                                                phi_3358_ = type_19(1u, _e1111.member);
+                                            let _e1110 = phi_3331_;
+                                            let _e1112 = phi_3334_;
+                                            let _e1114 = phi_3336_;
+                                            let _e1116 = phi_3338_;
+                                            local_45 = _e1114;
+                                            if (_e1110.member < _e1110.member_1) {
+                                                phi_3332_ = type_9((_e1110.member + 1u), _e1110.member_1);
+                                                phi_3361_ = type_9(1u, _e1110.member);
                                             } else {
-                                                phi_3329_ = _e1111;
-                                                phi_3358_ = type_19(0u, type_19().member_1);
+                                                phi_3332_ = _e1110;
+                                                phi_3361_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1129 = phi_3329_;
-                                            let _e1131 = phi_3358_;
-                                            if (bitcast<i32>(_e1131.member) != 0i) {
-                                                let _e1136 = (f64(1f) - _e1117);
-                                                let _e1149 = ((_e1099 * ((((_e472 * _e1136) + (_e495 * _e1117)) * (_e1136 * _e1136)) + (((_e518 * _e1136) + (_e529 * _e1117)) * (_e1117 * _e1117)))) - _e863);
-                                                if (_e1149 > f64(0f)) {
-                                                    phi_3385_ = _e1113;
-                                                    phi_3386_ = _e1117;
+                                            let _e1128 = phi_3332_;
+                                            let _e1130 = phi_3361_;
+                                            if (bitcast<i32>(_e1130.member) != 0i) {
+                                                let _e1135 = (f64(1f) - _e1116);
+                                                let _e1148 = ((_e1098 * ((((_e471 * _e1135) + (_e494 * _e1116)) * (_e1135 * _e1135)) + (((_e517 * _e1135) + (_e528 * _e1116)) * (_e1116 * _e1116)))) - _e862);
+                                                if (_e1148 > f64(0f)) {
+                                                    phi_3388_ = _e1112;
+                                                    phi_3389_ = _e1116;
                                                 } else {
-                                                    phi_3385_ = _e1117;
-                                                    phi_3386_ = _e1115;
+                                                    phi_3388_ = _e1116;
+                                                    phi_3389_ = _e1114;
                                                 }
-                                                let _e1153 = phi_3385_;
-                                                let _e1155 = phi_3386_;
-                                                let _e1157 = ((_e1153 - _e1155) > _e1100);
-                                                if _e1157 {
-                                                    let _e1159 = (f64(1f) - _e1117);
-                                                    let _e1171 = (-(_e1149) / (_e1099 * (((((_e495 - (_e1102 * _e472)) * _e1159) + (_e1105 * _e1117)) * _e1159) + (((_e1105 * _e1159) + (((_e1102 * _e529) - _e518) * _e1117)) * _e1117))));
-                                                    if (_e1149 > f64(0f)) {
-                                                        phi_3414_ = (_e1101 * _e1100);
+                                                let _e1152 = phi_3388_;
+                                                let _e1154 = phi_3389_;
+                                                let _e1156 = ((_e1152 - _e1154) > _e1099);
+                                                if _e1156 {
+                                                    let _e1158 = (f64(1f) - _e1116);
+                                                    let _e1170 = (-(_e1148) / (_e1098 * (((((_e494 - (_e1101 * _e471)) * _e1158) + (_e1104 * _e1116)) * _e1158) + (((_e1104 * _e1158) + (((_e1101 * _e528) - _e517) * _e1116)) * _e1116))));
+                                                    if (_e1148 > f64(0f)) {
+                                                        phi_3417_ = (_e1100 * _e1099);
                                                     } else {
-                                                        phi_3414_ = -((_e1101 * _e1100));
+                                                        phi_3417_ = -((_e1100 * _e1099));
                                                     }
-                                                    let _e1178 = phi_3414_;
-                                                    let _e1180 = ((_e1117 + _e1171) + _e1178);
-                                                    if (_e1180 > _e1155) {
-                                                        if (_e1180 < _e1153) {
-                                                            if (_e1171 < 0.0lf) {
-                                                                phi_3430_ = -(_e1171);
+                                                    let _e1177 = phi_3417_;
+                                                    let _e1179 = ((_e1116 + _e1170) + _e1177);
+                                                    if (_e1179 > _e1154) {
+                                                        if (_e1179 < _e1152) {
+                                                            if (_e1170 < 0.0lf) {
+                                                                phi_3433_ = -(_e1170);
                                                             } else {
-                                                                phi_3430_ = _e1171;
+                                                                phi_3433_ = _e1170;
                                                             }
-                                                            let _e1186 = phi_3430_;
-                                                            if (_e1186 < (_e1101 * (_e1153 - _e1155))) {
-                                                                phi_3437_ = false;
+                                                            let _e1185 = phi_3433_;
+                                                            if (_e1185 < (_e1100 * (_e1152 - _e1154))) {
+                                                                phi_3440_ = false;
                                                             } else {
-                                                                phi_3437_ = true;
+                                                                phi_3440_ = true;
                                                             }
-                                                            let _e1191 = phi_3437_;
-                                                            phi_3438_ = _e1191;
+                                                            let _e1190 = phi_3440_;
+                                                            phi_3441_ = _e1190;
                                                         } else {
-                                                            phi_3438_ = true;
+                                                            phi_3441_ = true;
                                                         }
-                                                        let _e1193 = phi_3438_;
-                                                        phi_3439_ = _e1193;
+                                                        let _e1192 = phi_3441_;
+                                                        phi_3442_ = _e1192;
                                                     } else {
-                                                        phi_3439_ = true;
+                                                        phi_3442_ = true;
                                                     }
-                                                    let _e1195 = phi_3439_;
-                                                    if _e1195 {
-                                                        phi_3445_ = (_e1101 * (_e1155 + _e1153));
+                                                    let _e1194 = phi_3442_;
+                                                    if _e1194 {
+                                                        phi_3448_ = (_e1100 * (_e1154 + _e1152));
                                                     } else {
-                                                        phi_3445_ = _e1180;
+                                                        phi_3448_ = _e1179;
                                                     }
-                                                    let _e1199 = phi_3445_;
-                                                    phi_3446_ = _e1199;
-                                                    phi_3447_ = false;
+                                                    let _e1198 = phi_3448_;
+                                                    phi_3449_ = _e1198;
+                                                    phi_3450_ = false;
                                                 } else {
-                                                    phi_3446_ = f64();
-                                                    phi_3447_ = true;
+                                                    phi_3449_ = f64();
+                                                    phi_3450_ = true;
                                                 }
-                                                let _e1201 = phi_3446_;
-                                                let _e1203 = phi_3447_;
-                                                phi_3332_ = _e1153;
-                                                phi_3334_ = _e1155;
-                                                phi_3336_ = _e1201;
-                                                phi_3448_ = _e1155;
-                                                phi_3449_ = _e1157;
-                                                phi_3450_ = _e1203;
+                                                let _e1200 = phi_3449_;
+                                                let _e1202 = phi_3450_;
+                                                phi_3335_ = _e1152;
+                                                phi_3337_ = _e1154;
+                                                phi_3339_ = _e1200;
+                                                phi_3451_ = _e1154;
+                                                phi_3452_ = _e1156;
+                                                phi_3453_ = _e1202;
                                             } else {
-                                                phi_3332_ = f64();
-                                                phi_3334_ = f64();
-                                                phi_3336_ = f64();
-                                                phi_3448_ = f64();
-                                                phi_3449_ = false;
-                                                phi_3450_ = false;
+                                                phi_3335_ = f64();
+                                                phi_3337_ = f64();
+                                                phi_3339_ = f64();
+                                                phi_3451_ = f64();
+                                                phi_3452_ = false;
+                                                phi_3453_ = false;
                                             }
-                                            let _e1205 = phi_3332_;
-                                            let _e1207 = phi_3334_;
-                                            let _e1209 = phi_3336_;
-                                            let _e1211 = phi_3448_;
-                                            let _e1213 = phi_3449_;
-                                            let _e1215 = phi_3450_;
-                                            local_14 = _e1215;
-                                            local_44 = _e1211;
+                                            let _e1204 = phi_3335_;
+                                            let _e1206 = phi_3337_;
+                                            let _e1208 = phi_3339_;
+                                            let _e1210 = phi_3451_;
+                                            let _e1212 = phi_3452_;
+                                            let _e1214 = phi_3453_;
+                                            local_14 = _e1214;
+                                            local_44 = _e1210;
                                             continue;
                                             continuing {
-                                                phi_3328_ = _e1129;
-                                                phi_3331_ = _e1205;
-                                                phi_3333_ = _e1207;
-                                                phi_3335_ = _e1209;
-                                                break if !(_e1213);
+                                                phi_3331_ = _e1128;
+                                                phi_3334_ = _e1204;
+                                                phi_3336_ = _e1206;
+                                                phi_3338_ = _e1208;
+                                                break if !(_e1212);
                                             }
                                         }
-                                        let _e1218 = local_14;
-                                        if _e1218 {
-                                            let _e4278 = local_44;
-                                            phi_3454_ = _e4278;
+                                        let _e1217 = local_14;
+                                        if _e1217 {
+                                            let _e4279 = local_44;
+                                            phi_3457_ = _e4279;
                                         } else {
-                                            let _e4280 = local_45;
-                                            phi_3454_ = _e4280;
+                                            let _e4281 = local_45;
+                                            phi_3457_ = _e4281;
                                         }
-                                        let _e1220 = phi_3454_;
-                                        phi_3455_ = _e1220;
+                                        let _e1219 = phi_3457_;
+                                        phi_3458_ = _e1219;
                                     } else {
-                                        phi_3455_ = _e1029;
+                                        phi_3458_ = _e1028;
                                     }
-                                    let _e1222 = phi_3455_;
-                                    if _e1068 {
-                                        phi_3463_ = type_19(0u, 64u);
-                                        phi_3466_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1221 = phi_3458_;
+                                    if _e1067 {
+                                        phi_3466_ = type_9(0u, 64u);
+                                        phi_3469_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1226 = phi_3463_;
-                                            let _e1228 = phi_3466_;
-                                            if (_e1226.member < _e1226.member_1) {
-                                                phi_3464_ = type_19((_e1226.member + 1u), _e1226.member_1);
-                                                phi_3489_ = type_19(1u, _e1226.member);
+                                            let _e1225 = phi_3466_;
+                                            let _e1227 = phi_3469_;
+                                            if (_e1225.member < _e1225.member_1) {
+                                                phi_3467_ = type_9((_e1225.member + 1u), _e1225.member_1);
+                                                phi_3492_ = type_9(1u, _e1225.member);
                                             } else {
-                                                phi_3464_ = _e1226;
-                                                phi_3489_ = type_19(0u, type_19().member_1);
+                                                phi_3467_ = _e1225;
+                                                phi_3492_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1240 = phi_3464_;
-                                            let _e1242 = phi_3489_;
-                                            if (bitcast<i32>(_e1242.member) != 0i) {
-                                                let _e1246 = (_e1222 + _e1228);
-                                                if (_e1246 < _e1032) {
-                                                    let _e1249 = (f64(1f) - _e1246);
-                                                    let _e1260 = ((((_e472 * _e1249) + (_e495 * _e1246)) * (_e1249 * _e1249)) + (((_e518 * _e1249) + (_e529 * _e1246)) * (_e1246 * _e1246)));
-                                                    let _e1262 = (f64(1f) - _e1222);
-                                                    let _e1273 = ((((_e472 * _e1262) + (_e495 * _e1222)) * (_e1262 * _e1262)) + (((_e518 * _e1262) + (_e529 * _e1222)) * (_e1222 * _e1222)));
-                                                    if (_e1260 < 0.0lf) {
-                                                        phi_3532_ = -(_e1260);
+                                            let _e1239 = phi_3467_;
+                                            let _e1241 = phi_3492_;
+                                            if (bitcast<i32>(_e1241.member) != 0i) {
+                                                let _e1245 = (_e1221 + _e1227);
+                                                if (_e1245 < _e1031) {
+                                                    let _e1248 = (f64(1f) - _e1245);
+                                                    let _e1259 = ((((_e471 * _e1248) + (_e494 * _e1245)) * (_e1248 * _e1248)) + (((_e517 * _e1248) + (_e528 * _e1245)) * (_e1245 * _e1245)));
+                                                    let _e1261 = (f64(1f) - _e1221);
+                                                    let _e1272 = ((((_e471 * _e1261) + (_e494 * _e1221)) * (_e1261 * _e1261)) + (((_e517 * _e1261) + (_e528 * _e1221)) * (_e1221 * _e1221)));
+                                                    if (_e1259 < 0.0lf) {
+                                                        phi_3535_ = -(_e1259);
                                                     } else {
-                                                        phi_3532_ = _e1260;
+                                                        phi_3535_ = _e1259;
                                                     }
-                                                    let _e1277 = phi_3532_;
-                                                    if (_e1277 > _e863) {
-                                                        if (_e1273 < 0.0lf) {
-                                                            phi_3542_ = -(_e1273);
+                                                    let _e1276 = phi_3535_;
+                                                    if (_e1276 > _e862) {
+                                                        if (_e1272 < 0.0lf) {
+                                                            phi_3545_ = -(_e1272);
                                                         } else {
-                                                            phi_3542_ = _e1273;
+                                                            phi_3545_ = _e1272;
                                                         }
-                                                        let _e1282 = phi_3542_;
-                                                        if (_e1282 > _e863) {
-                                                            phi_3552_ = ((_e1260 > f64(0f)) == (_e1273 > f64(0f)));
+                                                        let _e1281 = phi_3545_;
+                                                        if (_e1281 > _e862) {
+                                                            phi_3555_ = ((_e1259 > f64(0f)) == (_e1272 > f64(0f)));
                                                         } else {
-                                                            phi_3552_ = false;
+                                                            phi_3555_ = false;
                                                         }
-                                                        let _e1290 = phi_3552_;
-                                                        phi_3554_ = !(_e1290);
+                                                        let _e1289 = phi_3555_;
+                                                        phi_3557_ = !(_e1289);
                                                     } else {
-                                                        phi_3554_ = false;
+                                                        phi_3557_ = false;
                                                     }
-                                                    let _e1293 = phi_3554_;
-                                                    if _e1293 {
-                                                        phi_3559_ = f64();
-                                                        phi_3560_ = false;
+                                                    let _e1292 = phi_3557_;
+                                                    if _e1292 {
+                                                        phi_3562_ = f64();
+                                                        phi_3563_ = false;
                                                     } else {
-                                                        phi_3559_ = (_e1228 + _e1228);
-                                                        phi_3560_ = true;
+                                                        phi_3562_ = (_e1227 + _e1227);
+                                                        phi_3563_ = true;
                                                     }
-                                                    let _e1296 = phi_3559_;
-                                                    let _e1298 = phi_3560_;
-                                                    phi_3561_ = _e1296;
-                                                    phi_3562_ = _e1298;
-                                                    phi_3563_ = _e1293;
-                                                    phi_3564_ = false;
+                                                    let _e1295 = phi_3562_;
+                                                    let _e1297 = phi_3563_;
+                                                    phi_3564_ = _e1295;
+                                                    phi_3565_ = _e1297;
+                                                    phi_3566_ = _e1292;
+                                                    phi_3567_ = false;
                                                 } else {
-                                                    phi_3561_ = f64();
-                                                    phi_3562_ = false;
-                                                    phi_3563_ = false;
-                                                    phi_3564_ = true;
+                                                    phi_3564_ = f64();
+                                                    phi_3565_ = false;
+                                                    phi_3566_ = false;
+                                                    phi_3567_ = true;
                                                 }
-                                                let _e1300 = phi_3561_;
-                                                let _e1302 = phi_3562_;
-                                                let _e1304 = phi_3563_;
-                                                let _e1306 = phi_3564_;
-                                                phi_3565_ = _e1246;
-                                                phi_3467_ = _e1300;
-                                                phi_3566_ = _e1302;
-                                                phi_3567_ = _e1304;
-                                                phi_3568_ = _e1306;
+                                                let _e1299 = phi_3564_;
+                                                let _e1301 = phi_3565_;
+                                                let _e1303 = phi_3566_;
+                                                let _e1305 = phi_3567_;
+                                                phi_3568_ = _e1245;
+                                                phi_3470_ = _e1299;
+                                                phi_3569_ = _e1301;
+                                                phi_3570_ = _e1303;
+                                                phi_3571_ = _e1305;
+                                                phi_3572_ = false;
+                                            } else {
+                                                phi_3568_ = f64();
+                                                phi_3470_ = f64();
                                                 phi_3569_ = false;
-                                            } else {
-                                                phi_3565_ = f64();
-                                                phi_3467_ = f64();
-                                                phi_3566_ = false;
-                                                phi_3567_ = false;
-                                                phi_3568_ = false;
-                                                phi_3569_ = true;
+                                                phi_3570_ = false;
+                                                phi_3571_ = false;
+                                                phi_3572_ = true;
                                             }
-                                            let _e1308 = phi_3565_;
-                                            let _e1310 = phi_3467_;
-                                            let _e1312 = phi_3566_;
-                                            let _e1314 = phi_3567_;
-                                            let _e1316 = phi_3568_;
-                                            let _e1318 = phi_3569_;
-                                            local_15 = _e1314;
-                                            local_46 = _e1316;
-                                            local_47 = _e1318;
-                                            local_48 = _e1308;
+                                            let _e1307 = phi_3568_;
+                                            let _e1309 = phi_3470_;
+                                            let _e1311 = phi_3569_;
+                                            let _e1313 = phi_3570_;
+                                            let _e1315 = phi_3571_;
+                                            let _e1317 = phi_3572_;
+                                            local_15 = _e1313;
+                                            local_46 = _e1315;
+                                            local_47 = _e1317;
+                                            local_48 = _e1307;
                                             continue;
                                             continuing {
-                                                phi_3463_ = _e1240;
-                                                phi_3466_ = _e1310;
-                                                break if !(_e1312);
+                                                phi_3466_ = _e1239;
+                                                phi_3469_ = _e1309;
+                                                break if !(_e1311);
                                             }
                                         }
-                                        let _e1321 = local_15;
-                                        if _e1321 {
-                                            phi_3573_ = false;
-                                            phi_3574_ = false;
+                                        let _e1320 = local_15;
+                                        if _e1320 {
+                                            phi_3576_ = false;
+                                            phi_3577_ = false;
                                         } else {
-                                            let _e4305 = local_46;
-                                            phi_3573_ = _e4305;
-                                            let _e4308 = local_47;
-                                            phi_3574_ = _e4308;
+                                            let _e4306 = local_46;
+                                            phi_3576_ = _e4306;
+                                            let _e4309 = local_47;
+                                            phi_3577_ = _e4309;
                                         }
-                                        let _e1323 = phi_3573_;
-                                        let _e1325 = phi_3574_;
-                                        if _e1323 {
-                                            phi_3578_ = true;
+                                        let _e1322 = phi_3576_;
+                                        let _e1324 = phi_3577_;
+                                        if _e1322 {
+                                            phi_3581_ = true;
                                         } else {
-                                            phi_3578_ = _e1325;
+                                            phi_3581_ = _e1324;
                                         }
-                                        let _e1327 = phi_3578_;
-                                        if _e1327 {
-                                            phi_3582_ = _e1032;
+                                        let _e1326 = phi_3581_;
+                                        if _e1326 {
+                                            phi_3585_ = _e1031;
                                         } else {
-                                            let _e4312 = local_48;
-                                            phi_3582_ = _e4312;
+                                            let _e4313 = local_48;
+                                            phi_3585_ = _e4313;
                                         }
-                                        let _e1329 = phi_3582_;
-                                        phi_3583_ = _e1329;
+                                        let _e1328 = phi_3585_;
+                                        phi_3586_ = _e1328;
                                     } else {
-                                        phi_3583_ = _e1032;
+                                        phi_3586_ = _e1031;
                                     }
-                                    let _e1331 = phi_3583_;
-                                    phi_3585_ = type_41(_e1222, _e1331, _e1082);
+                                    let _e1330 = phi_3586_;
+                                    phi_3588_ = type_43(_e1221, _e1330, _e1081);
                                 } else {
-                                    phi_3585_ = _e1092;
+                                    phi_3588_ = _e1091;
                                 }
-                                let _e1334 = phi_3585_;
-                                if (_e1334.member > _e1334.member_1) {
-                                    phi_5730_ = f64();
-                                    phi_5731_ = true;
-                                    phi_5732_ = false;
-                                    phi_5733_ = false;
-                                    phi_5734_ = false;
+                                let _e1333 = phi_3588_;
+                                if (_e1333.member > _e1333.member_1) {
+                                    phi_5733_ = f64();
+                                    phi_5734_ = true;
+                                    phi_5735_ = false;
+                                    phi_5736_ = false;
+                                    phi_5737_ = false;
                                 } else {
-                                    let _e1342 = ((_e1334.member_1 - _e1334.member) * f64(0.5f));
-                                    let _e1343 = (_e1334.member + _e1342);
-                                    let _e1346 = (_e1342 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1348 = local_12.member_3;
-                                    let _e1351 = local_12.member[0u];
-                                    if (_e1351[0] < 0.0lf) {
-                                        phi_3616_ = -(_e1351[0]);
+                                    let _e1341 = ((_e1333.member_1 - _e1333.member) * f64(0.5f));
+                                    let _e1342 = (_e1333.member + _e1341);
+                                    let _e1345 = (_e1341 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1347 = local_12.member_3;
+                                    let _e1350 = local_12.member[0u];
+                                    if (_e1350[0] < 0.0lf) {
+                                        phi_3619_ = -(_e1350[0]);
                                     } else {
-                                        phi_3616_ = _e1351[0];
+                                        phi_3619_ = _e1350[0];
                                     }
-                                    let _e1358 = phi_3616_;
-                                    if (_e1351[1] < 0.0lf) {
-                                        phi_3623_ = -(_e1351[1]);
+                                    let _e1357 = phi_3619_;
+                                    if (_e1350[1] < 0.0lf) {
+                                        phi_3626_ = -(_e1350[1]);
                                     } else {
-                                        phi_3623_ = _e1351[1];
+                                        phi_3626_ = _e1350[1];
                                     }
-                                    let _e1362 = phi_3623_;
-                                    if (_e1358 > _e1362) {
-                                        phi_3628_ = _e1358;
+                                    let _e1361 = phi_3626_;
+                                    if (_e1357 > _e1361) {
+                                        phi_3631_ = _e1357;
                                     } else {
-                                        phi_3628_ = _e1362;
+                                        phi_3631_ = _e1361;
                                     }
-                                    let _e1365 = phi_3628_;
-                                    if (_e1351[2] < 0.0lf) {
-                                        phi_3635_ = -(_e1351[2]);
+                                    let _e1364 = phi_3631_;
+                                    if (_e1350[2] < 0.0lf) {
+                                        phi_3638_ = -(_e1350[2]);
                                     } else {
-                                        phi_3635_ = _e1351[2];
+                                        phi_3638_ = _e1350[2];
                                     }
-                                    let _e1369 = phi_3635_;
-                                    if (_e1365 > _e1369) {
-                                        phi_3640_ = _e1365;
+                                    let _e1368 = phi_3638_;
+                                    if (_e1364 > _e1368) {
+                                        phi_3643_ = _e1364;
                                     } else {
-                                        phi_3640_ = _e1369;
+                                        phi_3643_ = _e1368;
                                     }
-                                    let _e1372 = phi_3640_;
-                                    let _e1374 = local_12.member[1u];
-                                    if (_e1374[0] < 0.0lf) {
-                                        phi_3653_ = -(_e1374[0]);
+                                    let _e1371 = phi_3643_;
+                                    let _e1373 = local_12.member[1u];
+                                    if (_e1373[0] < 0.0lf) {
+                                        phi_3656_ = -(_e1373[0]);
                                     } else {
-                                        phi_3653_ = _e1374[0];
+                                        phi_3656_ = _e1373[0];
                                     }
-                                    let _e1381 = phi_3653_;
-                                    if (_e1374[1] < 0.0lf) {
-                                        phi_3660_ = -(_e1374[1]);
+                                    let _e1380 = phi_3656_;
+                                    if (_e1373[1] < 0.0lf) {
+                                        phi_3663_ = -(_e1373[1]);
                                     } else {
-                                        phi_3660_ = _e1374[1];
+                                        phi_3663_ = _e1373[1];
                                     }
-                                    let _e1385 = phi_3660_;
-                                    if (_e1381 > _e1385) {
-                                        phi_3665_ = _e1381;
+                                    let _e1384 = phi_3663_;
+                                    if (_e1380 > _e1384) {
+                                        phi_3668_ = _e1380;
                                     } else {
-                                        phi_3665_ = _e1385;
+                                        phi_3668_ = _e1384;
                                     }
-                                    let _e1388 = phi_3665_;
-                                    if (_e1374[2] < 0.0lf) {
-                                        phi_3672_ = -(_e1374[2]);
+                                    let _e1387 = phi_3668_;
+                                    if (_e1373[2] < 0.0lf) {
+                                        phi_3675_ = -(_e1373[2]);
                                     } else {
-                                        phi_3672_ = _e1374[2];
+                                        phi_3675_ = _e1373[2];
                                     }
-                                    let _e1392 = phi_3672_;
-                                    if (_e1388 > _e1392) {
-                                        phi_3677_ = _e1388;
+                                    let _e1391 = phi_3675_;
+                                    if (_e1387 > _e1391) {
+                                        phi_3680_ = _e1387;
                                     } else {
-                                        phi_3677_ = _e1392;
+                                        phi_3680_ = _e1391;
                                     }
-                                    let _e1395 = phi_3677_;
-                                    if (_e1372 > _e1395) {
-                                        phi_3682_ = _e1372;
+                                    let _e1394 = phi_3680_;
+                                    if (_e1371 > _e1394) {
+                                        phi_3685_ = _e1371;
                                     } else {
-                                        phi_3682_ = _e1395;
+                                        phi_3685_ = _e1394;
                                     }
-                                    let _e1398 = phi_3682_;
-                                    let _e1401 = local_12.member[0u];
-                                    let _e1406 = local_12.member[1u];
-                                    let _e1416 = (_e1401[0] + ((_e1406[0] - _e1401[0]) * _e1343));
-                                    let _e1417 = (_e1401[1] + ((_e1406[1] - _e1401[1]) * _e1343));
-                                    let _e1418 = (_e1401[2] + ((_e1406[2] - _e1401[2]) * _e1343));
-                                    let _e1420 = local_12.member[1u];
-                                    let _e1425 = local_12.member[0u];
-                                    let _e1429 = (_e1420[0] - _e1425[0]);
-                                    let _e1430 = (_e1420[1] - _e1425[1]);
-                                    let _e1431 = (_e1420[2] - _e1425[2]);
+                                    let _e1397 = phi_3685_;
+                                    let _e1400 = local_12.member[0u];
+                                    let _e1405 = local_12.member[1u];
+                                    let _e1415 = (_e1400[0] + ((_e1405[0] - _e1400[0]) * _e1342));
+                                    let _e1416 = (_e1400[1] + ((_e1405[1] - _e1400[1]) * _e1342));
+                                    let _e1417 = (_e1400[2] + ((_e1405[2] - _e1400[2]) * _e1342));
+                                    let _e1419 = local_12.member[1u];
+                                    let _e1424 = local_12.member[0u];
+                                    let _e1428 = (_e1419[0] - _e1424[0]);
+                                    let _e1429 = (_e1419[1] - _e1424[1]);
+                                    let _e1430 = (_e1419[2] - _e1424[2]);
+                                    if (_e1428 < 0.0lf) {
+                                        phi_3744_ = -(_e1428);
+                                    } else {
+                                        phi_3744_ = _e1428;
+                                    }
+                                    let _e1434 = phi_3744_;
                                     if (_e1429 < 0.0lf) {
-                                        phi_3741_ = -(_e1429);
+                                        phi_3750_ = -(_e1429);
                                     } else {
-                                        phi_3741_ = _e1429;
+                                        phi_3750_ = _e1429;
                                     }
-                                    let _e1435 = phi_3741_;
+                                    let _e1438 = phi_3750_;
+                                    if (_e1434 > _e1438) {
+                                        phi_3755_ = _e1434;
+                                    } else {
+                                        phi_3755_ = _e1438;
+                                    }
+                                    let _e1441 = phi_3755_;
                                     if (_e1430 < 0.0lf) {
-                                        phi_3747_ = -(_e1430);
+                                        phi_3761_ = -(_e1430);
                                     } else {
-                                        phi_3747_ = _e1430;
+                                        phi_3761_ = _e1430;
                                     }
-                                    let _e1439 = phi_3747_;
-                                    if (_e1435 > _e1439) {
-                                        phi_3752_ = _e1435;
+                                    let _e1445 = phi_3761_;
+                                    if (_e1441 > _e1445) {
+                                        phi_3766_ = _e1441;
                                     } else {
-                                        phi_3752_ = _e1439;
+                                        phi_3766_ = _e1445;
                                     }
-                                    let _e1442 = phi_3752_;
-                                    if (_e1431 < 0.0lf) {
-                                        phi_3758_ = -(_e1431);
+                                    let _e1448 = phi_3766_;
+                                    let _e1456 = ((((_e1345 * _e1448) * f64(1.01f)) + ((_e1397 + _e1347) * (1.1102230246251565e-16lf * f64(8f)))) + _e1347);
+                                    if (_e1415 < 0.0lf) {
+                                        phi_3780_ = -(_e1415);
                                     } else {
-                                        phi_3758_ = _e1431;
+                                        phi_3780_ = _e1415;
                                     }
-                                    let _e1446 = phi_3758_;
-                                    if (_e1442 > _e1446) {
-                                        phi_3763_ = _e1442;
-                                    } else {
-                                        phi_3763_ = _e1446;
-                                    }
-                                    let _e1449 = phi_3763_;
-                                    let _e1457 = ((((_e1346 * _e1449) * f64(1.01f)) + ((_e1398 + _e1348) * (1.1102230246251565e-16lf * f64(8f)))) + _e1348);
+                                    let _e1460 = phi_3780_;
                                     if (_e1416 < 0.0lf) {
-                                        phi_3777_ = -(_e1416);
+                                        phi_3786_ = -(_e1416);
                                     } else {
-                                        phi_3777_ = _e1416;
+                                        phi_3786_ = _e1416;
                                     }
-                                    let _e1461 = phi_3777_;
+                                    let _e1464 = phi_3786_;
+                                    if (_e1460 > _e1464) {
+                                        phi_3791_ = _e1460;
+                                    } else {
+                                        phi_3791_ = _e1464;
+                                    }
+                                    let _e1467 = phi_3791_;
                                     if (_e1417 < 0.0lf) {
-                                        phi_3783_ = -(_e1417);
+                                        phi_3797_ = -(_e1417);
                                     } else {
-                                        phi_3783_ = _e1417;
+                                        phi_3797_ = _e1417;
                                     }
-                                    let _e1465 = phi_3783_;
-                                    if (_e1461 > _e1465) {
-                                        phi_3788_ = _e1461;
+                                    let _e1471 = phi_3797_;
+                                    if (_e1467 > _e1471) {
+                                        phi_3802_ = _e1467;
                                     } else {
-                                        phi_3788_ = _e1465;
+                                        phi_3802_ = _e1471;
                                     }
-                                    let _e1468 = phi_3788_;
-                                    if (_e1418 < 0.0lf) {
-                                        phi_3794_ = -(_e1418);
+                                    let _e1474 = phi_3802_;
+                                    local_2 = type_34(array<f64, 3>(_e1415, _e1416, _e1417), _e1456, (_e1474 + _e1456));
+                                    let _e1480 = local_12.member_3;
+                                    let _e1482 = local_12.member_1[0u];
+                                    if (_e1482[0] < 0.0lf) {
+                                        phi_3828_ = -(_e1482[0]);
                                     } else {
-                                        phi_3794_ = _e1418;
+                                        phi_3828_ = _e1482[0];
                                     }
-                                    let _e1472 = phi_3794_;
-                                    if (_e1468 > _e1472) {
-                                        phi_3799_ = _e1468;
+                                    let _e1489 = phi_3828_;
+                                    if (_e1482[1] < 0.0lf) {
+                                        phi_3835_ = -(_e1482[1]);
                                     } else {
-                                        phi_3799_ = _e1472;
+                                        phi_3835_ = _e1482[1];
                                     }
-                                    let _e1475 = phi_3799_;
-                                    local_2 = type_32(array<f64, 3>(_e1416, _e1417, _e1418), _e1457, (_e1475 + _e1457));
-                                    let _e1481 = local_12.member_3;
-                                    let _e1483 = local_12.member_1[0u];
-                                    if (_e1483[0] < 0.0lf) {
-                                        phi_3825_ = -(_e1483[0]);
+                                    let _e1493 = phi_3835_;
+                                    if (_e1489 > _e1493) {
+                                        phi_3840_ = _e1489;
                                     } else {
-                                        phi_3825_ = _e1483[0];
+                                        phi_3840_ = _e1493;
                                     }
-                                    let _e1490 = phi_3825_;
-                                    if (_e1483[1] < 0.0lf) {
-                                        phi_3832_ = -(_e1483[1]);
+                                    let _e1496 = phi_3840_;
+                                    if (_e1482[2] < 0.0lf) {
+                                        phi_3847_ = -(_e1482[2]);
                                     } else {
-                                        phi_3832_ = _e1483[1];
+                                        phi_3847_ = _e1482[2];
                                     }
-                                    let _e1494 = phi_3832_;
-                                    if (_e1490 > _e1494) {
-                                        phi_3837_ = _e1490;
+                                    let _e1500 = phi_3847_;
+                                    if (_e1496 > _e1500) {
+                                        phi_3852_ = _e1496;
                                     } else {
-                                        phi_3837_ = _e1494;
+                                        phi_3852_ = _e1500;
                                     }
-                                    let _e1497 = phi_3837_;
-                                    if (_e1483[2] < 0.0lf) {
-                                        phi_3844_ = -(_e1483[2]);
+                                    let _e1503 = phi_3852_;
+                                    let _e1505 = local_12.member_1[1u];
+                                    if (_e1505[0] < 0.0lf) {
+                                        phi_3865_ = -(_e1505[0]);
                                     } else {
-                                        phi_3844_ = _e1483[2];
+                                        phi_3865_ = _e1505[0];
                                     }
-                                    let _e1501 = phi_3844_;
-                                    if (_e1497 > _e1501) {
-                                        phi_3849_ = _e1497;
+                                    let _e1512 = phi_3865_;
+                                    if (_e1505[1] < 0.0lf) {
+                                        phi_3872_ = -(_e1505[1]);
                                     } else {
-                                        phi_3849_ = _e1501;
+                                        phi_3872_ = _e1505[1];
                                     }
-                                    let _e1504 = phi_3849_;
-                                    let _e1506 = local_12.member_1[1u];
-                                    if (_e1506[0] < 0.0lf) {
-                                        phi_3862_ = -(_e1506[0]);
+                                    let _e1516 = phi_3872_;
+                                    if (_e1512 > _e1516) {
+                                        phi_3877_ = _e1512;
                                     } else {
-                                        phi_3862_ = _e1506[0];
+                                        phi_3877_ = _e1516;
                                     }
-                                    let _e1513 = phi_3862_;
-                                    if (_e1506[1] < 0.0lf) {
-                                        phi_3869_ = -(_e1506[1]);
+                                    let _e1519 = phi_3877_;
+                                    if (_e1505[2] < 0.0lf) {
+                                        phi_3884_ = -(_e1505[2]);
                                     } else {
-                                        phi_3869_ = _e1506[1];
+                                        phi_3884_ = _e1505[2];
                                     }
-                                    let _e1517 = phi_3869_;
-                                    if (_e1513 > _e1517) {
-                                        phi_3874_ = _e1513;
+                                    let _e1523 = phi_3884_;
+                                    if (_e1519 > _e1523) {
+                                        phi_3889_ = _e1519;
                                     } else {
-                                        phi_3874_ = _e1517;
+                                        phi_3889_ = _e1523;
                                     }
-                                    let _e1520 = phi_3874_;
-                                    if (_e1506[2] < 0.0lf) {
-                                        phi_3881_ = -(_e1506[2]);
+                                    let _e1526 = phi_3889_;
+                                    if (_e1503 > _e1526) {
+                                        phi_3894_ = _e1503;
                                     } else {
-                                        phi_3881_ = _e1506[2];
+                                        phi_3894_ = _e1526;
                                     }
-                                    let _e1524 = phi_3881_;
-                                    if (_e1520 > _e1524) {
-                                        phi_3886_ = _e1520;
+                                    let _e1529 = phi_3894_;
+                                    let _e1532 = local_12.member_1[0u];
+                                    let _e1537 = local_12.member_1[1u];
+                                    let _e1547 = (_e1532[0] + ((_e1537[0] - _e1532[0]) * _e1342));
+                                    let _e1548 = (_e1532[1] + ((_e1537[1] - _e1532[1]) * _e1342));
+                                    let _e1549 = (_e1532[2] + ((_e1537[2] - _e1532[2]) * _e1342));
+                                    let _e1551 = local_12.member_1[1u];
+                                    let _e1556 = local_12.member_1[0u];
+                                    let _e1560 = (_e1551[0] - _e1556[0]);
+                                    let _e1561 = (_e1551[1] - _e1556[1]);
+                                    let _e1562 = (_e1551[2] - _e1556[2]);
+                                    if (_e1560 < 0.0lf) {
+                                        phi_3953_ = -(_e1560);
                                     } else {
-                                        phi_3886_ = _e1524;
+                                        phi_3953_ = _e1560;
                                     }
-                                    let _e1527 = phi_3886_;
-                                    if (_e1504 > _e1527) {
-                                        phi_3891_ = _e1504;
-                                    } else {
-                                        phi_3891_ = _e1527;
-                                    }
-                                    let _e1530 = phi_3891_;
-                                    let _e1533 = local_12.member_1[0u];
-                                    let _e1538 = local_12.member_1[1u];
-                                    let _e1548 = (_e1533[0] + ((_e1538[0] - _e1533[0]) * _e1343));
-                                    let _e1549 = (_e1533[1] + ((_e1538[1] - _e1533[1]) * _e1343));
-                                    let _e1550 = (_e1533[2] + ((_e1538[2] - _e1533[2]) * _e1343));
-                                    let _e1552 = local_12.member_1[1u];
-                                    let _e1557 = local_12.member_1[0u];
-                                    let _e1561 = (_e1552[0] - _e1557[0]);
-                                    let _e1562 = (_e1552[1] - _e1557[1]);
-                                    let _e1563 = (_e1552[2] - _e1557[2]);
+                                    let _e1566 = phi_3953_;
                                     if (_e1561 < 0.0lf) {
-                                        phi_3950_ = -(_e1561);
+                                        phi_3959_ = -(_e1561);
                                     } else {
-                                        phi_3950_ = _e1561;
+                                        phi_3959_ = _e1561;
                                     }
-                                    let _e1567 = phi_3950_;
+                                    let _e1570 = phi_3959_;
+                                    if (_e1566 > _e1570) {
+                                        phi_3964_ = _e1566;
+                                    } else {
+                                        phi_3964_ = _e1570;
+                                    }
+                                    let _e1573 = phi_3964_;
                                     if (_e1562 < 0.0lf) {
-                                        phi_3956_ = -(_e1562);
+                                        phi_3970_ = -(_e1562);
                                     } else {
-                                        phi_3956_ = _e1562;
+                                        phi_3970_ = _e1562;
                                     }
-                                    let _e1571 = phi_3956_;
-                                    if (_e1567 > _e1571) {
-                                        phi_3961_ = _e1567;
+                                    let _e1577 = phi_3970_;
+                                    if (_e1573 > _e1577) {
+                                        phi_3975_ = _e1573;
                                     } else {
-                                        phi_3961_ = _e1571;
+                                        phi_3975_ = _e1577;
                                     }
-                                    let _e1574 = phi_3961_;
-                                    if (_e1563 < 0.0lf) {
-                                        phi_3967_ = -(_e1563);
+                                    let _e1580 = phi_3975_;
+                                    let _e1588 = ((((_e1345 * _e1580) * f64(1.01f)) + ((_e1529 + _e1480) * (1.1102230246251565e-16lf * f64(8f)))) + _e1480);
+                                    if (_e1547 < 0.0lf) {
+                                        phi_3989_ = -(_e1547);
                                     } else {
-                                        phi_3967_ = _e1563;
+                                        phi_3989_ = _e1547;
                                     }
-                                    let _e1578 = phi_3967_;
-                                    if (_e1574 > _e1578) {
-                                        phi_3972_ = _e1574;
-                                    } else {
-                                        phi_3972_ = _e1578;
-                                    }
-                                    let _e1581 = phi_3972_;
-                                    let _e1589 = ((((_e1346 * _e1581) * f64(1.01f)) + ((_e1530 + _e1481) * (1.1102230246251565e-16lf * f64(8f)))) + _e1481);
+                                    let _e1592 = phi_3989_;
                                     if (_e1548 < 0.0lf) {
-                                        phi_3986_ = -(_e1548);
+                                        phi_3995_ = -(_e1548);
                                     } else {
-                                        phi_3986_ = _e1548;
+                                        phi_3995_ = _e1548;
                                     }
-                                    let _e1593 = phi_3986_;
+                                    let _e1596 = phi_3995_;
+                                    if (_e1592 > _e1596) {
+                                        phi_4000_ = _e1592;
+                                    } else {
+                                        phi_4000_ = _e1596;
+                                    }
+                                    let _e1599 = phi_4000_;
                                     if (_e1549 < 0.0lf) {
-                                        phi_3992_ = -(_e1549);
+                                        phi_4006_ = -(_e1549);
                                     } else {
-                                        phi_3992_ = _e1549;
+                                        phi_4006_ = _e1549;
                                     }
-                                    let _e1597 = phi_3992_;
-                                    if (_e1593 > _e1597) {
-                                        phi_3997_ = _e1593;
+                                    let _e1603 = phi_4006_;
+                                    if (_e1599 > _e1603) {
+                                        phi_4011_ = _e1599;
                                     } else {
-                                        phi_3997_ = _e1597;
+                                        phi_4011_ = _e1603;
                                     }
-                                    let _e1600 = phi_3997_;
-                                    if (_e1550 < 0.0lf) {
-                                        phi_4003_ = -(_e1550);
+                                    let _e1606 = phi_4011_;
+                                    local_3 = type_34(array<f64, 3>(_e1547, _e1548, _e1549), _e1588, (_e1606 + _e1588));
+                                    let _e1612 = local_12.member_3;
+                                    let _e1614 = local_12.member_2[0u];
+                                    if (_e1614[0] < 0.0lf) {
+                                        phi_4037_ = -(_e1614[0]);
                                     } else {
-                                        phi_4003_ = _e1550;
+                                        phi_4037_ = _e1614[0];
                                     }
-                                    let _e1604 = phi_4003_;
-                                    if (_e1600 > _e1604) {
-                                        phi_4008_ = _e1600;
+                                    let _e1621 = phi_4037_;
+                                    if (_e1614[1] < 0.0lf) {
+                                        phi_4044_ = -(_e1614[1]);
                                     } else {
-                                        phi_4008_ = _e1604;
+                                        phi_4044_ = _e1614[1];
                                     }
-                                    let _e1607 = phi_4008_;
-                                    local_3 = type_32(array<f64, 3>(_e1548, _e1549, _e1550), _e1589, (_e1607 + _e1589));
-                                    let _e1613 = local_12.member_3;
-                                    let _e1615 = local_12.member_2[0u];
-                                    if (_e1615[0] < 0.0lf) {
-                                        phi_4034_ = -(_e1615[0]);
+                                    let _e1625 = phi_4044_;
+                                    if (_e1621 > _e1625) {
+                                        phi_4049_ = _e1621;
                                     } else {
-                                        phi_4034_ = _e1615[0];
+                                        phi_4049_ = _e1625;
                                     }
-                                    let _e1622 = phi_4034_;
-                                    if (_e1615[1] < 0.0lf) {
-                                        phi_4041_ = -(_e1615[1]);
+                                    let _e1628 = phi_4049_;
+                                    if (_e1614[2] < 0.0lf) {
+                                        phi_4056_ = -(_e1614[2]);
                                     } else {
-                                        phi_4041_ = _e1615[1];
+                                        phi_4056_ = _e1614[2];
                                     }
-                                    let _e1626 = phi_4041_;
-                                    if (_e1622 > _e1626) {
-                                        phi_4046_ = _e1622;
+                                    let _e1632 = phi_4056_;
+                                    if (_e1628 > _e1632) {
+                                        phi_4061_ = _e1628;
                                     } else {
-                                        phi_4046_ = _e1626;
+                                        phi_4061_ = _e1632;
                                     }
-                                    let _e1629 = phi_4046_;
-                                    if (_e1615[2] < 0.0lf) {
-                                        phi_4053_ = -(_e1615[2]);
+                                    let _e1635 = phi_4061_;
+                                    let _e1637 = local_12.member_2[1u];
+                                    if (_e1637[0] < 0.0lf) {
+                                        phi_4074_ = -(_e1637[0]);
                                     } else {
-                                        phi_4053_ = _e1615[2];
+                                        phi_4074_ = _e1637[0];
                                     }
-                                    let _e1633 = phi_4053_;
-                                    if (_e1629 > _e1633) {
-                                        phi_4058_ = _e1629;
+                                    let _e1644 = phi_4074_;
+                                    if (_e1637[1] < 0.0lf) {
+                                        phi_4081_ = -(_e1637[1]);
                                     } else {
-                                        phi_4058_ = _e1633;
+                                        phi_4081_ = _e1637[1];
                                     }
-                                    let _e1636 = phi_4058_;
-                                    let _e1638 = local_12.member_2[1u];
-                                    if (_e1638[0] < 0.0lf) {
-                                        phi_4071_ = -(_e1638[0]);
+                                    let _e1648 = phi_4081_;
+                                    if (_e1644 > _e1648) {
+                                        phi_4086_ = _e1644;
                                     } else {
-                                        phi_4071_ = _e1638[0];
+                                        phi_4086_ = _e1648;
                                     }
-                                    let _e1645 = phi_4071_;
-                                    if (_e1638[1] < 0.0lf) {
-                                        phi_4078_ = -(_e1638[1]);
+                                    let _e1651 = phi_4086_;
+                                    if (_e1637[2] < 0.0lf) {
+                                        phi_4093_ = -(_e1637[2]);
                                     } else {
-                                        phi_4078_ = _e1638[1];
+                                        phi_4093_ = _e1637[2];
                                     }
-                                    let _e1649 = phi_4078_;
-                                    if (_e1645 > _e1649) {
-                                        phi_4083_ = _e1645;
+                                    let _e1655 = phi_4093_;
+                                    if (_e1651 > _e1655) {
+                                        phi_4098_ = _e1651;
                                     } else {
-                                        phi_4083_ = _e1649;
+                                        phi_4098_ = _e1655;
                                     }
-                                    let _e1652 = phi_4083_;
-                                    if (_e1638[2] < 0.0lf) {
-                                        phi_4090_ = -(_e1638[2]);
+                                    let _e1658 = phi_4098_;
+                                    if (_e1635 > _e1658) {
+                                        phi_4103_ = _e1635;
                                     } else {
-                                        phi_4090_ = _e1638[2];
+                                        phi_4103_ = _e1658;
                                     }
-                                    let _e1656 = phi_4090_;
-                                    if (_e1652 > _e1656) {
-                                        phi_4095_ = _e1652;
+                                    let _e1661 = phi_4103_;
+                                    let _e1664 = local_12.member_2[0u];
+                                    let _e1669 = local_12.member_2[1u];
+                                    let _e1679 = (_e1664[0] + ((_e1669[0] - _e1664[0]) * _e1342));
+                                    let _e1680 = (_e1664[1] + ((_e1669[1] - _e1664[1]) * _e1342));
+                                    let _e1681 = (_e1664[2] + ((_e1669[2] - _e1664[2]) * _e1342));
+                                    let _e1683 = local_12.member_2[1u];
+                                    let _e1688 = local_12.member_2[0u];
+                                    let _e1692 = (_e1683[0] - _e1688[0]);
+                                    let _e1693 = (_e1683[1] - _e1688[1]);
+                                    let _e1694 = (_e1683[2] - _e1688[2]);
+                                    if (_e1692 < 0.0lf) {
+                                        phi_4162_ = -(_e1692);
                                     } else {
-                                        phi_4095_ = _e1656;
+                                        phi_4162_ = _e1692;
                                     }
-                                    let _e1659 = phi_4095_;
-                                    if (_e1636 > _e1659) {
-                                        phi_4100_ = _e1636;
-                                    } else {
-                                        phi_4100_ = _e1659;
-                                    }
-                                    let _e1662 = phi_4100_;
-                                    let _e1665 = local_12.member_2[0u];
-                                    let _e1670 = local_12.member_2[1u];
-                                    let _e1680 = (_e1665[0] + ((_e1670[0] - _e1665[0]) * _e1343));
-                                    let _e1681 = (_e1665[1] + ((_e1670[1] - _e1665[1]) * _e1343));
-                                    let _e1682 = (_e1665[2] + ((_e1670[2] - _e1665[2]) * _e1343));
-                                    let _e1684 = local_12.member_2[1u];
-                                    let _e1689 = local_12.member_2[0u];
-                                    let _e1693 = (_e1684[0] - _e1689[0]);
-                                    let _e1694 = (_e1684[1] - _e1689[1]);
-                                    let _e1695 = (_e1684[2] - _e1689[2]);
+                                    let _e1698 = phi_4162_;
                                     if (_e1693 < 0.0lf) {
-                                        phi_4159_ = -(_e1693);
+                                        phi_4168_ = -(_e1693);
                                     } else {
-                                        phi_4159_ = _e1693;
+                                        phi_4168_ = _e1693;
                                     }
-                                    let _e1699 = phi_4159_;
+                                    let _e1702 = phi_4168_;
+                                    if (_e1698 > _e1702) {
+                                        phi_4173_ = _e1698;
+                                    } else {
+                                        phi_4173_ = _e1702;
+                                    }
+                                    let _e1705 = phi_4173_;
                                     if (_e1694 < 0.0lf) {
-                                        phi_4165_ = -(_e1694);
+                                        phi_4179_ = -(_e1694);
                                     } else {
-                                        phi_4165_ = _e1694;
+                                        phi_4179_ = _e1694;
                                     }
-                                    let _e1703 = phi_4165_;
-                                    if (_e1699 > _e1703) {
-                                        phi_4170_ = _e1699;
+                                    let _e1709 = phi_4179_;
+                                    if (_e1705 > _e1709) {
+                                        phi_4184_ = _e1705;
                                     } else {
-                                        phi_4170_ = _e1703;
+                                        phi_4184_ = _e1709;
                                     }
-                                    let _e1706 = phi_4170_;
-                                    if (_e1695 < 0.0lf) {
-                                        phi_4176_ = -(_e1695);
+                                    let _e1712 = phi_4184_;
+                                    let _e1720 = ((((_e1345 * _e1712) * f64(1.01f)) + ((_e1661 + _e1612) * (1.1102230246251565e-16lf * f64(8f)))) + _e1612);
+                                    if (_e1679 < 0.0lf) {
+                                        phi_4198_ = -(_e1679);
                                     } else {
-                                        phi_4176_ = _e1695;
+                                        phi_4198_ = _e1679;
                                     }
-                                    let _e1710 = phi_4176_;
-                                    if (_e1706 > _e1710) {
-                                        phi_4181_ = _e1706;
-                                    } else {
-                                        phi_4181_ = _e1710;
-                                    }
-                                    let _e1713 = phi_4181_;
-                                    let _e1721 = ((((_e1346 * _e1713) * f64(1.01f)) + ((_e1662 + _e1613) * (1.1102230246251565e-16lf * f64(8f)))) + _e1613);
+                                    let _e1724 = phi_4198_;
                                     if (_e1680 < 0.0lf) {
-                                        phi_4195_ = -(_e1680);
+                                        phi_4204_ = -(_e1680);
                                     } else {
-                                        phi_4195_ = _e1680;
+                                        phi_4204_ = _e1680;
                                     }
-                                    let _e1725 = phi_4195_;
+                                    let _e1728 = phi_4204_;
+                                    if (_e1724 > _e1728) {
+                                        phi_4209_ = _e1724;
+                                    } else {
+                                        phi_4209_ = _e1728;
+                                    }
+                                    let _e1731 = phi_4209_;
                                     if (_e1681 < 0.0lf) {
-                                        phi_4201_ = -(_e1681);
+                                        phi_4215_ = -(_e1681);
                                     } else {
-                                        phi_4201_ = _e1681;
+                                        phi_4215_ = _e1681;
                                     }
-                                    let _e1729 = phi_4201_;
-                                    if (_e1725 > _e1729) {
-                                        phi_4206_ = _e1725;
+                                    let _e1735 = phi_4215_;
+                                    if (_e1731 > _e1735) {
+                                        phi_4220_ = _e1731;
                                     } else {
-                                        phi_4206_ = _e1729;
+                                        phi_4220_ = _e1735;
                                     }
-                                    let _e1732 = phi_4206_;
-                                    if (_e1682 < 0.0lf) {
-                                        phi_4212_ = -(_e1682);
+                                    let _e1738 = phi_4220_;
+                                    local_4 = type_34(array<f64, 3>(_e1679, _e1680, _e1681), _e1720, (_e1738 + _e1720));
+                                    let _e1743 = local_3.member;
+                                    let _e1748 = local_4.member;
+                                    let _e1754 = ((_e1743[1] * _e1748[2]) - (_e1743[2] * _e1748[1]));
+                                    let _e1757 = ((_e1743[2] * _e1748[0]) - (_e1743[0] * _e1748[2]));
+                                    let _e1760 = ((_e1743[0] * _e1748[1]) - (_e1743[1] * _e1748[0]));
+                                    if (_e1754 < 0.0lf) {
+                                        phi_4269_ = -(_e1754);
                                     } else {
-                                        phi_4212_ = _e1682;
+                                        phi_4269_ = _e1754;
                                     }
-                                    let _e1736 = phi_4212_;
-                                    if (_e1732 > _e1736) {
-                                        phi_4217_ = _e1732;
+                                    let _e1764 = phi_4269_;
+                                    if (_e1757 < 0.0lf) {
+                                        phi_4275_ = -(_e1757);
                                     } else {
-                                        phi_4217_ = _e1736;
+                                        phi_4275_ = _e1757;
                                     }
-                                    let _e1739 = phi_4217_;
-                                    local_4 = type_32(array<f64, 3>(_e1680, _e1681, _e1682), _e1721, (_e1739 + _e1721));
-                                    let _e1744 = local_3.member;
-                                    let _e1749 = local_4.member;
-                                    let _e1755 = ((_e1744[1] * _e1749[2]) - (_e1744[2] * _e1749[1]));
-                                    let _e1758 = ((_e1744[2] * _e1749[0]) - (_e1744[0] * _e1749[2]));
-                                    let _e1761 = ((_e1744[0] * _e1749[1]) - (_e1744[1] * _e1749[0]));
-                                    if (_e1755 < 0.0lf) {
-                                        phi_4266_ = -(_e1755);
-                                    } else {
-                                        phi_4266_ = _e1755;
-                                    }
-                                    let _e1765 = phi_4266_;
-                                    if (_e1758 < 0.0lf) {
-                                        phi_4272_ = -(_e1758);
-                                    } else {
-                                        phi_4272_ = _e1758;
-                                    }
-                                    let _e1769 = phi_4272_;
-                                    if (_e1765 > _e1769) {
-                                        if (_e1755 < 0.0lf) {
-                                            phi_4282_ = -(_e1755);
+                                    let _e1768 = phi_4275_;
+                                    if (_e1764 > _e1768) {
+                                        if (_e1754 < 0.0lf) {
+                                            phi_4285_ = -(_e1754);
                                         } else {
-                                            phi_4282_ = _e1755;
+                                            phi_4285_ = _e1754;
                                         }
-                                        let _e1787 = phi_4282_;
-                                        if (_e1761 < 0.0lf) {
-                                            phi_4288_ = -(_e1761);
+                                        let _e1786 = phi_4285_;
+                                        if (_e1760 < 0.0lf) {
+                                            phi_4291_ = -(_e1760);
                                         } else {
-                                            phi_4288_ = _e1761;
+                                            phi_4291_ = _e1760;
                                         }
-                                        let _e1791 = phi_4288_;
-                                        if (_e1787 > _e1791) {
-                                            phi_4293_ = 2u;
-                                            phi_4294_ = 1u;
+                                        let _e1790 = phi_4291_;
+                                        if (_e1786 > _e1790) {
+                                            phi_4296_ = 2u;
+                                            phi_4297_ = 1u;
                                         } else {
-                                            phi_4293_ = 1u;
-                                            phi_4294_ = 0u;
+                                            phi_4296_ = 1u;
+                                            phi_4297_ = 0u;
                                         }
-                                        let _e1794 = phi_4293_;
-                                        let _e1796 = phi_4294_;
-                                        phi_4313_ = _e1794;
-                                        phi_4314_ = _e1796;
+                                        let _e1793 = phi_4296_;
+                                        let _e1795 = phi_4297_;
+                                        phi_4316_ = _e1793;
+                                        phi_4317_ = _e1795;
                                     } else {
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4300_ = -(_e1758);
+                                        if (_e1757 < 0.0lf) {
+                                            phi_4303_ = -(_e1757);
                                         } else {
-                                            phi_4300_ = _e1758;
+                                            phi_4303_ = _e1757;
                                         }
-                                        let _e1774 = phi_4300_;
-                                        if (_e1761 < 0.0lf) {
-                                            phi_4306_ = -(_e1761);
+                                        let _e1773 = phi_4303_;
+                                        if (_e1760 < 0.0lf) {
+                                            phi_4309_ = -(_e1760);
                                         } else {
-                                            phi_4306_ = _e1761;
+                                            phi_4309_ = _e1760;
                                         }
-                                        let _e1778 = phi_4306_;
-                                        if (_e1774 > _e1778) {
-                                            phi_4311_ = 0u;
-                                            phi_4312_ = 2u;
+                                        let _e1777 = phi_4309_;
+                                        if (_e1773 > _e1777) {
+                                            phi_4314_ = 0u;
+                                            phi_4315_ = 2u;
                                         } else {
-                                            phi_4311_ = 1u;
-                                            phi_4312_ = 0u;
+                                            phi_4314_ = 1u;
+                                            phi_4315_ = 0u;
                                         }
-                                        let _e1781 = phi_4311_;
-                                        let _e1783 = phi_4312_;
-                                        phi_4313_ = _e1781;
-                                        phi_4314_ = _e1783;
+                                        let _e1780 = phi_4314_;
+                                        let _e1782 = phi_4315_;
+                                        phi_4316_ = _e1780;
+                                        phi_4317_ = _e1782;
                                     }
-                                    let _e1798 = phi_4313_;
-                                    let _e1800 = phi_4314_;
-                                    let _e1803 = local_3.member[_e1800];
-                                    let _e1806 = local_4.member[_e1798];
-                                    let _e1810 = local_3.member[_e1798];
-                                    let _e1813 = local_4.member[_e1800];
-                                    let _e1815 = ((_e1803 * _e1806) - (_e1810 * _e1813));
-                                    let _e1816 = f64(1f);
-                                    let _e1818 = local_3.member_1;
-                                    let _e1820 = local_4.member_2;
-                                    let _e1823 = local_3.member_2;
-                                    let _e1825 = local_4.member_1;
-                                    let _e1831 = local_3.member_2;
-                                    let _e1833 = local_4.member_2;
-                                    let _e1842 = local_3.member_2;
-                                    let _e1845 = local_4.member_2;
-                                    let _e1849 = (((((_e1818 * _e1820) + (_e1823 * _e1825)) * f64(2.01f)) + ((_e1831 * _e1833) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1816 + _e1842) * (_e1816 + _e1845))));
-                                    if (_e1815 < 0.0lf) {
-                                        phi_4385_ = -(_e1815);
+                                    let _e1797 = phi_4316_;
+                                    let _e1799 = phi_4317_;
+                                    let _e1802 = local_3.member[_e1799];
+                                    let _e1805 = local_4.member[_e1797];
+                                    let _e1809 = local_3.member[_e1797];
+                                    let _e1812 = local_4.member[_e1799];
+                                    let _e1814 = ((_e1802 * _e1805) - (_e1809 * _e1812));
+                                    let _e1815 = f64(1f);
+                                    let _e1817 = local_3.member_1;
+                                    let _e1819 = local_4.member_2;
+                                    let _e1822 = local_3.member_2;
+                                    let _e1824 = local_4.member_1;
+                                    let _e1830 = local_3.member_2;
+                                    let _e1832 = local_4.member_2;
+                                    let _e1841 = local_3.member_2;
+                                    let _e1844 = local_4.member_2;
+                                    let _e1848 = (((((_e1817 * _e1819) + (_e1822 * _e1824)) * f64(2.01f)) + ((_e1830 * _e1832) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1815 + _e1841) * (_e1815 + _e1844))));
+                                    if (_e1814 < 0.0lf) {
+                                        phi_4388_ = -(_e1814);
                                     } else {
-                                        phi_4385_ = _e1815;
+                                        phi_4388_ = _e1814;
                                     }
-                                    let _e1853 = phi_4385_;
-                                    if (_e1853 > _e1849) {
-                                        if (_e1815 < f64(0f)) {
-                                            phi_4397_ = f64(-1f);
+                                    let _e1852 = phi_4388_;
+                                    if (_e1852 > _e1848) {
+                                        if (_e1814 < f64(0f)) {
+                                            phi_4400_ = f64(-1f);
                                         } else {
-                                            phi_4397_ = f64(1f);
+                                            phi_4400_ = f64(1f);
                                         }
-                                        let _e1860 = phi_4397_;
-                                        let _e1863 = local_2.member[_e1800];
-                                        let _e1866 = local_4.member[_e1798];
-                                        let _e1870 = local_2.member[_e1798];
-                                        let _e1873 = local_4.member[_e1800];
-                                        let _e1876 = f64(1f);
-                                        let _e1878 = local_2.member_1;
-                                        let _e1880 = local_4.member_2;
-                                        let _e1883 = local_2.member_2;
-                                        let _e1885 = local_4.member_1;
-                                        let _e1891 = local_2.member_2;
-                                        let _e1893 = local_4.member_2;
-                                        let _e1902 = local_2.member_2;
-                                        let _e1905 = local_4.member_2;
-                                        let _e1909 = (((((_e1878 * _e1880) + (_e1883 * _e1885)) * f64(2.01f)) + ((_e1891 * _e1893) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1876 + _e1902) * (_e1876 + _e1905))));
-                                        let _e1912 = local_3.member[_e1800];
-                                        let _e1915 = local_2.member[_e1798];
-                                        let _e1919 = local_3.member[_e1798];
-                                        let _e1922 = local_2.member[_e1800];
-                                        let _e1925 = f64(1f);
-                                        let _e1927 = local_3.member_1;
-                                        let _e1929 = local_2.member_2;
-                                        let _e1932 = local_3.member_2;
-                                        let _e1934 = local_2.member_1;
-                                        let _e1940 = local_3.member_2;
-                                        let _e1942 = local_2.member_2;
-                                        let _e1951 = local_3.member_2;
-                                        let _e1954 = local_2.member_2;
-                                        let _e1958 = (((((_e1927 * _e1929) + (_e1932 * _e1934)) * f64(2.01f)) + ((_e1940 * _e1942) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1925 + _e1951) * (_e1925 + _e1954))));
-                                        let _e1959 = (_e1815 * _e1860);
-                                        let _e1960 = (((_e1863 * _e1866) - (_e1870 * _e1873)) * _e1860);
-                                        let _e1961 = (((_e1912 * _e1915) - (_e1919 * _e1922)) * _e1860);
+                                        let _e1859 = phi_4400_;
+                                        let _e1862 = local_2.member[_e1799];
+                                        let _e1865 = local_4.member[_e1797];
+                                        let _e1869 = local_2.member[_e1797];
+                                        let _e1872 = local_4.member[_e1799];
+                                        let _e1875 = f64(1f);
+                                        let _e1877 = local_2.member_1;
+                                        let _e1879 = local_4.member_2;
+                                        let _e1882 = local_2.member_2;
+                                        let _e1884 = local_4.member_1;
+                                        let _e1890 = local_2.member_2;
+                                        let _e1892 = local_4.member_2;
+                                        let _e1901 = local_2.member_2;
+                                        let _e1904 = local_4.member_2;
+                                        let _e1908 = (((((_e1877 * _e1879) + (_e1882 * _e1884)) * f64(2.01f)) + ((_e1890 * _e1892) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1875 + _e1901) * (_e1875 + _e1904))));
+                                        let _e1911 = local_3.member[_e1799];
+                                        let _e1914 = local_2.member[_e1797];
+                                        let _e1918 = local_3.member[_e1797];
+                                        let _e1921 = local_2.member[_e1799];
+                                        let _e1924 = f64(1f);
+                                        let _e1926 = local_3.member_1;
+                                        let _e1928 = local_2.member_2;
+                                        let _e1931 = local_3.member_2;
+                                        let _e1933 = local_2.member_1;
+                                        let _e1939 = local_3.member_2;
+                                        let _e1941 = local_2.member_2;
+                                        let _e1950 = local_3.member_2;
+                                        let _e1953 = local_2.member_2;
+                                        let _e1957 = (((((_e1926 * _e1928) + (_e1931 * _e1933)) * f64(2.01f)) + ((_e1939 * _e1941) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1924 + _e1950) * (_e1924 + _e1953))));
+                                        let _e1958 = (_e1814 * _e1859);
+                                        let _e1959 = (((_e1862 * _e1865) - (_e1869 * _e1872)) * _e1859);
+                                        let _e1960 = (((_e1911 * _e1914) - (_e1918 * _e1921)) * _e1859);
+                                        if (_e1958 < 0.0lf) {
+                                            phi_4539_ = -(_e1958);
+                                        } else {
+                                            phi_4539_ = _e1958;
+                                        }
+                                        let _e1964 = phi_4539_;
                                         if (_e1959 < 0.0lf) {
-                                            phi_4536_ = -(_e1959);
+                                            phi_4545_ = -(_e1959);
                                         } else {
-                                            phi_4536_ = _e1959;
+                                            phi_4545_ = _e1959;
                                         }
-                                        let _e1965 = phi_4536_;
+                                        let _e1968 = phi_4545_;
                                         if (_e1960 < 0.0lf) {
-                                            phi_4542_ = -(_e1960);
+                                            phi_4552_ = -(_e1960);
                                         } else {
-                                            phi_4542_ = _e1960;
+                                            phi_4552_ = _e1960;
                                         }
-                                        let _e1969 = phi_4542_;
-                                        if (_e1961 < 0.0lf) {
-                                            phi_4549_ = -(_e1961);
-                                        } else {
-                                            phi_4549_ = _e1961;
-                                        }
-                                        let _e1974 = phi_4549_;
-                                        let _e1978 = (((_e1965 + _e1969) + _e1974) * (1.1102230246251565e-16lf * f64(4f)));
-                                        local_5[0u].member = _e1960;
-                                        local_5[0u].member_1 = _e1909;
-                                        local_5[1u].member = _e1961;
-                                        local_5[1u].member_1 = _e1958;
-                                        local_5[2u].member = (_e1959 - _e1960);
-                                        local_5[2u].member_1 = ((_e1849 + _e1909) + _e1978);
-                                        local_5[3u].member = (_e1959 - _e1961);
-                                        local_5[3u].member_1 = ((_e1849 + _e1958) + _e1978);
-                                        phi_4593_ = type_19(0u, 4u);
-                                        phi_4596_ = true;
+                                        let _e1973 = phi_4552_;
+                                        let _e1977 = (((_e1964 + _e1968) + _e1973) * (1.1102230246251565e-16lf * f64(4f)));
+                                        local_5[0u].member = _e1959;
+                                        local_5[0u].member_1 = _e1908;
+                                        local_5[1u].member = _e1960;
+                                        local_5[1u].member_1 = _e1957;
+                                        local_5[2u].member = (_e1958 - _e1959);
+                                        local_5[2u].member_1 = ((_e1848 + _e1908) + _e1977);
+                                        local_5[3u].member = (_e1958 - _e1960);
+                                        local_5[3u].member_1 = ((_e1848 + _e1957) + _e1977);
+                                        phi_4596_ = type_9(0u, 4u);
+                                        phi_4599_ = true;
                                         loop {
-                                            let _e1999 = phi_4593_;
-                                            let _e2001 = phi_4596_;
-                                            local_17 = _e2001;
-                                            if (_e1999.member < _e1999.member_1) {
-                                                phi_4594_ = type_19((_e1999.member + 1u), _e1999.member_1);
-                                                phi_4619_ = type_19(1u, _e1999.member);
+                                            let _e1998 = phi_4596_;
+                                            let _e2000 = phi_4599_;
+                                            local_17 = _e2000;
+                                            if (_e1998.member < _e1998.member_1) {
+                                                phi_4597_ = type_9((_e1998.member + 1u), _e1998.member_1);
+                                                phi_4622_ = type_9(1u, _e1998.member);
                                             } else {
-                                                phi_4594_ = _e1999;
-                                                phi_4619_ = type_19(0u, type_19().member_1);
+                                                phi_4597_ = _e1998;
+                                                phi_4622_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2013 = phi_4594_;
-                                            let _e2015 = phi_4619_;
-                                            if (bitcast<i32>(_e2015.member) != 0i) {
-                                                let _e2022 = local_5[_e2015.member_1].member;
-                                                let _e2025 = local_5[_e2015.member_1].member_1;
-                                                let _e2027 = (_e2022 < -(_e2025));
-                                                if _e2027 {
-                                                    phi_4646_ = bool();
-                                                    phi_4647_ = false;
+                                            let _e2012 = phi_4597_;
+                                            let _e2014 = phi_4622_;
+                                            if (bitcast<i32>(_e2014.member) != 0i) {
+                                                let _e2021 = local_5[_e2014.member_1].member;
+                                                let _e2024 = local_5[_e2014.member_1].member_1;
+                                                let _e2026 = (_e2021 < -(_e2024));
+                                                if _e2026 {
+                                                    phi_4649_ = bool();
+                                                    phi_4650_ = false;
                                                 } else {
-                                                    phi_4646_ = (_e2001 && (_e2022 > _e2025));
-                                                    phi_4647_ = true;
+                                                    phi_4649_ = (_e2000 && (_e2021 > _e2024));
+                                                    phi_4650_ = true;
                                                 }
-                                                let _e2031 = phi_4646_;
-                                                let _e2033 = phi_4647_;
-                                                phi_4597_ = _e2031;
-                                                phi_4648_ = _e2033;
-                                                phi_4649_ = _e2027;
+                                                let _e2030 = phi_4649_;
+                                                let _e2032 = phi_4650_;
+                                                phi_4600_ = _e2030;
+                                                phi_4651_ = _e2032;
+                                                phi_4652_ = _e2026;
                                             } else {
-                                                phi_4597_ = bool();
-                                                phi_4648_ = false;
-                                                phi_4649_ = false;
+                                                phi_4600_ = bool();
+                                                phi_4651_ = false;
+                                                phi_4652_ = false;
                                             }
-                                            let _e2035 = phi_4597_;
-                                            let _e2037 = phi_4648_;
-                                            let _e2039 = phi_4649_;
-                                            local_16 = _e2039;
+                                            let _e2034 = phi_4600_;
+                                            let _e2036 = phi_4651_;
+                                            let _e2038 = phi_4652_;
+                                            local_16 = _e2038;
                                             continue;
                                             continuing {
-                                                phi_4593_ = _e2013;
-                                                phi_4596_ = _e2035;
-                                                break if !(_e2037);
+                                                phi_4596_ = _e2012;
+                                                phi_4599_ = _e2034;
+                                                break if !(_e2036);
                                             }
                                         }
-                                        let _e2042 = local_16;
-                                        if _e2042 {
-                                            phi_4653_ = false;
+                                        let _e2041 = local_16;
+                                        if _e2041 {
+                                            phi_4656_ = false;
                                         } else {
-                                            phi_4653_ = true;
+                                            phi_4656_ = true;
                                         }
-                                        let _e2044 = phi_4653_;
-                                        if _e2044 {
-                                            let _e2046 = local_17;
-                                            if _e2046 {
-                                                phi_4660_ = 1u;
+                                        let _e2043 = phi_4656_;
+                                        if _e2043 {
+                                            let _e2045 = local_17;
+                                            if _e2045 {
+                                                phi_4663_ = 1u;
                                             } else {
-                                                phi_4660_ = 2u;
+                                                phi_4663_ = 2u;
                                             }
-                                            let _e2048 = phi_4660_;
-                                            phi_4661_ = _e2048;
-                                            phi_4662_ = false;
+                                            let _e2047 = phi_4663_;
+                                            phi_4664_ = _e2047;
+                                            phi_4665_ = false;
                                         } else {
-                                            phi_4661_ = u32();
-                                            phi_4662_ = true;
+                                            phi_4664_ = u32();
+                                            phi_4665_ = true;
                                         }
-                                        let _e2050 = phi_4661_;
-                                        let _e2052 = phi_4662_;
-                                        phi_4663_ = _e2050;
-                                        phi_4664_ = 0u;
-                                        phi_4665_ = _e2052;
+                                        let _e2049 = phi_4664_;
+                                        let _e2051 = phi_4665_;
+                                        phi_4666_ = _e2049;
+                                        phi_4667_ = 0u;
+                                        phi_4668_ = _e2051;
                                     } else {
-                                        phi_4663_ = u32();
-                                        phi_4664_ = 2u;
-                                        phi_4665_ = true;
+                                        phi_4666_ = u32();
+                                        phi_4667_ = 2u;
+                                        phi_4668_ = true;
                                     }
-                                    let _e2054 = phi_4663_;
-                                    let _e2056 = phi_4664_;
-                                    let _e2058 = phi_4665_;
-                                    if _e2058 {
-                                        phi_4669_ = _e2056;
+                                    let _e2053 = phi_4666_;
+                                    let _e2055 = phi_4667_;
+                                    let _e2057 = phi_4668_;
+                                    if _e2057 {
+                                        phi_4672_ = _e2055;
                                     } else {
-                                        phi_4669_ = _e2054;
+                                        phi_4672_ = _e2053;
                                     }
-                                    let _e2060 = phi_4669_;
-                                    let _e2061 = (_e2060 == 0u);
-                                    if _e2061 {
-                                        phi_5726_ = f64();
-                                        phi_5727_ = false;
-                                        phi_5728_ = false;
-                                        phi_5729_ = false;
+                                    let _e2059 = phi_4672_;
+                                    let _e2060 = (_e2059 == 0u);
+                                    if _e2060 {
+                                        phi_5729_ = f64();
+                                        phi_5730_ = false;
+                                        phi_5731_ = false;
+                                        phi_5732_ = false;
                                     } else {
-                                        if (_e2060 == 1u) {
-                                            if _e1334.member_2 {
-                                                if ((_e1334.member_1 - _e1334.member) <= f64(0.0000005f)) {
-                                                    phi_4690_ = false;
+                                        if (_e2059 == 1u) {
+                                            if _e1333.member_2 {
+                                                if ((_e1333.member_1 - _e1333.member) <= f64(0.0000005f)) {
+                                                    phi_4693_ = false;
                                                 } else {
-                                                    phi_4690_ = true;
+                                                    phi_4693_ = true;
                                                 }
-                                                let _e2070 = phi_4690_;
-                                                phi_4691_ = _e2070;
+                                                let _e2069 = phi_4693_;
+                                                phi_4694_ = _e2069;
                                             } else {
-                                                phi_4691_ = true;
+                                                phi_4694_ = true;
                                             }
-                                            let _e2072 = phi_4691_;
-                                            phi_4692_ = _e2072;
+                                            let _e2071 = phi_4694_;
+                                            phi_4695_ = _e2071;
                                         } else {
-                                            phi_4692_ = true;
+                                            phi_4695_ = true;
                                         }
-                                        let _e2074 = phi_4692_;
-                                        if _e2074 {
-                                            let _e2080 = local_12.member[0u];
-                                            let _e2086 = local_12.member_1[0u];
-                                            let _e2092 = local_12.member_2[0u];
-                                            let _e2096 = (_e2080[0] - _e2086[0]);
-                                            let _e2097 = (_e2080[1] - _e2086[1]);
-                                            let _e2098 = (_e2080[2] - _e2086[2]);
-                                            local = array<array<f64, 3>, 4>(_e2080, array<f64, 3>(_e2096, _e2097, _e2098), array<f64, 3>((_e2080[0] - _e2092[0]), (_e2080[1] - _e2092[1]), (_e2080[2] - _e2092[2])), array<f64, 3>((_e2096 - _e2092[0]), (_e2097 - _e2092[1]), (_e2098 - _e2092[2])));
-                                            let _e2111 = local_12.member[1u];
-                                            let _e2117 = local_12.member_1[1u];
-                                            let _e2123 = local_12.member_2[1u];
-                                            let _e2127 = (_e2111[0] - _e2117[0]);
-                                            let _e2128 = (_e2111[1] - _e2117[1]);
-                                            let _e2129 = (_e2111[2] - _e2117[2]);
-                                            local_1 = array<array<f64, 3>, 4>(_e2111, array<f64, 3>(_e2127, _e2128, _e2129), array<f64, 3>((_e2111[0] - _e2123[0]), (_e2111[1] - _e2123[1]), (_e2111[2] - _e2123[2])), array<f64, 3>((_e2127 - _e2123[0]), (_e2128 - _e2123[1]), (_e2129 - _e2123[2])));
-                                            let _e2142 = local_12.member[0u];
-                                            if (_e2142[0] < 0.0lf) {
-                                                phi_4889_ = -(_e2142[0]);
+                                        let _e2073 = phi_4695_;
+                                        if _e2073 {
+                                            let _e2079 = local_12.member[0u];
+                                            let _e2085 = local_12.member_1[0u];
+                                            let _e2091 = local_12.member_2[0u];
+                                            let _e2095 = (_e2079[0] - _e2085[0]);
+                                            let _e2096 = (_e2079[1] - _e2085[1]);
+                                            let _e2097 = (_e2079[2] - _e2085[2]);
+                                            local = array<array<f64, 3>, 4>(_e2079, array<f64, 3>(_e2095, _e2096, _e2097), array<f64, 3>((_e2079[0] - _e2091[0]), (_e2079[1] - _e2091[1]), (_e2079[2] - _e2091[2])), array<f64, 3>((_e2095 - _e2091[0]), (_e2096 - _e2091[1]), (_e2097 - _e2091[2])));
+                                            let _e2110 = local_12.member[1u];
+                                            let _e2116 = local_12.member_1[1u];
+                                            let _e2122 = local_12.member_2[1u];
+                                            let _e2126 = (_e2110[0] - _e2116[0]);
+                                            let _e2127 = (_e2110[1] - _e2116[1]);
+                                            let _e2128 = (_e2110[2] - _e2116[2]);
+                                            local_1 = array<array<f64, 3>, 4>(_e2110, array<f64, 3>(_e2126, _e2127, _e2128), array<f64, 3>((_e2110[0] - _e2122[0]), (_e2110[1] - _e2122[1]), (_e2110[2] - _e2122[2])), array<f64, 3>((_e2126 - _e2122[0]), (_e2127 - _e2122[1]), (_e2128 - _e2122[2])));
+                                            let _e2141 = local_12.member[0u];
+                                            if (_e2141[0] < 0.0lf) {
+                                                phi_4892_ = -(_e2141[0]);
                                             } else {
-                                                phi_4889_ = _e2142[0];
+                                                phi_4892_ = _e2141[0];
                                             }
-                                            let _e2149 = phi_4889_;
-                                            if (_e2142[1] < 0.0lf) {
-                                                phi_4896_ = -(_e2142[1]);
+                                            let _e2148 = phi_4892_;
+                                            if (_e2141[1] < 0.0lf) {
+                                                phi_4899_ = -(_e2141[1]);
                                             } else {
-                                                phi_4896_ = _e2142[1];
+                                                phi_4899_ = _e2141[1];
                                             }
-                                            let _e2153 = phi_4896_;
-                                            if (_e2149 > _e2153) {
-                                                phi_4901_ = _e2149;
+                                            let _e2152 = phi_4899_;
+                                            if (_e2148 > _e2152) {
+                                                phi_4904_ = _e2148;
                                             } else {
-                                                phi_4901_ = _e2153;
+                                                phi_4904_ = _e2152;
                                             }
-                                            let _e2156 = phi_4901_;
-                                            if (_e2142[2] < 0.0lf) {
-                                                phi_4908_ = -(_e2142[2]);
+                                            let _e2155 = phi_4904_;
+                                            if (_e2141[2] < 0.0lf) {
+                                                phi_4911_ = -(_e2141[2]);
                                             } else {
-                                                phi_4908_ = _e2142[2];
+                                                phi_4911_ = _e2141[2];
                                             }
-                                            let _e2160 = phi_4908_;
-                                            if (_e2156 > _e2160) {
-                                                phi_4913_ = _e2156;
+                                            let _e2159 = phi_4911_;
+                                            if (_e2155 > _e2159) {
+                                                phi_4916_ = _e2155;
                                             } else {
-                                                phi_4913_ = _e2160;
+                                                phi_4916_ = _e2159;
                                             }
-                                            let _e2163 = phi_4913_;
-                                            let _e2166 = local_12.member[1u];
-                                            if (_e2166[0] < 0.0lf) {
-                                                phi_4926_ = -(_e2166[0]);
+                                            let _e2162 = phi_4916_;
+                                            let _e2165 = local_12.member[1u];
+                                            if (_e2165[0] < 0.0lf) {
+                                                phi_4929_ = -(_e2165[0]);
                                             } else {
-                                                phi_4926_ = _e2166[0];
+                                                phi_4929_ = _e2165[0];
                                             }
-                                            let _e2173 = phi_4926_;
-                                            if (_e2166[1] < 0.0lf) {
-                                                phi_4933_ = -(_e2166[1]);
+                                            let _e2172 = phi_4929_;
+                                            if (_e2165[1] < 0.0lf) {
+                                                phi_4936_ = -(_e2165[1]);
                                             } else {
-                                                phi_4933_ = _e2166[1];
+                                                phi_4936_ = _e2165[1];
                                             }
-                                            let _e2177 = phi_4933_;
-                                            if (_e2173 > _e2177) {
-                                                phi_4938_ = _e2173;
+                                            let _e2176 = phi_4936_;
+                                            if (_e2172 > _e2176) {
+                                                phi_4941_ = _e2172;
                                             } else {
-                                                phi_4938_ = _e2177;
+                                                phi_4941_ = _e2176;
                                             }
-                                            let _e2180 = phi_4938_;
-                                            if (_e2166[2] < 0.0lf) {
-                                                phi_4945_ = -(_e2166[2]);
+                                            let _e2179 = phi_4941_;
+                                            if (_e2165[2] < 0.0lf) {
+                                                phi_4948_ = -(_e2165[2]);
                                             } else {
-                                                phi_4945_ = _e2166[2];
+                                                phi_4948_ = _e2165[2];
                                             }
-                                            let _e2184 = phi_4945_;
-                                            if (_e2180 > _e2184) {
-                                                phi_4950_ = _e2180;
+                                            let _e2183 = phi_4948_;
+                                            if (_e2179 > _e2183) {
+                                                phi_4953_ = _e2179;
                                             } else {
-                                                phi_4950_ = _e2184;
+                                                phi_4953_ = _e2183;
                                             }
-                                            let _e2187 = phi_4950_;
-                                            if (_e2163 > _e2187) {
-                                                phi_4955_ = _e2163;
+                                            let _e2186 = phi_4953_;
+                                            if (_e2162 > _e2186) {
+                                                phi_4958_ = _e2162;
                                             } else {
-                                                phi_4955_ = _e2187;
+                                                phi_4958_ = _e2186;
                                             }
-                                            let _e2190 = phi_4955_;
-                                            let _e2192 = local_12.member_3;
-                                            let _e2196 = local_12.member_1[0u];
-                                            if (_e2196[0] < 0.0lf) {
-                                                phi_4972_ = -(_e2196[0]);
+                                            let _e2189 = phi_4958_;
+                                            let _e2191 = local_12.member_3;
+                                            let _e2195 = local_12.member_1[0u];
+                                            if (_e2195[0] < 0.0lf) {
+                                                phi_4975_ = -(_e2195[0]);
                                             } else {
-                                                phi_4972_ = _e2196[0];
+                                                phi_4975_ = _e2195[0];
                                             }
-                                            let _e2203 = phi_4972_;
-                                            if (_e2196[1] < 0.0lf) {
-                                                phi_4979_ = -(_e2196[1]);
+                                            let _e2202 = phi_4975_;
+                                            if (_e2195[1] < 0.0lf) {
+                                                phi_4982_ = -(_e2195[1]);
                                             } else {
-                                                phi_4979_ = _e2196[1];
+                                                phi_4982_ = _e2195[1];
                                             }
-                                            let _e2207 = phi_4979_;
-                                            if (_e2203 > _e2207) {
-                                                phi_4984_ = _e2203;
+                                            let _e2206 = phi_4982_;
+                                            if (_e2202 > _e2206) {
+                                                phi_4987_ = _e2202;
                                             } else {
-                                                phi_4984_ = _e2207;
+                                                phi_4987_ = _e2206;
                                             }
-                                            let _e2210 = phi_4984_;
-                                            if (_e2196[2] < 0.0lf) {
-                                                phi_4991_ = -(_e2196[2]);
+                                            let _e2209 = phi_4987_;
+                                            if (_e2195[2] < 0.0lf) {
+                                                phi_4994_ = -(_e2195[2]);
                                             } else {
-                                                phi_4991_ = _e2196[2];
+                                                phi_4994_ = _e2195[2];
                                             }
-                                            let _e2214 = phi_4991_;
-                                            if (_e2210 > _e2214) {
-                                                phi_4996_ = _e2210;
+                                            let _e2213 = phi_4994_;
+                                            if (_e2209 > _e2213) {
+                                                phi_4999_ = _e2209;
                                             } else {
-                                                phi_4996_ = _e2214;
+                                                phi_4999_ = _e2213;
                                             }
-                                            let _e2217 = phi_4996_;
-                                            let _e2220 = local_12.member_1[1u];
-                                            if (_e2220[0] < 0.0lf) {
-                                                phi_5010_ = -(_e2220[0]);
+                                            let _e2216 = phi_4999_;
+                                            let _e2219 = local_12.member_1[1u];
+                                            if (_e2219[0] < 0.0lf) {
+                                                phi_5013_ = -(_e2219[0]);
                                             } else {
-                                                phi_5010_ = _e2220[0];
+                                                phi_5013_ = _e2219[0];
                                             }
-                                            let _e2227 = phi_5010_;
-                                            if (_e2220[1] < 0.0lf) {
-                                                phi_5017_ = -(_e2220[1]);
+                                            let _e2226 = phi_5013_;
+                                            if (_e2219[1] < 0.0lf) {
+                                                phi_5020_ = -(_e2219[1]);
                                             } else {
-                                                phi_5017_ = _e2220[1];
+                                                phi_5020_ = _e2219[1];
                                             }
-                                            let _e2231 = phi_5017_;
-                                            if (_e2227 > _e2231) {
-                                                phi_5022_ = _e2227;
+                                            let _e2230 = phi_5020_;
+                                            if (_e2226 > _e2230) {
+                                                phi_5025_ = _e2226;
                                             } else {
-                                                phi_5022_ = _e2231;
+                                                phi_5025_ = _e2230;
                                             }
-                                            let _e2234 = phi_5022_;
-                                            if (_e2220[2] < 0.0lf) {
-                                                phi_5029_ = -(_e2220[2]);
+                                            let _e2233 = phi_5025_;
+                                            if (_e2219[2] < 0.0lf) {
+                                                phi_5032_ = -(_e2219[2]);
                                             } else {
-                                                phi_5029_ = _e2220[2];
+                                                phi_5032_ = _e2219[2];
                                             }
-                                            let _e2238 = phi_5029_;
-                                            if (_e2234 > _e2238) {
-                                                phi_5034_ = _e2234;
+                                            let _e2237 = phi_5032_;
+                                            if (_e2233 > _e2237) {
+                                                phi_5037_ = _e2233;
                                             } else {
-                                                phi_5034_ = _e2238;
+                                                phi_5037_ = _e2237;
                                             }
-                                            let _e2241 = phi_5034_;
-                                            if (_e2217 > _e2241) {
-                                                phi_5039_ = _e2217;
+                                            let _e2240 = phi_5037_;
+                                            if (_e2216 > _e2240) {
+                                                phi_5042_ = _e2216;
                                             } else {
-                                                phi_5039_ = _e2241;
+                                                phi_5042_ = _e2240;
                                             }
-                                            let _e2244 = phi_5039_;
-                                            let _e2246 = local_12.member_3;
-                                            let _e2250 = local_12.member_2[0u];
-                                            if (_e2250[0] < 0.0lf) {
-                                                phi_5056_ = -(_e2250[0]);
+                                            let _e2243 = phi_5042_;
+                                            let _e2245 = local_12.member_3;
+                                            let _e2249 = local_12.member_2[0u];
+                                            if (_e2249[0] < 0.0lf) {
+                                                phi_5059_ = -(_e2249[0]);
                                             } else {
-                                                phi_5056_ = _e2250[0];
+                                                phi_5059_ = _e2249[0];
                                             }
-                                            let _e2257 = phi_5056_;
-                                            if (_e2250[1] < 0.0lf) {
-                                                phi_5063_ = -(_e2250[1]);
+                                            let _e2256 = phi_5059_;
+                                            if (_e2249[1] < 0.0lf) {
+                                                phi_5066_ = -(_e2249[1]);
                                             } else {
-                                                phi_5063_ = _e2250[1];
+                                                phi_5066_ = _e2249[1];
                                             }
-                                            let _e2261 = phi_5063_;
-                                            if (_e2257 > _e2261) {
-                                                phi_5068_ = _e2257;
+                                            let _e2260 = phi_5066_;
+                                            if (_e2256 > _e2260) {
+                                                phi_5071_ = _e2256;
                                             } else {
-                                                phi_5068_ = _e2261;
+                                                phi_5071_ = _e2260;
                                             }
-                                            let _e2264 = phi_5068_;
-                                            if (_e2250[2] < 0.0lf) {
-                                                phi_5075_ = -(_e2250[2]);
+                                            let _e2263 = phi_5071_;
+                                            if (_e2249[2] < 0.0lf) {
+                                                phi_5078_ = -(_e2249[2]);
                                             } else {
-                                                phi_5075_ = _e2250[2];
+                                                phi_5078_ = _e2249[2];
                                             }
-                                            let _e2268 = phi_5075_;
-                                            if (_e2264 > _e2268) {
-                                                phi_5080_ = _e2264;
+                                            let _e2267 = phi_5078_;
+                                            if (_e2263 > _e2267) {
+                                                phi_5083_ = _e2263;
                                             } else {
-                                                phi_5080_ = _e2268;
+                                                phi_5083_ = _e2267;
                                             }
-                                            let _e2271 = phi_5080_;
-                                            let _e2274 = local_12.member_2[1u];
-                                            if (_e2274[0] < 0.0lf) {
-                                                phi_5094_ = -(_e2274[0]);
+                                            let _e2270 = phi_5083_;
+                                            let _e2273 = local_12.member_2[1u];
+                                            if (_e2273[0] < 0.0lf) {
+                                                phi_5097_ = -(_e2273[0]);
                                             } else {
-                                                phi_5094_ = _e2274[0];
+                                                phi_5097_ = _e2273[0];
                                             }
-                                            let _e2281 = phi_5094_;
-                                            if (_e2274[1] < 0.0lf) {
-                                                phi_5101_ = -(_e2274[1]);
+                                            let _e2280 = phi_5097_;
+                                            if (_e2273[1] < 0.0lf) {
+                                                phi_5104_ = -(_e2273[1]);
                                             } else {
-                                                phi_5101_ = _e2274[1];
+                                                phi_5104_ = _e2273[1];
                                             }
-                                            let _e2285 = phi_5101_;
-                                            if (_e2281 > _e2285) {
-                                                phi_5106_ = _e2281;
+                                            let _e2284 = phi_5104_;
+                                            if (_e2280 > _e2284) {
+                                                phi_5109_ = _e2280;
                                             } else {
-                                                phi_5106_ = _e2285;
+                                                phi_5109_ = _e2284;
                                             }
-                                            let _e2288 = phi_5106_;
-                                            if (_e2274[2] < 0.0lf) {
-                                                phi_5113_ = -(_e2274[2]);
+                                            let _e2287 = phi_5109_;
+                                            if (_e2273[2] < 0.0lf) {
+                                                phi_5116_ = -(_e2273[2]);
                                             } else {
-                                                phi_5113_ = _e2274[2];
+                                                phi_5116_ = _e2273[2];
                                             }
-                                            let _e2292 = phi_5113_;
-                                            if (_e2288 > _e2292) {
-                                                phi_5118_ = _e2288;
+                                            let _e2291 = phi_5116_;
+                                            if (_e2287 > _e2291) {
+                                                phi_5121_ = _e2287;
                                             } else {
-                                                phi_5118_ = _e2292;
+                                                phi_5121_ = _e2291;
                                             }
-                                            let _e2295 = phi_5118_;
-                                            if (_e2271 > _e2295) {
-                                                phi_5123_ = _e2271;
+                                            let _e2294 = phi_5121_;
+                                            if (_e2270 > _e2294) {
+                                                phi_5126_ = _e2270;
                                             } else {
-                                                phi_5123_ = _e2295;
+                                                phi_5126_ = _e2294;
                                             }
-                                            let _e2298 = phi_5123_;
-                                            let _e2300 = local_12.member_3;
-                                            let _e2308 = local_12.member_3;
-                                            phi_5143_ = type_19(0u, 48u);
-                                            phi_5146_ = _e1334.member;
+                                            let _e2297 = phi_5126_;
+                                            let _e2299 = local_12.member_3;
+                                            let _e2307 = local_12.member_3;
+                                            phi_5146_ = type_9(0u, 48u);
+                                            phi_5149_ = _e1333.member;
                                             loop {
-                                                let _e2317 = phi_5143_;
-                                                let _e2319 = phi_5146_;
-                                                local_61 = _e2319;
-                                                local_24 = _e2319;
-                                                local_25 = _e2319;
-                                                local_26 = _e2319;
-                                                local_27 = _e2319;
-                                                if (_e2317.member < _e2317.member_1) {
-                                                    phi_5144_ = type_19((_e2317.member + 1u), _e2317.member_1);
-                                                    phi_5169_ = type_19(1u, _e2317.member);
+                                                let _e2316 = phi_5146_;
+                                                let _e2318 = phi_5149_;
+                                                local_61 = _e2318;
+                                                local_24 = _e2318;
+                                                local_25 = _e2318;
+                                                local_26 = _e2318;
+                                                local_27 = _e2318;
+                                                if (_e2316.member < _e2316.member_1) {
+                                                    phi_5147_ = type_9((_e2316.member + 1u), _e2316.member_1);
+                                                    phi_5172_ = type_9(1u, _e2316.member);
                                                 } else {
-                                                    phi_5144_ = _e2317;
-                                                    phi_5169_ = type_19(0u, type_19().member_1);
+                                                    phi_5147_ = _e2316;
+                                                    phi_5172_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2331 = phi_5144_;
-                                                let _e2333 = phi_5169_;
-                                                if (bitcast<i32>(_e2333.member) != 0i) {
-                                                    let _e2339 = local_12.member[0u];
-                                                    let _e2345 = local_12.member[1u];
-                                                    let _e2361 = local_12.member_1[0u];
-                                                    let _e2367 = local_12.member_1[1u];
-                                                    let _e2383 = local_12.member_2[0u];
-                                                    let _e2389 = local_12.member_2[1u];
-                                                    let _e2403 = function_2(array<f64, 3>((_e2339[0] + ((_e2345[0] - _e2339[0]) * _e2319)), (_e2339[1] + ((_e2345[1] - _e2339[1]) * _e2319)), (_e2339[2] + ((_e2345[2] - _e2339[2]) * _e2319))), array<f64, 3>((_e2361[0] + ((_e2367[0] - _e2361[0]) * _e2319)), (_e2361[1] + ((_e2367[1] - _e2361[1]) * _e2319)), (_e2361[2] + ((_e2367[2] - _e2361[2]) * _e2319))), array<f64, 3>((_e2383[0] + ((_e2389[0] - _e2383[0]) * _e2319)), (_e2383[1] + ((_e2389[1] - _e2383[1]) * _e2319)), (_e2383[2] + ((_e2389[2] - _e2383[2]) * _e2319))), 1u);
-                                                    if (_e2403[0] < 0.0lf) {
-                                                        phi_5280_ = -(_e2403[0]);
+                                                let _e2330 = phi_5147_;
+                                                let _e2332 = phi_5172_;
+                                                if (bitcast<i32>(_e2332.member) != 0i) {
+                                                    let _e2338 = local_12.member[0u];
+                                                    let _e2344 = local_12.member[1u];
+                                                    let _e2360 = local_12.member_1[0u];
+                                                    let _e2366 = local_12.member_1[1u];
+                                                    let _e2382 = local_12.member_2[0u];
+                                                    let _e2388 = local_12.member_2[1u];
+                                                    let _e2402 = function_2(array<f64, 3>((_e2338[0] + ((_e2344[0] - _e2338[0]) * _e2318)), (_e2338[1] + ((_e2344[1] - _e2338[1]) * _e2318)), (_e2338[2] + ((_e2344[2] - _e2338[2]) * _e2318))), array<f64, 3>((_e2360[0] + ((_e2366[0] - _e2360[0]) * _e2318)), (_e2360[1] + ((_e2366[1] - _e2360[1]) * _e2318)), (_e2360[2] + ((_e2366[2] - _e2360[2]) * _e2318))), array<f64, 3>((_e2382[0] + ((_e2388[0] - _e2382[0]) * _e2318)), (_e2382[1] + ((_e2388[1] - _e2382[1]) * _e2318)), (_e2382[2] + ((_e2388[2] - _e2382[2]) * _e2318))), 1u);
+                                                    if (_e2402[0] < 0.0lf) {
+                                                        phi_5283_ = -(_e2402[0]);
                                                     } else {
-                                                        phi_5280_ = _e2403[0];
+                                                        phi_5283_ = _e2402[0];
                                                     }
-                                                    let _e2408 = phi_5280_;
-                                                    if (_e2403[1] < 0.0lf) {
-                                                        phi_5287_ = -(_e2403[1]);
+                                                    let _e2407 = phi_5283_;
+                                                    if (_e2402[1] < 0.0lf) {
+                                                        phi_5290_ = -(_e2402[1]);
                                                     } else {
-                                                        phi_5287_ = _e2403[1];
+                                                        phi_5290_ = _e2402[1];
                                                     }
-                                                    let _e2413 = phi_5287_;
-                                                    if (_e2403[2] < 0.0lf) {
-                                                        phi_5295_ = -(_e2403[2]);
+                                                    let _e2412 = phi_5290_;
+                                                    if (_e2402[2] < 0.0lf) {
+                                                        phi_5298_ = -(_e2402[2]);
                                                     } else {
-                                                        phi_5295_ = _e2403[2];
+                                                        phi_5298_ = _e2402[2];
                                                     }
-                                                    let _e2419 = phi_5295_;
-                                                    let _e2420 = ((_e2408 + _e2413) + _e2419);
-                                                    if (_e2420 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2420) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2426 = (f64(1f) / _e2420);
-                                                            let _e2428 = (_e2403[0] * _e2426);
-                                                            let _e2430 = (_e2403[1] * _e2426);
-                                                            let _e2432 = (_e2403[2] * _e2426);
-                                                            let _e2437 = (((_e2428 * _e2428) + (_e2430 * _e2430)) + (_e2432 * _e2432));
-                                                            if (_e2437 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2437 > 0.0lf) {
-                                                                    phi_5333_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2418 = phi_5298_;
+                                                    let _e2419 = ((_e2407 + _e2412) + _e2418);
+                                                    if (_e2419 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2419) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2425 = (f64(1f) / _e2419);
+                                                            let _e2427 = (_e2402[0] * _e2425);
+                                                            let _e2429 = (_e2402[1] * _e2425);
+                                                            let _e2431 = (_e2402[2] * _e2425);
+                                                            let _e2436 = (((_e2427 * _e2427) + (_e2429 * _e2429)) + (_e2431 * _e2431));
+                                                            if (_e2436 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2436 > 0.0lf) {
+                                                                    phi_5336_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_5333_ = 0.0lf;
+                                                                    phi_5336_ = 0.0lf;
                                                                 }
-                                                                let _e2489 = phi_5333_;
-                                                                phi_5397_ = _e2489;
+                                                                let _e2488 = phi_5336_;
+                                                                phi_5400_ = _e2488;
                                                             } else {
-                                                                phi_5340_ = type_17(0i, 5i);
-                                                                phi_5343_ = bitcast<f64>(((bitcast<u64>(_e2437) / 2lu) + 2303426169912950784lu));
+                                                                phi_5343_ = type_16(0i, 5i);
+                                                                phi_5346_ = bitcast<f64>(((bitcast<u64>(_e2436) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2444 = phi_5340_;
-                                                                    let _e2446 = phi_5343_;
-                                                                    local_18 = _e2446;
-                                                                    if (_e2444.member < _e2444.member_1) {
-                                                                        let _e2453 = (_e2444.member + 1i);
-                                                                        if ((false == (_e2453 > _e2444.member)) != false) {
-                                                                            phi_5364_ = true;
+                                                                    let _e2443 = phi_5343_;
+                                                                    let _e2445 = phi_5346_;
+                                                                    local_18 = _e2445;
+                                                                    if (_e2443.member < _e2443.member_1) {
+                                                                        let _e2452 = (_e2443.member + 1i);
+                                                                        if ((false == (_e2452 > _e2443.member)) != false) {
+                                                                            phi_5367_ = true;
                                                                         } else {
-                                                                            phi_5364_ = false;
+                                                                            phi_5367_ = false;
                                                                         }
-                                                                        let _e2458 = phi_5364_;
-                                                                        if _e2458 {
-                                                                            phi_5370_ = type_18(0u, type_18().member_1);
+                                                                        let _e2457 = phi_5367_;
+                                                                        if _e2457 {
+                                                                            phi_5373_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_5370_ = type_18(1u, _e2453);
+                                                                            phi_5373_ = type_17(1u, _e2452);
                                                                         }
-                                                                        let _e2463 = phi_5370_;
-                                                                        phi_5341_ = type_17(_e2463.member_1, _e2444.member_1);
-                                                                        phi_5384_ = type_18(1u, _e2444.member);
+                                                                        let _e2462 = phi_5373_;
+                                                                        phi_5344_ = type_16(_e2462.member_1, _e2443.member_1);
+                                                                        phi_5387_ = type_17(1u, _e2443.member);
                                                                     } else {
-                                                                        phi_5341_ = _e2444;
-                                                                        phi_5384_ = type_18(0u, type_18().member_1);
+                                                                        phi_5344_ = _e2443;
+                                                                        phi_5387_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2469 = phi_5341_;
-                                                                    let _e2471 = phi_5384_;
-                                                                    let _e2474 = (bitcast<i32>(_e2471.member) != 0i);
-                                                                    if _e2474 {
-                                                                        phi_5344_ = (0.5lf * (_e2446 + (_e2437 / _e2446)));
+                                                                    let _e2468 = phi_5344_;
+                                                                    let _e2470 = phi_5387_;
+                                                                    let _e2473 = (bitcast<i32>(_e2470.member) != 0i);
+                                                                    if _e2473 {
+                                                                        phi_5347_ = (0.5lf * (_e2445 + (_e2436 / _e2445)));
                                                                     } else {
-                                                                        phi_5344_ = f64();
+                                                                        phi_5347_ = f64();
                                                                     }
-                                                                    let _e2479 = phi_5344_;
+                                                                    let _e2478 = phi_5347_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5340_ = _e2469;
-                                                                        phi_5343_ = _e2479;
-                                                                        break if !(_e2474);
+                                                                        phi_5343_ = _e2468;
+                                                                        phi_5346_ = _e2478;
+                                                                        break if !(_e2473);
                                                                     }
                                                                 }
-                                                                let _e2484 = local_18;
-                                                                phi_5397_ = (_e2484 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2483 = local_18;
+                                                                phi_5400_ = (_e2483 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2491 = phi_5397_;
-                                                            phi_5410_ = type_19(0u, 4u);
-                                                            phi_5413_ = f64(2f);
+                                                            let _e2490 = phi_5400_;
+                                                            phi_5413_ = type_9(0u, 4u);
+                                                            phi_5416_ = f64(2f);
                                                             loop {
-                                                                let _e2503 = phi_5410_;
-                                                                let _e2505 = phi_5413_;
-                                                                local_20 = _e2505;
-                                                                local_21 = _e2505;
-                                                                local_22 = _e2505;
-                                                                local_51 = _e2505;
-                                                                local_52 = _e2505;
-                                                                if (_e2503.member < _e2503.member_1) {
-                                                                    phi_5411_ = type_19((_e2503.member + 1u), _e2503.member_1);
-                                                                    phi_5436_ = type_19(1u, _e2503.member);
+                                                                let _e2502 = phi_5413_;
+                                                                let _e2504 = phi_5416_;
+                                                                local_20 = _e2504;
+                                                                local_21 = _e2504;
+                                                                local_22 = _e2504;
+                                                                local_51 = _e2504;
+                                                                local_52 = _e2504;
+                                                                if (_e2502.member < _e2502.member_1) {
+                                                                    phi_5414_ = type_9((_e2502.member + 1u), _e2502.member_1);
+                                                                    phi_5439_ = type_9(1u, _e2502.member);
                                                                 } else {
-                                                                    phi_5411_ = _e2503;
-                                                                    phi_5436_ = type_19(0u, type_19().member_1);
+                                                                    phi_5414_ = _e2502;
+                                                                    phi_5439_ = type_9(0u, type_9().member_1);
                                                                 }
-                                                                let _e2517 = phi_5411_;
-                                                                let _e2519 = phi_5436_;
-                                                                if (bitcast<i32>(_e2519.member) != 0i) {
-                                                                    let _e2525 = local[_e2519.member_1];
-                                                                    let _e2533 = (((_e2428 * _e2525[0]) + (_e2430 * _e2525[1])) + (_e2432 * _e2525[2]));
-                                                                    let _e2535 = local_1[_e2519.member_1];
-                                                                    let _e2543 = (((_e2428 * _e2535[0]) + (_e2430 * _e2535[1])) + (_e2432 * _e2535[2]));
-                                                                    if (_e2533 < 0.0lf) {
-                                                                        phi_5487_ = -(_e2533);
+                                                                let _e2516 = phi_5414_;
+                                                                let _e2518 = phi_5439_;
+                                                                if (bitcast<i32>(_e2518.member) != 0i) {
+                                                                    let _e2524 = local[_e2518.member_1];
+                                                                    let _e2532 = (((_e2427 * _e2524[0]) + (_e2429 * _e2524[1])) + (_e2431 * _e2524[2]));
+                                                                    let _e2534 = local_1[_e2518.member_1];
+                                                                    let _e2542 = (((_e2427 * _e2534[0]) + (_e2429 * _e2534[1])) + (_e2431 * _e2534[2]));
+                                                                    if (_e2532 < 0.0lf) {
+                                                                        phi_5490_ = -(_e2532);
                                                                     } else {
-                                                                        phi_5487_ = _e2533;
+                                                                        phi_5490_ = _e2532;
                                                                     }
-                                                                    let _e2547 = phi_5487_;
-                                                                    if (_e2543 < 0.0lf) {
-                                                                        phi_5493_ = -(_e2543);
+                                                                    let _e2546 = phi_5490_;
+                                                                    if (_e2542 < 0.0lf) {
+                                                                        phi_5496_ = -(_e2542);
                                                                     } else {
-                                                                        phi_5493_ = _e2543;
+                                                                        phi_5496_ = _e2542;
                                                                     }
-                                                                    let _e2551 = phi_5493_;
-                                                                    let _e2556 = (((((((((_e2190 + _e2192) + (_e2244 + _e2246)) + (_e2298 + _e2300)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2308 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2491) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2547 + _e2551) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2533 > _e2556) {
-                                                                        if (_e2543 > _e2556) {
-                                                                            phi_5507_ = false;
+                                                                    let _e2550 = phi_5496_;
+                                                                    let _e2555 = (((((((((_e2189 + _e2191) + (_e2243 + _e2245)) + (_e2297 + _e2299)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2307 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2490) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2546 + _e2550) * (1.1102230246251565e-16lf * f64(8f))));
+                                                                    if (_e2532 > _e2555) {
+                                                                        if (_e2542 > _e2555) {
+                                                                            phi_5510_ = false;
                                                                         } else {
-                                                                            phi_5507_ = true;
+                                                                            phi_5510_ = true;
                                                                         }
-                                                                        let _e2560 = phi_5507_;
-                                                                        phi_5508_ = _e2560;
+                                                                        let _e2559 = phi_5510_;
+                                                                        phi_5511_ = _e2559;
                                                                     } else {
-                                                                        phi_5508_ = true;
+                                                                        phi_5511_ = true;
                                                                     }
-                                                                    let _e2562 = phi_5508_;
-                                                                    if _e2562 {
-                                                                        if ((_e2533 + ((_e2543 - _e2533) * _e2319)) > _e2556) {
-                                                                            if (_e2543 < _e2533) {
-                                                                                let _e2571 = ((_e2533 - _e2543) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2571 {
-                                                                                    let _e2579 = (((_e2533 - _e2556) / (_e2533 - _e2543)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2505 < _e2579) {
-                                                                                        phi_5542_ = _e2505;
+                                                                    let _e2561 = phi_5511_;
+                                                                    if _e2561 {
+                                                                        if ((_e2532 + ((_e2542 - _e2532) * _e2318)) > _e2555) {
+                                                                            if (_e2542 < _e2532) {
+                                                                                let _e2570 = ((_e2532 - _e2542) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                                                if _e2570 {
+                                                                                    let _e2578 = (((_e2532 - _e2555) / (_e2532 - _e2542)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    if (_e2504 < _e2578) {
+                                                                                        phi_5545_ = _e2504;
                                                                                     } else {
-                                                                                        phi_5542_ = _e2579;
+                                                                                        phi_5545_ = _e2578;
                                                                                     }
-                                                                                    let _e2582 = phi_5542_;
-                                                                                    phi_5543_ = _e2582;
+                                                                                    let _e2581 = phi_5545_;
+                                                                                    phi_5546_ = _e2581;
                                                                                 } else {
-                                                                                    phi_5543_ = f64();
+                                                                                    phi_5546_ = f64();
                                                                                 }
-                                                                                let _e2584 = phi_5543_;
-                                                                                phi_5544_ = _e2584;
-                                                                                phi_5545_ = _e2571;
+                                                                                let _e2583 = phi_5546_;
+                                                                                phi_5547_ = _e2583;
+                                                                                phi_5548_ = _e2570;
                                                                             } else {
-                                                                                phi_5544_ = _e2505;
-                                                                                phi_5545_ = true;
+                                                                                phi_5547_ = _e2504;
+                                                                                phi_5548_ = true;
                                                                             }
-                                                                            let _e2586 = phi_5544_;
-                                                                            let _e2588 = phi_5545_;
-                                                                            if _e2588 {
-                                                                                phi_5549_ = false;
+                                                                            let _e2585 = phi_5547_;
+                                                                            let _e2587 = phi_5548_;
+                                                                            if _e2587 {
+                                                                                phi_5552_ = false;
                                                                             } else {
-                                                                                phi_5549_ = true;
+                                                                                phi_5552_ = true;
                                                                             }
-                                                                            let _e2590 = phi_5549_;
-                                                                            phi_5550_ = _e2586;
-                                                                            phi_5551_ = _e2588;
-                                                                            phi_5552_ = _e2590;
-                                                                            phi_5553_ = false;
+                                                                            let _e2589 = phi_5552_;
+                                                                            phi_5553_ = _e2585;
+                                                                            phi_5554_ = _e2587;
+                                                                            phi_5555_ = _e2589;
+                                                                            phi_5556_ = false;
                                                                         } else {
-                                                                            phi_5550_ = f64();
-                                                                            phi_5551_ = false;
-                                                                            phi_5552_ = false;
-                                                                            phi_5553_ = true;
+                                                                            phi_5553_ = f64();
+                                                                            phi_5554_ = false;
+                                                                            phi_5555_ = false;
+                                                                            phi_5556_ = true;
                                                                         }
-                                                                        let _e2592 = phi_5550_;
-                                                                        let _e2594 = phi_5551_;
-                                                                        let _e2596 = phi_5552_;
-                                                                        let _e2598 = phi_5553_;
-                                                                        phi_5554_ = _e2592;
-                                                                        phi_5555_ = _e2594;
-                                                                        phi_5556_ = _e2596;
-                                                                        phi_5557_ = _e2598;
+                                                                        let _e2591 = phi_5553_;
+                                                                        let _e2593 = phi_5554_;
+                                                                        let _e2595 = phi_5555_;
+                                                                        let _e2597 = phi_5556_;
+                                                                        phi_5557_ = _e2591;
+                                                                        phi_5558_ = _e2593;
+                                                                        phi_5559_ = _e2595;
+                                                                        phi_5560_ = _e2597;
                                                                     } else {
-                                                                        phi_5554_ = _e2505;
-                                                                        phi_5555_ = true;
-                                                                        phi_5556_ = false;
-                                                                        phi_5557_ = false;
+                                                                        phi_5557_ = _e2504;
+                                                                        phi_5558_ = true;
+                                                                        phi_5559_ = false;
+                                                                        phi_5560_ = false;
                                                                     }
-                                                                    let _e2600 = phi_5554_;
-                                                                    let _e2602 = phi_5555_;
-                                                                    let _e2604 = phi_5556_;
-                                                                    let _e2606 = phi_5557_;
-                                                                    phi_5414_ = _e2600;
-                                                                    phi_5558_ = _e2602;
-                                                                    phi_5559_ = false;
-                                                                    phi_5560_ = _e2604;
-                                                                    phi_5561_ = _e2606;
+                                                                    let _e2599 = phi_5557_;
+                                                                    let _e2601 = phi_5558_;
+                                                                    let _e2603 = phi_5559_;
+                                                                    let _e2605 = phi_5560_;
+                                                                    phi_5417_ = _e2599;
+                                                                    phi_5561_ = _e2601;
+                                                                    phi_5562_ = false;
+                                                                    phi_5563_ = _e2603;
+                                                                    phi_5564_ = _e2605;
                                                                 } else {
-                                                                    phi_5414_ = f64();
-                                                                    phi_5558_ = false;
-                                                                    phi_5559_ = true;
-                                                                    phi_5560_ = false;
+                                                                    phi_5417_ = f64();
                                                                     phi_5561_ = false;
+                                                                    phi_5562_ = true;
+                                                                    phi_5563_ = false;
+                                                                    phi_5564_ = false;
                                                                 }
-                                                                let _e2608 = phi_5414_;
-                                                                let _e2610 = phi_5558_;
-                                                                let _e2612 = phi_5559_;
-                                                                let _e2614 = phi_5560_;
-                                                                let _e2616 = phi_5561_;
-                                                                local_19 = _e2612;
-                                                                local_49 = _e2614;
-                                                                local_50 = _e2616;
+                                                                let _e2607 = phi_5417_;
+                                                                let _e2609 = phi_5561_;
+                                                                let _e2611 = phi_5562_;
+                                                                let _e2613 = phi_5563_;
+                                                                let _e2615 = phi_5564_;
+                                                                local_19 = _e2611;
+                                                                local_49 = _e2613;
+                                                                local_50 = _e2615;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_5410_ = _e2517;
-                                                                    phi_5413_ = _e2608;
-                                                                    break if !(_e2610);
+                                                                    phi_5413_ = _e2516;
+                                                                    phi_5416_ = _e2607;
+                                                                    break if !(_e2609);
                                                                 }
                                                             }
-                                                            let _e2619 = local_19;
-                                                            if _e2619 {
-                                                                let _e2621 = local_20;
-                                                                let _e2622 = (_e2621 > _e1334.member_1);
-                                                                if _e2622 {
-                                                                    phi_5583_ = false;
-                                                                    phi_5584_ = false;
-                                                                    phi_5585_ = false;
+                                                            let _e2618 = local_19;
+                                                            if _e2618 {
+                                                                let _e2620 = local_20;
+                                                                let _e2621 = (_e2620 > _e1333.member_1);
+                                                                if _e2621 {
+                                                                    phi_5586_ = false;
+                                                                    phi_5587_ = false;
+                                                                    phi_5588_ = false;
                                                                 } else {
-                                                                    let _e2624 = local_21;
-                                                                    if (_e2624 > _e2319) {
-                                                                        let _e2627 = local_22;
-                                                                        let _e2630 = ((_e2627 - _e2319) < f64(0.00000000023283064f));
-                                                                        if _e2630 {
-                                                                            phi_5579_ = false;
+                                                                    let _e2623 = local_21;
+                                                                    if (_e2623 > _e2318) {
+                                                                        let _e2626 = local_22;
+                                                                        let _e2629 = ((_e2626 - _e2318) < f64(0.00000000023283064f));
+                                                                        if _e2629 {
+                                                                            phi_5582_ = false;
                                                                         } else {
-                                                                            phi_5579_ = true;
+                                                                            phi_5582_ = true;
                                                                         }
-                                                                        let _e2632 = phi_5579_;
-                                                                        phi_5580_ = _e2632;
-                                                                        phi_5581_ = _e2630;
-                                                                        phi_5582_ = false;
+                                                                        let _e2631 = phi_5582_;
+                                                                        phi_5583_ = _e2631;
+                                                                        phi_5584_ = _e2629;
+                                                                        phi_5585_ = false;
                                                                     } else {
-                                                                        phi_5580_ = false;
-                                                                        phi_5581_ = false;
-                                                                        phi_5582_ = true;
+                                                                        phi_5583_ = false;
+                                                                        phi_5584_ = false;
+                                                                        phi_5585_ = true;
                                                                     }
-                                                                    let _e2634 = phi_5580_;
-                                                                    let _e2636 = phi_5581_;
-                                                                    let _e2638 = phi_5582_;
-                                                                    phi_5583_ = _e2634;
-                                                                    phi_5584_ = _e2636;
-                                                                    phi_5585_ = _e2638;
+                                                                    let _e2633 = phi_5583_;
+                                                                    let _e2635 = phi_5584_;
+                                                                    let _e2637 = phi_5585_;
+                                                                    phi_5586_ = _e2633;
+                                                                    phi_5587_ = _e2635;
+                                                                    phi_5588_ = _e2637;
                                                                 }
-                                                                let _e2640 = phi_5583_;
-                                                                let _e2642 = phi_5584_;
-                                                                let _e2644 = phi_5585_;
-                                                                phi_5586_ = _e2640;
-                                                                phi_5587_ = _e2622;
-                                                                phi_5588_ = _e2642;
-                                                                phi_5589_ = _e2644;
+                                                                let _e2639 = phi_5586_;
+                                                                let _e2641 = phi_5587_;
+                                                                let _e2643 = phi_5588_;
+                                                                phi_5589_ = _e2639;
+                                                                phi_5590_ = _e2621;
+                                                                phi_5591_ = _e2641;
+                                                                phi_5592_ = _e2643;
+                                                                phi_5593_ = false;
+                                                                phi_5594_ = false;
+                                                            } else {
+                                                                phi_5589_ = false;
                                                                 phi_5590_ = false;
                                                                 phi_5591_ = false;
-                                                            } else {
-                                                                phi_5586_ = false;
-                                                                phi_5587_ = false;
-                                                                phi_5588_ = false;
-                                                                phi_5589_ = false;
-                                                                let _e4510 = local_49;
-                                                                phi_5590_ = _e4510;
-                                                                let _e4513 = local_50;
-                                                                phi_5591_ = _e4513;
+                                                                phi_5592_ = false;
+                                                                let _e4511 = local_49;
+                                                                phi_5593_ = _e4511;
+                                                                let _e4514 = local_50;
+                                                                phi_5594_ = _e4514;
                                                             }
-                                                            let _e2646 = phi_5586_;
-                                                            let _e2648 = phi_5587_;
-                                                            let _e2650 = phi_5588_;
-                                                            let _e2652 = phi_5589_;
-                                                            let _e2654 = phi_5590_;
-                                                            let _e2656 = phi_5591_;
-                                                            let _e4516 = local_51;
-                                                            phi_5592_ = _e4516;
-                                                            let _e4519 = local_52;
-                                                            phi_5593_ = _e4519;
-                                                            phi_5594_ = _e2646;
-                                                            phi_5595_ = _e2648;
-                                                            phi_5596_ = _e2650;
-                                                            phi_5597_ = _e2652;
-                                                            phi_5598_ = _e2654;
-                                                            phi_5599_ = _e2656;
-                                                            phi_5600_ = false;
+                                                            let _e2645 = phi_5589_;
+                                                            let _e2647 = phi_5590_;
+                                                            let _e2649 = phi_5591_;
+                                                            let _e2651 = phi_5592_;
+                                                            let _e2653 = phi_5593_;
+                                                            let _e2655 = phi_5594_;
+                                                            let _e4517 = local_51;
+                                                            phi_5595_ = _e4517;
+                                                            let _e4520 = local_52;
+                                                            phi_5596_ = _e4520;
+                                                            phi_5597_ = _e2645;
+                                                            phi_5598_ = _e2647;
+                                                            phi_5599_ = _e2649;
+                                                            phi_5600_ = _e2651;
+                                                            phi_5601_ = _e2653;
+                                                            phi_5602_ = _e2655;
+                                                            phi_5603_ = false;
                                                         } else {
-                                                            phi_5592_ = f64();
-                                                            phi_5593_ = f64();
-                                                            phi_5594_ = false;
-                                                            phi_5595_ = false;
-                                                            phi_5596_ = false;
+                                                            phi_5595_ = f64();
+                                                            phi_5596_ = f64();
                                                             phi_5597_ = false;
                                                             phi_5598_ = false;
                                                             phi_5599_ = false;
-                                                            phi_5600_ = true;
+                                                            phi_5600_ = false;
+                                                            phi_5601_ = false;
+                                                            phi_5602_ = false;
+                                                            phi_5603_ = true;
                                                         }
-                                                        let _e2658 = phi_5592_;
-                                                        let _e2660 = phi_5593_;
-                                                        let _e2662 = phi_5594_;
-                                                        let _e2664 = phi_5595_;
-                                                        let _e2666 = phi_5596_;
-                                                        let _e2668 = phi_5597_;
-                                                        let _e2670 = phi_5598_;
-                                                        let _e2672 = phi_5599_;
-                                                        let _e2674 = phi_5600_;
-                                                        phi_5601_ = _e2658;
-                                                        phi_5602_ = _e2660;
-                                                        phi_5603_ = _e2662;
-                                                        phi_5604_ = _e2664;
-                                                        phi_5605_ = _e2666;
-                                                        phi_5606_ = _e2668;
-                                                        phi_5607_ = _e2670;
-                                                        phi_5608_ = _e2672;
-                                                        phi_5609_ = _e2674;
-                                                        phi_5610_ = false;
+                                                        let _e2657 = phi_5595_;
+                                                        let _e2659 = phi_5596_;
+                                                        let _e2661 = phi_5597_;
+                                                        let _e2663 = phi_5598_;
+                                                        let _e2665 = phi_5599_;
+                                                        let _e2667 = phi_5600_;
+                                                        let _e2669 = phi_5601_;
+                                                        let _e2671 = phi_5602_;
+                                                        let _e2673 = phi_5603_;
+                                                        phi_5604_ = _e2657;
+                                                        phi_5605_ = _e2659;
+                                                        phi_5606_ = _e2661;
+                                                        phi_5607_ = _e2663;
+                                                        phi_5608_ = _e2665;
+                                                        phi_5609_ = _e2667;
+                                                        phi_5610_ = _e2669;
+                                                        phi_5611_ = _e2671;
+                                                        phi_5612_ = _e2673;
+                                                        phi_5613_ = false;
                                                     } else {
-                                                        phi_5601_ = f64();
-                                                        phi_5602_ = f64();
-                                                        phi_5603_ = false;
-                                                        phi_5604_ = false;
-                                                        phi_5605_ = false;
+                                                        phi_5604_ = f64();
+                                                        phi_5605_ = f64();
                                                         phi_5606_ = false;
                                                         phi_5607_ = false;
                                                         phi_5608_ = false;
                                                         phi_5609_ = false;
-                                                        phi_5610_ = true;
+                                                        phi_5610_ = false;
+                                                        phi_5611_ = false;
+                                                        phi_5612_ = false;
+                                                        phi_5613_ = true;
                                                     }
-                                                    let _e2676 = phi_5601_;
-                                                    let _e2678 = phi_5602_;
-                                                    let _e2680 = phi_5603_;
-                                                    let _e2682 = phi_5604_;
-                                                    let _e2684 = phi_5605_;
-                                                    let _e2686 = phi_5606_;
-                                                    let _e2688 = phi_5607_;
-                                                    let _e2690 = phi_5608_;
-                                                    let _e2692 = phi_5609_;
-                                                    let _e2694 = phi_5610_;
-                                                    phi_5611_ = _e2676;
-                                                    phi_5147_ = _e2678;
-                                                    phi_5612_ = _e2680;
-                                                    phi_5613_ = _e2682;
-                                                    phi_5614_ = _e2684;
-                                                    phi_5615_ = false;
-                                                    phi_5616_ = _e2686;
-                                                    phi_5617_ = _e2688;
-                                                    phi_5618_ = _e2690;
-                                                    phi_5619_ = _e2692;
-                                                    phi_5620_ = _e2694;
+                                                    let _e2675 = phi_5604_;
+                                                    let _e2677 = phi_5605_;
+                                                    let _e2679 = phi_5606_;
+                                                    let _e2681 = phi_5607_;
+                                                    let _e2683 = phi_5608_;
+                                                    let _e2685 = phi_5609_;
+                                                    let _e2687 = phi_5610_;
+                                                    let _e2689 = phi_5611_;
+                                                    let _e2691 = phi_5612_;
+                                                    let _e2693 = phi_5613_;
+                                                    phi_5614_ = _e2675;
+                                                    phi_5150_ = _e2677;
+                                                    phi_5615_ = _e2679;
+                                                    phi_5616_ = _e2681;
+                                                    phi_5617_ = _e2683;
+                                                    phi_5618_ = false;
+                                                    phi_5619_ = _e2685;
+                                                    phi_5620_ = _e2687;
+                                                    phi_5621_ = _e2689;
+                                                    phi_5622_ = _e2691;
+                                                    phi_5623_ = _e2693;
                                                 } else {
-                                                    phi_5611_ = f64();
-                                                    phi_5147_ = f64();
-                                                    phi_5612_ = false;
-                                                    phi_5613_ = false;
-                                                    phi_5614_ = false;
-                                                    phi_5615_ = true;
+                                                    phi_5614_ = f64();
+                                                    phi_5150_ = f64();
+                                                    phi_5615_ = false;
                                                     phi_5616_ = false;
                                                     phi_5617_ = false;
-                                                    phi_5618_ = false;
+                                                    phi_5618_ = true;
                                                     phi_5619_ = false;
                                                     phi_5620_ = false;
+                                                    phi_5621_ = false;
+                                                    phi_5622_ = false;
+                                                    phi_5623_ = false;
                                                 }
-                                                let _e2696 = phi_5611_;
-                                                let _e2698 = phi_5147_;
-                                                let _e2700 = phi_5612_;
-                                                let _e2702 = phi_5613_;
-                                                let _e2704 = phi_5614_;
-                                                let _e2706 = phi_5615_;
-                                                let _e2708 = phi_5616_;
-                                                let _e2710 = phi_5617_;
-                                                let _e2712 = phi_5618_;
-                                                let _e2714 = phi_5619_;
-                                                let _e2716 = phi_5620_;
-                                                local_23 = _e2702;
-                                                local_53 = _e2704;
-                                                local_54 = _e2706;
-                                                local_55 = _e2708;
-                                                local_56 = _e2710;
-                                                local_57 = _e2712;
-                                                local_58 = _e2714;
-                                                local_59 = _e2716;
-                                                local_60 = _e2696;
-                                                local_62 = _e2702;
+                                                let _e2695 = phi_5614_;
+                                                let _e2697 = phi_5150_;
+                                                let _e2699 = phi_5615_;
+                                                let _e2701 = phi_5616_;
+                                                let _e2703 = phi_5617_;
+                                                let _e2705 = phi_5618_;
+                                                let _e2707 = phi_5619_;
+                                                let _e2709 = phi_5620_;
+                                                let _e2711 = phi_5621_;
+                                                let _e2713 = phi_5622_;
+                                                let _e2715 = phi_5623_;
+                                                local_23 = _e2701;
+                                                local_53 = _e2703;
+                                                local_54 = _e2705;
+                                                local_55 = _e2707;
+                                                local_56 = _e2709;
+                                                local_57 = _e2711;
+                                                local_58 = _e2713;
+                                                local_59 = _e2715;
+                                                local_60 = _e2695;
+                                                local_62 = _e2701;
                                                 continue;
                                                 continuing {
-                                                    phi_5143_ = _e2331;
-                                                    phi_5146_ = _e2698;
-                                                    break if !(_e2700);
+                                                    phi_5146_ = _e2330;
+                                                    phi_5149_ = _e2697;
+                                                    break if !(_e2699);
                                                 }
                                             }
-                                            let _e2719 = local_23;
-                                            if _e2719 {
-                                                phi_5625_ = type_40(0u, type_40().member_1);
-                                                phi_5626_ = false;
-                                                phi_5627_ = false;
-                                                phi_5628_ = false;
+                                            let _e2718 = local_23;
+                                            if _e2718 {
+                                                phi_5628_ = type_42(0u, type_42().member_1);
                                                 phi_5629_ = false;
                                                 phi_5630_ = false;
                                                 phi_5631_ = false;
                                                 phi_5632_ = false;
+                                                phi_5633_ = false;
+                                                phi_5634_ = false;
+                                                phi_5635_ = false;
                                             } else {
-                                                phi_5625_ = type_40();
-                                                let _e4552 = local_53;
-                                                phi_5626_ = _e4552;
-                                                let _e4555 = local_54;
-                                                phi_5627_ = _e4555;
-                                                let _e4558 = local_55;
-                                                phi_5628_ = _e4558;
-                                                let _e4561 = local_56;
-                                                phi_5629_ = _e4561;
-                                                let _e4564 = local_57;
-                                                phi_5630_ = _e4564;
-                                                let _e4567 = local_58;
-                                                phi_5631_ = _e4567;
-                                                let _e4570 = local_59;
-                                                phi_5632_ = _e4570;
+                                                phi_5628_ = type_42();
+                                                let _e4553 = local_53;
+                                                phi_5629_ = _e4553;
+                                                let _e4556 = local_54;
+                                                phi_5630_ = _e4556;
+                                                let _e4559 = local_55;
+                                                phi_5631_ = _e4559;
+                                                let _e4562 = local_56;
+                                                phi_5632_ = _e4562;
+                                                let _e4565 = local_57;
+                                                phi_5633_ = _e4565;
+                                                let _e4568 = local_58;
+                                                phi_5634_ = _e4568;
+                                                let _e4571 = local_59;
+                                                phi_5635_ = _e4571;
                                             }
-                                            let _e2723 = phi_5625_;
-                                            let _e2725 = phi_5626_;
-                                            let _e2727 = phi_5627_;
-                                            let _e2729 = phi_5628_;
-                                            let _e2731 = phi_5629_;
-                                            let _e2733 = phi_5630_;
-                                            let _e2735 = phi_5631_;
-                                            let _e2737 = phi_5632_;
-                                            if _e2725 {
-                                                let _e4573 = local_60;
-                                                phi_5636_ = _e4573;
-                                                phi_5637_ = true;
-                                                phi_5638_ = false;
-                                                phi_5639_ = false;
-                                                phi_5640_ = false;
+                                            let _e2722 = phi_5628_;
+                                            let _e2724 = phi_5629_;
+                                            let _e2726 = phi_5630_;
+                                            let _e2728 = phi_5631_;
+                                            let _e2730 = phi_5632_;
+                                            let _e2732 = phi_5633_;
+                                            let _e2734 = phi_5634_;
+                                            let _e2736 = phi_5635_;
+                                            if _e2724 {
+                                                let _e4574 = local_60;
+                                                phi_5639_ = _e4574;
+                                                phi_5640_ = true;
                                                 phi_5641_ = false;
                                                 phi_5642_ = false;
                                                 phi_5643_ = false;
+                                                phi_5644_ = false;
+                                                phi_5645_ = false;
+                                                phi_5646_ = false;
                                             } else {
-                                                let _e4575 = local_61;
-                                                phi_5636_ = _e4575;
-                                                phi_5637_ = _e2727;
-                                                phi_5638_ = _e2729;
-                                                phi_5639_ = _e2731;
-                                                phi_5640_ = _e2733;
-                                                let _e4582 = local_62;
-                                                phi_5641_ = _e4582;
-                                                phi_5642_ = _e2735;
-                                                phi_5643_ = _e2737;
+                                                let _e4576 = local_61;
+                                                phi_5639_ = _e4576;
+                                                phi_5640_ = _e2726;
+                                                phi_5641_ = _e2728;
+                                                phi_5642_ = _e2730;
+                                                phi_5643_ = _e2732;
+                                                let _e4583 = local_62;
+                                                phi_5644_ = _e4583;
+                                                phi_5645_ = _e2734;
+                                                phi_5646_ = _e2736;
                                             }
-                                            let _e2739 = phi_5636_;
-                                            let _e2741 = phi_5637_;
-                                            let _e2743 = phi_5638_;
-                                            let _e2745 = phi_5639_;
-                                            let _e2747 = phi_5640_;
-                                            let _e2749 = phi_5641_;
-                                            let _e2751 = phi_5642_;
-                                            let _e2753 = phi_5643_;
-                                            if _e2741 {
-                                                phi_5648_ = type_40(1u, _e2739);
-                                                phi_5649_ = false;
-                                                phi_5650_ = false;
-                                                phi_5651_ = false;
+                                            let _e2738 = phi_5639_;
+                                            let _e2740 = phi_5640_;
+                                            let _e2742 = phi_5641_;
+                                            let _e2744 = phi_5642_;
+                                            let _e2746 = phi_5643_;
+                                            let _e2748 = phi_5644_;
+                                            let _e2750 = phi_5645_;
+                                            let _e2752 = phi_5646_;
+                                            if _e2740 {
+                                                phi_5651_ = type_42(1u, _e2738);
                                                 phi_5652_ = false;
                                                 phi_5653_ = false;
                                                 phi_5654_ = false;
+                                                phi_5655_ = false;
+                                                phi_5656_ = false;
+                                                phi_5657_ = false;
                                             } else {
-                                                phi_5648_ = type_40();
-                                                phi_5649_ = _e2743;
-                                                phi_5650_ = _e2745;
-                                                phi_5651_ = _e2747;
-                                                phi_5652_ = _e2749;
-                                                phi_5653_ = _e2751;
-                                                phi_5654_ = _e2753;
+                                                phi_5651_ = type_42();
+                                                phi_5652_ = _e2742;
+                                                phi_5653_ = _e2744;
+                                                phi_5654_ = _e2746;
+                                                phi_5655_ = _e2748;
+                                                phi_5656_ = _e2750;
+                                                phi_5657_ = _e2752;
                                             }
-                                            let _e2756 = phi_5648_;
-                                            let _e2758 = phi_5649_;
-                                            let _e2760 = phi_5650_;
-                                            let _e2762 = phi_5651_;
-                                            let _e2764 = phi_5652_;
-                                            let _e2766 = phi_5653_;
-                                            let _e2768 = phi_5654_;
-                                            if _e2758 {
-                                                let _e2770 = local_24;
-                                                phi_5659_ = type_40(1u, _e2770);
-                                                phi_5660_ = false;
-                                                phi_5661_ = false;
-                                                phi_5662_ = true;
+                                            let _e2755 = phi_5651_;
+                                            let _e2757 = phi_5652_;
+                                            let _e2759 = phi_5653_;
+                                            let _e2761 = phi_5654_;
+                                            let _e2763 = phi_5655_;
+                                            let _e2765 = phi_5656_;
+                                            let _e2767 = phi_5657_;
+                                            if _e2757 {
+                                                let _e2769 = local_24;
+                                                phi_5662_ = type_42(1u, _e2769);
                                                 phi_5663_ = false;
                                                 phi_5664_ = false;
+                                                phi_5665_ = true;
+                                                phi_5666_ = false;
+                                                phi_5667_ = false;
                                             } else {
-                                                phi_5659_ = _e2723;
-                                                phi_5660_ = _e2760;
-                                                phi_5661_ = _e2762;
-                                                phi_5662_ = _e2764;
-                                                phi_5663_ = _e2766;
-                                                phi_5664_ = _e2768;
+                                                phi_5662_ = _e2722;
+                                                phi_5663_ = _e2759;
+                                                phi_5664_ = _e2761;
+                                                phi_5665_ = _e2763;
+                                                phi_5666_ = _e2765;
+                                                phi_5667_ = _e2767;
                                             }
-                                            let _e2773 = phi_5659_;
-                                            let _e2775 = phi_5660_;
-                                            let _e2777 = phi_5661_;
-                                            let _e2779 = phi_5662_;
-                                            let _e2781 = phi_5663_;
-                                            let _e2783 = phi_5664_;
-                                            if _e2775 {
-                                                let _e2785 = local_25;
-                                                phi_5669_ = type_40(1u, _e2785);
-                                                phi_5670_ = false;
-                                                phi_5671_ = false;
-                                                phi_5672_ = false;
+                                            let _e2772 = phi_5662_;
+                                            let _e2774 = phi_5663_;
+                                            let _e2776 = phi_5664_;
+                                            let _e2778 = phi_5665_;
+                                            let _e2780 = phi_5666_;
+                                            let _e2782 = phi_5667_;
+                                            if _e2774 {
+                                                let _e2784 = local_25;
+                                                phi_5672_ = type_42(1u, _e2784);
                                                 phi_5673_ = false;
+                                                phi_5674_ = false;
+                                                phi_5675_ = false;
+                                                phi_5676_ = false;
                                             } else {
-                                                phi_5669_ = type_40();
-                                                phi_5670_ = _e2777;
-                                                phi_5671_ = _e2779;
-                                                phi_5672_ = _e2781;
-                                                phi_5673_ = _e2783;
+                                                phi_5672_ = type_42();
+                                                phi_5673_ = _e2776;
+                                                phi_5674_ = _e2778;
+                                                phi_5675_ = _e2780;
+                                                phi_5676_ = _e2782;
                                             }
-                                            let _e2788 = phi_5669_;
-                                            let _e2790 = phi_5670_;
-                                            let _e2792 = phi_5671_;
-                                            let _e2794 = phi_5672_;
-                                            let _e2796 = phi_5673_;
-                                            if _e2790 {
-                                                let _e2798 = local_26;
-                                                phi_5678_ = type_40(1u, _e2798);
-                                                phi_5679_ = true;
-                                                phi_5680_ = false;
-                                                phi_5681_ = false;
-                                                phi_5682_ = false;
+                                            let _e2787 = phi_5672_;
+                                            let _e2789 = phi_5673_;
+                                            let _e2791 = phi_5674_;
+                                            let _e2793 = phi_5675_;
+                                            let _e2795 = phi_5676_;
+                                            if _e2789 {
+                                                let _e2797 = local_26;
+                                                phi_5681_ = type_42(1u, _e2797);
+                                                phi_5682_ = true;
+                                                phi_5683_ = false;
+                                                phi_5684_ = false;
+                                                phi_5685_ = false;
                                             } else {
-                                                phi_5678_ = _e2788;
-                                                phi_5679_ = _e2775;
-                                                phi_5680_ = _e2792;
-                                                phi_5681_ = _e2794;
-                                                phi_5682_ = _e2796;
+                                                phi_5681_ = _e2787;
+                                                phi_5682_ = _e2774;
+                                                phi_5683_ = _e2791;
+                                                phi_5684_ = _e2793;
+                                                phi_5685_ = _e2795;
                                             }
-                                            let _e2801 = phi_5678_;
-                                            let _e2803 = phi_5679_;
-                                            let _e2805 = phi_5680_;
-                                            let _e2807 = phi_5681_;
-                                            let _e2809 = phi_5682_;
-                                            if _e2803 {
-                                                phi_5686_ = _e2801;
-                                                phi_5687_ = true;
-                                                phi_5688_ = false;
-                                                phi_5689_ = false;
+                                            let _e2800 = phi_5681_;
+                                            let _e2802 = phi_5682_;
+                                            let _e2804 = phi_5683_;
+                                            let _e2806 = phi_5684_;
+                                            let _e2808 = phi_5685_;
+                                            if _e2802 {
+                                                phi_5689_ = _e2800;
+                                                phi_5690_ = true;
+                                                phi_5691_ = false;
+                                                phi_5692_ = false;
                                             } else {
-                                                phi_5686_ = _e2773;
-                                                phi_5687_ = _e2805;
-                                                phi_5688_ = _e2807;
-                                                phi_5689_ = _e2809;
+                                                phi_5689_ = _e2772;
+                                                phi_5690_ = _e2804;
+                                                phi_5691_ = _e2806;
+                                                phi_5692_ = _e2808;
                                             }
-                                            let _e2811 = phi_5686_;
-                                            let _e2813 = phi_5687_;
-                                            let _e2815 = phi_5688_;
-                                            let _e2817 = phi_5689_;
-                                            if _e2813 {
-                                                phi_5693_ = false;
-                                                phi_5694_ = false;
+                                            let _e2810 = phi_5689_;
+                                            let _e2812 = phi_5690_;
+                                            let _e2814 = phi_5691_;
+                                            let _e2816 = phi_5692_;
+                                            if _e2812 {
+                                                phi_5696_ = false;
+                                                phi_5697_ = false;
                                             } else {
-                                                phi_5693_ = _e2815;
-                                                phi_5694_ = _e2817;
+                                                phi_5696_ = _e2814;
+                                                phi_5697_ = _e2816;
                                             }
-                                            let _e2819 = phi_5693_;
-                                            let _e2821 = phi_5694_;
-                                            if _e2819 {
-                                                phi_5698_ = false;
-                                                phi_5699_ = false;
+                                            let _e2818 = phi_5696_;
+                                            let _e2820 = phi_5697_;
+                                            if _e2818 {
+                                                phi_5701_ = false;
+                                                phi_5702_ = false;
                                             } else {
-                                                phi_5698_ = _e2821;
-                                                phi_5699_ = _e2813;
+                                                phi_5701_ = _e2820;
+                                                phi_5702_ = _e2812;
                                             }
-                                            let _e2823 = phi_5698_;
-                                            let _e2825 = phi_5699_;
-                                            if _e2823 {
-                                                phi_5703_ = true;
-                                                phi_5704_ = false;
+                                            let _e2822 = phi_5701_;
+                                            let _e2824 = phi_5702_;
+                                            if _e2822 {
+                                                phi_5706_ = true;
+                                                phi_5707_ = false;
                                             } else {
-                                                phi_5703_ = _e2819;
-                                                phi_5704_ = _e2825;
+                                                phi_5706_ = _e2818;
+                                                phi_5707_ = _e2824;
                                             }
-                                            let _e2827 = phi_5703_;
-                                            let _e2829 = phi_5704_;
-                                            if _e2827 {
-                                                let _e2831 = local_27;
-                                                phi_5709_ = type_40(1u, _e2831);
-                                                phi_5710_ = true;
+                                            let _e2826 = phi_5706_;
+                                            let _e2828 = phi_5707_;
+                                            if _e2826 {
+                                                let _e2830 = local_27;
+                                                phi_5712_ = type_42(1u, _e2830);
+                                                phi_5713_ = true;
                                             } else {
-                                                phi_5709_ = _e2811;
-                                                phi_5710_ = _e2829;
+                                                phi_5712_ = _e2810;
+                                                phi_5713_ = _e2828;
                                             }
-                                            let _e2834 = phi_5709_;
-                                            let _e2836 = phi_5710_;
-                                            if _e2836 {
-                                                phi_5714_ = _e2834;
+                                            let _e2833 = phi_5712_;
+                                            let _e2835 = phi_5713_;
+                                            if _e2835 {
+                                                phi_5717_ = _e2833;
                                             } else {
-                                                phi_5714_ = _e2756;
+                                                phi_5717_ = _e2755;
                                             }
-                                            let _e2838 = phi_5714_;
-                                            let _e2841 = (_e2838.member != 0u);
-                                            if _e2841 {
-                                                phi_5721_ = false;
+                                            let _e2837 = phi_5717_;
+                                            let _e2840 = (_e2837.member != 0u);
+                                            if _e2840 {
+                                                phi_5724_ = false;
                                             } else {
-                                                phi_5721_ = true;
+                                                phi_5724_ = true;
                                             }
-                                            let _e2843 = phi_5721_;
-                                            phi_5722_ = _e2838.member_1;
-                                            phi_5723_ = _e2843;
-                                            phi_5724_ = _e2841;
-                                            phi_5725_ = false;
+                                            let _e2842 = phi_5724_;
+                                            phi_5725_ = _e2837.member_1;
+                                            phi_5726_ = _e2842;
+                                            phi_5727_ = _e2840;
+                                            phi_5728_ = false;
                                         } else {
-                                            phi_5722_ = f64();
-                                            phi_5723_ = false;
-                                            phi_5724_ = false;
-                                            phi_5725_ = true;
+                                            phi_5725_ = f64();
+                                            phi_5726_ = false;
+                                            phi_5727_ = false;
+                                            phi_5728_ = true;
                                         }
-                                        let _e2845 = phi_5722_;
-                                        let _e2847 = phi_5723_;
-                                        let _e2849 = phi_5724_;
-                                        let _e2851 = phi_5725_;
-                                        phi_5726_ = _e2845;
-                                        phi_5727_ = _e2847;
-                                        phi_5728_ = _e2849;
-                                        phi_5729_ = _e2851;
+                                        let _e2844 = phi_5725_;
+                                        let _e2846 = phi_5726_;
+                                        let _e2848 = phi_5727_;
+                                        let _e2850 = phi_5728_;
+                                        phi_5729_ = _e2844;
+                                        phi_5730_ = _e2846;
+                                        phi_5731_ = _e2848;
+                                        phi_5732_ = _e2850;
                                     }
-                                    let _e2853 = phi_5726_;
-                                    let _e2855 = phi_5727_;
-                                    let _e2857 = phi_5728_;
-                                    let _e2859 = phi_5729_;
-                                    phi_5730_ = _e2853;
-                                    phi_5731_ = _e2061;
-                                    phi_5732_ = _e2855;
-                                    phi_5733_ = _e2857;
-                                    phi_5734_ = _e2859;
+                                    let _e2852 = phi_5729_;
+                                    let _e2854 = phi_5730_;
+                                    let _e2856 = phi_5731_;
+                                    let _e2858 = phi_5732_;
+                                    phi_5733_ = _e2852;
+                                    phi_5734_ = _e2060;
+                                    phi_5735_ = _e2854;
+                                    phi_5736_ = _e2856;
+                                    phi_5737_ = _e2858;
                                 }
-                                let _e2861 = phi_5730_;
-                                let _e2863 = phi_5731_;
-                                let _e2865 = phi_5732_;
-                                let _e2867 = phi_5733_;
-                                let _e2869 = phi_5734_;
-                                if _e2863 {
-                                    phi_5738_ = true;
-                                    phi_5739_ = false;
-                                    phi_5740_ = false;
+                                let _e2860 = phi_5733_;
+                                let _e2862 = phi_5734_;
+                                let _e2864 = phi_5735_;
+                                let _e2866 = phi_5736_;
+                                let _e2868 = phi_5737_;
+                                if _e2862 {
+                                    phi_5741_ = true;
+                                    phi_5742_ = false;
+                                    phi_5743_ = false;
                                 } else {
-                                    phi_5738_ = _e2865;
-                                    phi_5739_ = _e2867;
-                                    phi_5740_ = _e2869;
+                                    phi_5741_ = _e2864;
+                                    phi_5742_ = _e2866;
+                                    phi_5743_ = _e2868;
                                 }
-                                let _e2871 = phi_5738_;
-                                let _e2873 = phi_5739_;
-                                let _e2875 = phi_5740_;
-                                phi_5741_ = _e2861;
-                                phi_5742_ = _e1334;
-                                phi_5743_ = _e2871;
-                                phi_5744_ = false;
-                                phi_5745_ = _e2873;
-                                phi_5746_ = _e2875;
+                                let _e2870 = phi_5741_;
+                                let _e2872 = phi_5742_;
+                                let _e2874 = phi_5743_;
+                                phi_5744_ = _e2860;
+                                phi_5745_ = _e1333;
+                                phi_5746_ = _e2870;
+                                phi_5747_ = false;
+                                phi_5748_ = _e2872;
+                                phi_5749_ = _e2874;
                             } else {
-                                phi_5741_ = f64();
-                                phi_5742_ = type_41();
-                                phi_5743_ = false;
-                                phi_5744_ = true;
-                                phi_5745_ = false;
+                                phi_5744_ = f64();
+                                phi_5745_ = type_43();
                                 phi_5746_ = false;
+                                phi_5747_ = true;
+                                phi_5748_ = false;
+                                phi_5749_ = false;
                             }
-                            let _e2877 = phi_5741_;
-                            let _e2879 = phi_5742_;
-                            let _e2881 = phi_5743_;
-                            let _e2883 = phi_5744_;
-                            let _e2885 = phi_5745_;
-                            let _e2887 = phi_5746_;
-                            local_28 = _e2883;
-                            local_63 = _e2885;
-                            local_64 = _e2887;
-                            local_29 = _e2877;
-                            local_30 = _e2879;
+                            let _e2876 = phi_5744_;
+                            let _e2878 = phi_5745_;
+                            let _e2880 = phi_5746_;
+                            let _e2882 = phi_5747_;
+                            let _e2884 = phi_5748_;
+                            let _e2886 = phi_5749_;
+                            local_28 = _e2882;
+                            local_63 = _e2884;
+                            local_64 = _e2886;
+                            local_29 = _e2876;
+                            local_30 = _e2878;
                             continue;
                             continuing {
-                                phi_3182_ = _e1021;
-                                break if !(_e2881);
+                                phi_3185_ = _e1020;
+                                break if !(_e2880);
                             }
                         }
-                        let _e2890 = local_28;
-                        if _e2890 {
-                            phi_5751_ = type_40(0u, type_40().member_1);
-                            phi_5752_ = false;
-                            phi_5753_ = false;
+                        let _e2889 = local_28;
+                        if _e2889 {
+                            phi_5754_ = type_42(0u, type_42().member_1);
+                            phi_5755_ = false;
+                            phi_5756_ = false;
                         } else {
-                            phi_5751_ = type_40();
-                            let _e4652 = local_63;
-                            phi_5752_ = _e4652;
-                            let _e4655 = local_64;
-                            phi_5753_ = _e4655;
+                            phi_5754_ = type_42();
+                            let _e4653 = local_63;
+                            phi_5755_ = _e4653;
+                            let _e4656 = local_64;
+                            phi_5756_ = _e4656;
                         }
-                        let _e2894 = phi_5751_;
-                        let _e2896 = phi_5752_;
-                        let _e2898 = phi_5753_;
-                        if _e2896 {
-                            let _e2900 = local_29;
-                            phi_5758_ = type_40(2u, _e2900);
-                            phi_5759_ = false;
+                        let _e2893 = phi_5754_;
+                        let _e2895 = phi_5755_;
+                        let _e2897 = phi_5756_;
+                        if _e2895 {
+                            let _e2899 = local_29;
+                            phi_5761_ = type_42(2u, _e2899);
+                            phi_5762_ = false;
                         } else {
-                            phi_5758_ = type_40();
-                            phi_5759_ = _e2898;
+                            phi_5761_ = type_42();
+                            phi_5762_ = _e2897;
                         }
-                        let _e2903 = phi_5758_;
-                        let _e2905 = phi_5759_;
-                        if _e2905 {
-                            let _e2907 = local_30;
-                            phi_5765_ = type_40(1u, _e2907.member);
-                            phi_5766_ = true;
+                        let _e2902 = phi_5761_;
+                        let _e2904 = phi_5762_;
+                        if _e2904 {
+                            let _e2906 = local_30;
+                            phi_5768_ = type_42(1u, _e2906.member);
+                            phi_5769_ = true;
                         } else {
-                            phi_5765_ = _e2903;
-                            phi_5766_ = _e2896;
+                            phi_5768_ = _e2902;
+                            phi_5769_ = _e2895;
                         }
-                        let _e2911 = phi_5765_;
-                        let _e2913 = phi_5766_;
-                        if _e2913 {
-                            phi_5770_ = _e2911;
+                        let _e2910 = phi_5768_;
+                        let _e2912 = phi_5769_;
+                        if _e2912 {
+                            phi_5773_ = _e2910;
                         } else {
-                            phi_5770_ = _e2894;
+                            phi_5773_ = _e2893;
                         }
-                        let _e2915 = phi_5770_;
-                        phi_5774_ = _e2915;
+                        let _e2914 = phi_5773_;
+                        phi_5777_ = _e2914;
                     }
-                    let _e4060 = phi_5774_;
-                    phi_5775_ = _e4060;
+                    let _e4059 = phi_5777_;
+                    phi_5778_ = _e4059;
                 }
-                let _e4064 = phi_5775_;
-                switch bitcast<i32>(_e4064.member) {
+                let _e4063 = phi_5778_;
+                switch bitcast<i32>(_e4063.member) {
                     case 0: {
-                        phi_5788_ = type_30(0u, array<u32, 2>(0u, 0u), false);
+                        phi_5791_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4070 = function_(_e4064.member_1);
-                        phi_5788_ = type_30(0u, _e4070, true);
+                        let _e4069 = function_(_e4063.member_1);
+                        phi_5791_ = type_32(0u, _e4069, true);
                         break;
                     }
                     case 2: {
-                        let _e4068 = function_(_e4064.member_1);
-                        phi_5788_ = type_30(1u, _e4068, true);
+                        let _e4067 = function_(_e4063.member_1);
+                        phi_5791_ = type_32(1u, _e4067, true);
                         break;
                     }
                     default: {
-                        phi_5788_ = type_30();
+                        phi_5791_ = type_32();
                         break;
                     }
                 }
-                let _e4073 = phi_5788_;
-                if _e4073.member_2 {
-                    let _e4080 = (_e4073.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4080 <= 896u) {
-                        phi_5811_ = 0u;
+                let _e4072 = phi_5791_;
+                if _e4072.member_2 {
+                    let _e4079 = (_e4072.member_1[1] >> bitcast<u32>(20i));
+                    if (_e4079 <= 896u) {
+                        phi_5814_ = 0u;
                     } else {
-                        phi_5811_ = ((((_e4080 - 896u) << bitcast<u32>(23i)) | ((_e4073.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4073.member_1[0] >> bitcast<u32>(29i)));
+                        phi_5814_ = ((((_e4079 - 896u) << bitcast<u32>(23i)) | ((_e4072.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4072.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4095 = phi_5811_;
-                    let _e4097 = atomicMin((&earliest.member[0u]), _e4095);
+                    let _e4094 = phi_5814_;
+                    let _e4096 = atomicMin((&earliest.member[0u]), _e4094);
                 }
-                phi_5815_ = type_29(_e168, _e4073.member, _e174, _e177, _e4073.member_1);
-                phi_5816_ = _e4073.member_2;
+                phi_5818_ = type_22(1u, _e4072.member, _e172, _e175, _e4072.member_1);
+                phi_5819_ = _e4072.member_2;
             } else {
-                phi_5815_ = type_29(_e168, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_5816_ = false;
+                phi_5818_ = type_22(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_5819_ = false;
             }
-            let _e4099 = phi_5815_;
-            let _e4101 = phi_5816_;
-            let _e4103 = params.member.member_1;
+            let _e4098 = phi_5818_;
+            let _e4100 = phi_5819_;
+            let _e4103 = params.member.member.member_1;
             if ((_e4103 & 16u) != 0u) {
                 if (_e101 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4101 {
+                if _e4100 {
                     let _e4109 = atomicAdd((&counters[0u]), 1u);
-                    phi_5834_ = _e4109;
+                    phi_5838_ = _e4109;
                 } else {
-                    phi_5834_ = 0u;
+                    phi_5838_ = 0u;
                 }
-                let _e4111 = phi_5834_;
+                let _e4111 = phi_5838_;
                 workgroupBarrier();
                 if (_e101 == 0u) {
                     let _e4114 = atomicLoad((&counters[0u]));
@@ -5128,24 +5134,24 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 workgroupBarrier();
                 let _e4120 = atomicLoad((&counters[1u]));
                 let _e4121 = (_e4120 + _e4111);
-                if _e4101 {
-                    let _e4123 = params.member.member_16;
-                    if (_e4121 < _e4123) {
-                        let _e4125 = (6u * _e4121);
-                        atomicStore((&contacts.member[(4u + _e4125)]), _e4099.member);
-                        atomicStore((&contacts.member[(_e4125 + 5u)]), _e4099.member_1);
-                        atomicStore((&contacts.member[(_e4125 + 6u)]), _e4099.member_2);
-                        atomicStore((&contacts.member[(_e4125 + 7u)]), _e4099.member_3);
-                        atomicStore((&contacts.member[(_e4125 + 8u)]), _e4099.member_4[0]);
-                        atomicStore((&contacts.member[(_e4125 + 9u)]), _e4099.member_4[1]);
+                if _e4100 {
+                    let _e4124 = params.member.member_1.member_3;
+                    if (_e4121 < _e4124) {
+                        let _e4126 = (6u * _e4121);
+                        atomicStore((&contacts.member[(4u + _e4126)]), _e4098.member);
+                        atomicStore((&contacts.member[(_e4126 + 5u)]), _e4098.member_1);
+                        atomicStore((&contacts.member[(_e4126 + 6u)]), _e4098.member_2);
+                        atomicStore((&contacts.member[(_e4126 + 7u)]), _e4098.member_3);
+                        atomicStore((&contacts.member[(_e4126 + 8u)]), _e4098.member_4[0]);
+                        atomicStore((&contacts.member[(_e4126 + 9u)]), _e4098.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_266_ = _e156;
-            break if !(_e162);
+            phi_270_ = _e157;
+            break if !(_e163);
         }
     }
     return;

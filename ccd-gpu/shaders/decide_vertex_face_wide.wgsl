@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,62 +8,46 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
+    member: u32,
+    member_1: u32,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
-    member: array<array<u32, 3>>,
-}
-
-struct type_17 {
+struct type_16 {
     member: i32,
     member_1: i32,
 }
 
-struct type_18 {
+struct type_17 {
     member: u32,
     member_1: i32,
 }
 
 struct type_19 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_23 {
-    member: array<array<f64, 3>>,
-}
-
-struct type_25 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_29 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -70,116 +55,138 @@ struct type_29 {
     member_4: array<u32, 2>,
 }
 
-struct type_30 {
+struct type_24 {
+    member: u32,
+}
+
+struct type_25 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_24,
+}
+
+struct type_26 {
+    member: type_25,
+}
+
+struct type_28 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_31 {
+    member: array<array<f64, 3>>,
+}
+
+struct type_32 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_32 {
+struct type_34 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_33 {
+struct type_35 {
     member: f64,
     member_1: f64,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_40 {
+struct type_42 {
     member: u32,
     member_1: f64,
 }
 
-struct type_41 {
+struct type_43 {
     member: f64,
     member_1: f64,
     member_2: bool,
 }
 
-struct type_44 {
+struct type_46 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> paths: type_27;
+var<storage> paths: type_21;
+@group(0) @binding(0) 
+var<storage> params: type_26;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_44;
+var<storage, read_write> earliest: type_46;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> wide: type_23;
+var<storage> positions: type_31;
 @group(0) @binding(4) 
-var<storage> input: type_12;
+var<storage> input: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_44;
+var<storage, read_write> contacts: type_46;
 @group(0) @binding(3) 
-var<storage> elements: type_14;
+var<storage> elements: type_28;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
     return array<f64, 3>(f64(param[0]), f64(param[1]), f64(param[2]));
 }
 
 fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    var phi_729_: array<f64, 3>;
+    var phi_732_: array<f64, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_729_ = param_2;
+        phi_732_ = param_2;
     } else {
-        phi_729_ = param_1;
+        phi_732_ = param_1;
     }
-    let _e26 = phi_729_;
+    let _e26 = phi_732_;
     return _e26;
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_293_: bool;
-    var phi_294_: bool;
-    var phi_295_: bool;
     var phi_296_: bool;
-    var phi_300_: bool;
-    var phi_273_: bool;
-    var phi_274_: bool;
-    var phi_275_: bool;
+    var phi_297_: bool;
+    var phi_298_: bool;
+    var phi_299_: bool;
+    var phi_303_: bool;
     var phi_276_: bool;
     var phi_277_: bool;
     var phi_278_: bool;
-    var phi_282_: bool;
-    var phi_301_: bool;
-    var phi_331_: array<f64, 3>;
-    var phi_332_: bool;
-    var phi_333_: array<f64, 3>;
-    var phi_334_: bool;
-    var phi_580_: f64;
-    var phi_582_: f64;
-    var phi_624_: f64;
-    var phi_626_: f64;
-    var phi_674_: f64;
-    var phi_676_: f64;
-    var phi_385_: f64;
-    var phi_387_: f64;
-    var phi_435_: f64;
-    var phi_437_: f64;
-    var phi_482_: f64;
-    var phi_484_: f64;
-    var phi_535_: f64;
-    var phi_537_: f64;
-    var phi_691_: array<array<f64, 3>, 4>;
-    var phi_699_: array<f64, 3>;
+    var phi_279_: bool;
+    var phi_280_: bool;
+    var phi_281_: bool;
+    var phi_285_: bool;
+    var phi_304_: bool;
+    var phi_334_: array<f64, 3>;
+    var phi_335_: bool;
+    var phi_336_: array<f64, 3>;
+    var phi_337_: bool;
+    var phi_583_: f64;
+    var phi_585_: f64;
+    var phi_627_: f64;
+    var phi_629_: f64;
+    var phi_677_: f64;
+    var phi_679_: f64;
+    var phi_388_: f64;
+    var phi_390_: f64;
+    var phi_438_: f64;
+    var phi_440_: f64;
+    var phi_485_: f64;
+    var phi_487_: f64;
+    var phi_538_: f64;
+    var phi_540_: f64;
+    var phi_694_: array<array<f64, 3>, 4>;
+    var phi_702_: array<f64, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -195,83 +202,83 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
                 if (_e74 <= _e70) {
-                    phi_273_ = (_e78 <= _e70);
-                    phi_274_ = false;
+                    phi_276_ = (_e78 <= _e70);
+                    phi_277_ = false;
                 } else {
-                    phi_273_ = bool();
-                    phi_274_ = true;
+                    phi_276_ = bool();
+                    phi_277_ = true;
                 }
-                let _e99 = phi_273_;
-                let _e101 = phi_274_;
-                phi_275_ = _e99;
-                phi_276_ = _e101;
+                let _e99 = phi_276_;
+                let _e101 = phi_277_;
+                phi_278_ = _e99;
+                phi_279_ = _e101;
             } else {
-                phi_275_ = bool();
-                phi_276_ = true;
+                phi_278_ = bool();
+                phi_279_ = true;
             }
-            let _e103 = phi_275_;
-            let _e105 = phi_276_;
-            phi_277_ = _e103;
-            phi_278_ = _e105;
+            let _e103 = phi_278_;
+            let _e105 = phi_279_;
+            phi_280_ = _e103;
+            phi_281_ = _e105;
         } else {
-            phi_277_ = bool();
-            phi_278_ = true;
+            phi_280_ = bool();
+            phi_281_ = true;
         }
-        let _e107 = phi_277_;
-        let _e109 = phi_278_;
+        let _e107 = phi_280_;
+        let _e109 = phi_281_;
         if _e109 {
-            phi_282_ = false;
+            phi_285_ = false;
         } else {
-            phi_282_ = _e107;
+            phi_285_ = _e107;
         }
-        let _e111 = phi_282_;
-        phi_301_ = _e111;
+        let _e111 = phi_285_;
+        phi_304_ = _e111;
     } else {
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
-                phi_293_ = ((_e74 + _e78) <= _e70);
-                phi_294_ = false;
+                phi_296_ = ((_e74 + _e78) <= _e70);
+                phi_297_ = false;
             } else {
-                phi_293_ = bool();
-                phi_294_ = true;
+                phi_296_ = bool();
+                phi_297_ = true;
             }
-            let _e85 = phi_293_;
-            let _e87 = phi_294_;
-            phi_295_ = _e85;
-            phi_296_ = _e87;
+            let _e85 = phi_296_;
+            let _e87 = phi_297_;
+            phi_298_ = _e85;
+            phi_299_ = _e87;
         } else {
-            phi_295_ = bool();
-            phi_296_ = true;
+            phi_298_ = bool();
+            phi_299_ = true;
         }
-        let _e89 = phi_295_;
-        let _e91 = phi_296_;
+        let _e89 = phi_298_;
+        let _e91 = phi_299_;
         if _e91 {
-            phi_300_ = false;
+            phi_303_ = false;
         } else {
-            phi_300_ = _e89;
+            phi_303_ = _e89;
         }
-        let _e93 = phi_300_;
-        phi_301_ = _e93;
+        let _e93 = phi_303_;
+        phi_304_ = _e93;
     }
-    let _e113 = phi_301_;
+    let _e113 = phi_304_;
     if (_e68 > _e69) {
         if _e113 {
-            phi_331_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
-            phi_332_ = false;
+            phi_334_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_335_ = false;
         } else {
-            phi_331_ = array<f64, 3>();
-            phi_332_ = true;
+            phi_334_ = array<f64, 3>();
+            phi_335_ = true;
         }
-        let _e138 = phi_331_;
-        let _e140 = phi_332_;
-        phi_333_ = _e138;
-        phi_334_ = _e140;
+        let _e138 = phi_334_;
+        let _e140 = phi_335_;
+        phi_336_ = _e138;
+        phi_337_ = _e140;
     } else {
-        phi_333_ = array<f64, 3>();
-        phi_334_ = true;
+        phi_336_ = array<f64, 3>();
+        phi_337_ = true;
     }
-    let _e142 = phi_333_;
-    let _e144 = phi_334_;
+    let _e142 = phi_336_;
+    let _e144 = phi_337_;
     if _e144 {
         let _e147 = (param_3[0] - param_4[0]);
         let _e150 = (param_3[1] - param_4[1]);
@@ -280,59 +287,59 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e307 > f64(0f)) {
                 if (_e307 < f64(1f)) {
-                    phi_385_ = _e307;
+                    phi_388_ = _e307;
                 } else {
-                    phi_385_ = f64(1f);
+                    phi_388_ = f64(1f);
                 }
-                let _e315 = phi_385_;
-                phi_387_ = _e315;
+                let _e315 = phi_388_;
+                phi_390_ = _e315;
             } else {
-                phi_387_ = f64(0f);
+                phi_390_ = f64(0f);
             }
-            let _e317 = phi_387_;
+            let _e317 = phi_390_;
             let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e353 > f64(0f)) {
                 if (_e353 < f64(1f)) {
-                    phi_435_ = _e353;
+                    phi_438_ = _e353;
                 } else {
-                    phi_435_ = f64(1f);
+                    phi_438_ = f64(1f);
                 }
-                let _e361 = phi_435_;
-                phi_437_ = _e361;
+                let _e361 = phi_438_;
+                phi_440_ = _e361;
             } else {
-                phi_437_ = f64(0f);
+                phi_440_ = f64(0f);
             }
-            let _e363 = phi_437_;
+            let _e363 = phi_440_;
             let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e396 > f64(0f)) {
                 if (_e396 < f64(1f)) {
-                    phi_482_ = _e396;
+                    phi_485_ = _e396;
                 } else {
-                    phi_482_ = f64(1f);
+                    phi_485_ = f64(1f);
                 }
-                let _e404 = phi_482_;
-                phi_484_ = _e404;
+                let _e404 = phi_485_;
+                phi_487_ = _e404;
             } else {
-                phi_484_ = f64(0f);
+                phi_487_ = f64(0f);
             }
-            let _e406 = phi_484_;
+            let _e406 = phi_487_;
             let _e419 = (param_3[0] - param_5[0]);
             let _e422 = (param_3[1] - param_5[1]);
             let _e425 = (param_3[2] - param_5[2]);
             let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e445 > f64(0f)) {
                 if (_e445 < f64(1f)) {
-                    phi_535_ = _e445;
+                    phi_538_ = _e445;
                 } else {
-                    phi_535_ = f64(1f);
+                    phi_538_ = f64(1f);
                 }
-                let _e453 = phi_535_;
-                phi_537_ = _e453;
+                let _e453 = phi_538_;
+                phi_540_ = _e453;
             } else {
-                phi_537_ = f64(0f);
+                phi_540_ = f64(0f);
             }
-            let _e455 = phi_537_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+            let _e455 = phi_540_;
+            phi_694_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
         } else {
             let _e157 = (param_5[0] - param_4[0]);
             let _e160 = (param_5[1] - param_4[1]);
@@ -340,54 +347,54 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
             if (_e174 > f64(0f)) {
                 if (_e174 < f64(1f)) {
-                    phi_580_ = _e174;
+                    phi_583_ = _e174;
                 } else {
-                    phi_580_ = f64(1f);
+                    phi_583_ = f64(1f);
                 }
-                let _e182 = phi_580_;
-                phi_582_ = _e182;
+                let _e182 = phi_583_;
+                phi_585_ = _e182;
             } else {
-                phi_582_ = f64(0f);
+                phi_585_ = f64(0f);
             }
-            let _e184 = phi_582_;
+            let _e184 = phi_585_;
             let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
             let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e214 > f64(0f)) {
                 if (_e214 < f64(1f)) {
-                    phi_624_ = _e214;
+                    phi_627_ = _e214;
                 } else {
-                    phi_624_ = f64(1f);
+                    phi_627_ = f64(1f);
                 }
-                let _e222 = phi_624_;
-                phi_626_ = _e222;
+                let _e222 = phi_627_;
+                phi_629_ = _e222;
             } else {
-                phi_626_ = f64(0f);
+                phi_629_ = f64(0f);
             }
-            let _e224 = phi_626_;
+            let _e224 = phi_629_;
             let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e260 > f64(0f)) {
                 if (_e260 < f64(1f)) {
-                    phi_674_ = _e260;
+                    phi_677_ = _e260;
                 } else {
-                    phi_674_ = f64(1f);
+                    phi_677_ = f64(1f);
                 }
-                let _e268 = phi_674_;
-                phi_676_ = _e268;
+                let _e268 = phi_677_;
+                phi_679_ = _e268;
             } else {
-                phi_676_ = f64(0f);
+                phi_679_ = f64(0f);
             }
-            let _e270 = phi_676_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+            let _e270 = phi_679_;
+            phi_694_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
         }
-        let _e468 = phi_691_;
+        let _e468 = phi_694_;
         let _e471 = function_1(_e468[0], _e468[1]);
         let _e473 = function_1(_e471, _e468[2]);
         let _e475 = function_1(_e473, _e468[3]);
-        phi_699_ = _e475;
+        phi_702_ = _e475;
     } else {
-        phi_699_ = _e142;
+        phi_702_ = _e142;
     }
-    let _e477 = phi_699_;
+    let _e477 = phi_702_;
     return _e477;
 }
 
@@ -399,358 +406,355 @@ fn function_3(param_7: f64) -> array<u32, 2> {
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<array<f64, 3>, 4>;
     var local_1: array<array<f64, 3>, 4>;
-    var local_2: type_32;
-    var local_3: type_32;
-    var local_4: type_32;
-    var local_5: array<type_33, 4>;
+    var local_2: type_34;
+    var local_3: type_34;
+    var local_4: type_34;
+    var local_5: array<type_35, 4>;
     var local_6: array<f64, 4>;
     var local_7: array<f64, 2>;
     var local_8: array<f64, 4>;
     var local_9: array<array<f64, 3>, 4>;
     var local_10: array<array<f64, 3>, 4>;
     var local_11: array<f32, 3>;
-    var local_12: type_38;
-    var phi_789_: u32;
-    var phi_805_: u32;
-    var phi_826_: u32;
-    var phi_827_: u32;
-    var phi_830_: type_19;
-    var phi_831_: type_19;
-    var phi_854_: type_19;
-    var phi_1102_: type_39;
-    var phi_1471_: f64;
-    var phi_1478_: f64;
-    var phi_1483_: f64;
-    var phi_1490_: f64;
-    var phi_1495_: f64;
-    var phi_1508_: f64;
-    var phi_1515_: f64;
-    var phi_1520_: f64;
-    var phi_1527_: f64;
-    var phi_1532_: f64;
-    var phi_1537_: f64;
-    var phi_1554_: f64;
-    var phi_1561_: f64;
-    var phi_1566_: f64;
-    var phi_1573_: f64;
-    var phi_1578_: f64;
-    var phi_1592_: f64;
-    var phi_1599_: f64;
-    var phi_1604_: f64;
-    var phi_1611_: f64;
-    var phi_1616_: f64;
-    var phi_1621_: f64;
-    var phi_1638_: f64;
-    var phi_1645_: f64;
-    var phi_1650_: f64;
-    var phi_1657_: f64;
-    var phi_1662_: f64;
-    var phi_1676_: f64;
-    var phi_1683_: f64;
-    var phi_1688_: f64;
-    var phi_1695_: f64;
-    var phi_1700_: f64;
-    var phi_1705_: f64;
-    var phi_1742_: f64;
-    var phi_1748_: f64;
-    var phi_1755_: f64;
-    var phi_1762_: f64;
-    var phi_1768_: f64;
-    var phi_1775_: f64;
-    var phi_1781_: f64;
-    var phi_1787_: f64;
-    var phi_1793_: f64;
-    var phi_1800_: f64;
-    var phi_1807_: f64;
-    var phi_1835_: f64;
-    var phi_1840_: f64;
-    var phi_1845_: f64;
-    var phi_1850_: f64;
-    var phi_1855_: f64;
-    var phi_1860_: f64;
-    var phi_1871_: f64;
-    var phi_3454_: f64;
-    var phi_3460_: f64;
-    var phi_3465_: f64;
-    var phi_3471_: f64;
-    var phi_3477_: f64;
-    var phi_3482_: f64;
-    var phi_3487_: f64;
-    var phi_3497_: bool;
-    var phi_3504_: f64;
-    var phi_3512_: f64;
-    var phi_3555_: type_17;
-    var phi_3558_: f64;
-    var phi_3579_: bool;
-    var phi_3585_: type_18;
-    var phi_3556_: type_17;
-    var phi_3599_: type_18;
-    var phi_3559_: f64;
+    var local_12: type_40;
+    var phi_793_: u32;
+    var phi_809_: u32;
+    var phi_830_: u32;
+    var phi_831_: u32;
+    var phi_834_: type_9;
+    var phi_835_: type_9;
+    var phi_858_: type_9;
+    var phi_1105_: type_41;
+    var phi_1474_: f64;
+    var phi_1481_: f64;
+    var phi_1486_: f64;
+    var phi_1493_: f64;
+    var phi_1498_: f64;
+    var phi_1511_: f64;
+    var phi_1518_: f64;
+    var phi_1523_: f64;
+    var phi_1530_: f64;
+    var phi_1535_: f64;
+    var phi_1540_: f64;
+    var phi_1557_: f64;
+    var phi_1564_: f64;
+    var phi_1569_: f64;
+    var phi_1576_: f64;
+    var phi_1581_: f64;
+    var phi_1595_: f64;
+    var phi_1602_: f64;
+    var phi_1607_: f64;
+    var phi_1614_: f64;
+    var phi_1619_: f64;
+    var phi_1624_: f64;
+    var phi_1641_: f64;
+    var phi_1648_: f64;
+    var phi_1653_: f64;
+    var phi_1660_: f64;
+    var phi_1665_: f64;
+    var phi_1679_: f64;
+    var phi_1686_: f64;
+    var phi_1691_: f64;
+    var phi_1698_: f64;
+    var phi_1703_: f64;
+    var phi_1708_: f64;
+    var phi_1745_: f64;
+    var phi_1751_: f64;
+    var phi_1758_: f64;
+    var phi_1765_: f64;
+    var phi_1771_: f64;
+    var phi_1778_: f64;
+    var phi_1784_: f64;
+    var phi_1790_: f64;
+    var phi_1796_: f64;
+    var phi_1803_: f64;
+    var phi_1810_: f64;
+    var phi_1838_: f64;
+    var phi_1843_: f64;
+    var phi_1848_: f64;
+    var phi_1853_: f64;
+    var phi_1858_: f64;
+    var phi_1863_: f64;
+    var phi_1874_: f64;
+    var phi_3457_: f64;
+    var phi_3463_: f64;
+    var phi_3468_: f64;
+    var phi_3474_: f64;
+    var phi_3480_: f64;
+    var phi_3485_: f64;
+    var phi_3490_: f64;
+    var phi_3500_: bool;
+    var phi_3507_: f64;
+    var phi_3515_: f64;
+    var phi_3558_: type_16;
+    var phi_3561_: f64;
+    var phi_3582_: bool;
+    var phi_3588_: type_17;
+    var phi_3559_: type_16;
+    var phi_3602_: type_17;
+    var phi_3562_: f64;
     var local_13: f64;
-    var phi_3548_: f64;
-    var phi_3612_: f64;
-    var phi_3618_: f64;
-    var phi_3643_: type_19;
-    var phi_3646_: u32;
-    var phi_3644_: type_19;
-    var phi_3669_: type_19;
-    var phi_3713_: u32;
-    var phi_3714_: u32;
-    var phi_3647_: u32;
-    var phi_3715_: u32;
-    var phi_3735_: type_19;
-    var phi_3736_: type_19;
-    var phi_3759_: type_19;
-    var phi_3813_: f64;
-    var phi_3820_: f64;
-    var phi_3832_: bool;
-    var phi_3833_: bool;
-    var phi_3834_: bool;
+    var phi_3551_: f64;
+    var phi_3615_: f64;
+    var phi_3621_: f64;
+    var phi_3646_: type_9;
+    var phi_3649_: u32;
+    var phi_3647_: type_9;
+    var phi_3672_: type_9;
+    var phi_3716_: u32;
+    var phi_3717_: u32;
+    var phi_3650_: u32;
+    var phi_3718_: u32;
+    var phi_3738_: type_9;
+    var phi_3739_: type_9;
+    var phi_3762_: type_9;
+    var phi_3816_: f64;
+    var phi_3823_: f64;
     var phi_3835_: bool;
-    var phi_3839_: bool;
-    var phi_3851_: type_41;
-    var phi_3852_: type_41;
-    var phi_3853_: bool;
-    var phi_3854_: type_41;
-    var phi_3855_: bool;
-    var phi_3868_: f64;
-    var phi_3881_: type_19;
-    var phi_3884_: f64;
-    var phi_3886_: f64;
-    var phi_3888_: f64;
-    var phi_3882_: type_19;
-    var phi_3911_: type_19;
-    var phi_3938_: f64;
-    var phi_3939_: f64;
-    var phi_3967_: f64;
-    var phi_3983_: f64;
-    var phi_3990_: bool;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_3998_: f64;
-    var phi_3999_: f64;
-    var phi_4000_: bool;
-    var phi_3885_: f64;
+    var phi_3836_: bool;
+    var phi_3837_: bool;
+    var phi_3838_: bool;
+    var phi_3842_: bool;
+    var phi_3854_: type_43;
+    var phi_3855_: type_43;
+    var phi_3856_: bool;
+    var phi_3857_: type_43;
+    var phi_3858_: bool;
+    var phi_3871_: f64;
+    var phi_3884_: type_9;
     var phi_3887_: f64;
     var phi_3889_: f64;
+    var phi_3891_: f64;
+    var phi_3885_: type_9;
+    var phi_3914_: type_9;
+    var phi_3941_: f64;
+    var phi_3942_: f64;
+    var phi_3970_: f64;
+    var phi_3986_: f64;
+    var phi_3993_: bool;
+    var phi_3994_: bool;
+    var phi_3995_: bool;
     var phi_4001_: f64;
-    var phi_4002_: bool;
+    var phi_4002_: f64;
     var phi_4003_: bool;
+    var phi_3888_: f64;
+    var phi_3890_: f64;
+    var phi_3892_: f64;
+    var phi_4004_: f64;
+    var phi_4005_: bool;
+    var phi_4006_: bool;
     var local_14: bool;
-    var phi_4007_: f64;
-    var phi_4008_: f64;
-    var phi_4016_: type_19;
-    var phi_4019_: f64;
-    var phi_4017_: type_19;
-    var phi_4042_: type_19;
-    var phi_4085_: f64;
-    var phi_4095_: f64;
-    var phi_4105_: bool;
-    var phi_4107_: bool;
-    var phi_4112_: f64;
-    var phi_4113_: bool;
-    var phi_4114_: f64;
-    var phi_4115_: bool;
+    var phi_4010_: f64;
+    var phi_4011_: f64;
+    var phi_4019_: type_9;
+    var phi_4022_: f64;
+    var phi_4020_: type_9;
+    var phi_4045_: type_9;
+    var phi_4088_: f64;
+    var phi_4098_: f64;
+    var phi_4108_: bool;
+    var phi_4110_: bool;
+    var phi_4115_: f64;
     var phi_4116_: bool;
-    var phi_4117_: bool;
-    var phi_4118_: f64;
-    var phi_4020_: f64;
+    var phi_4117_: f64;
+    var phi_4118_: bool;
     var phi_4119_: bool;
     var phi_4120_: bool;
-    var phi_4121_: bool;
+    var phi_4121_: f64;
+    var phi_4023_: f64;
     var phi_4122_: bool;
+    var phi_4123_: bool;
+    var phi_4124_: bool;
+    var phi_4125_: bool;
     var local_15: bool;
-    var phi_4126_: bool;
-    var phi_4127_: bool;
-    var phi_4131_: bool;
-    var phi_4135_: f64;
-    var phi_4136_: f64;
-    var phi_4138_: type_41;
-    var phi_4169_: f64;
-    var phi_4176_: f64;
-    var phi_4181_: f64;
-    var phi_4188_: f64;
-    var phi_4193_: f64;
-    var phi_4206_: f64;
-    var phi_4213_: f64;
-    var phi_4218_: f64;
-    var phi_4225_: f64;
-    var phi_4230_: f64;
-    var phi_4235_: f64;
-    var phi_4294_: f64;
-    var phi_4300_: f64;
-    var phi_4305_: f64;
-    var phi_4311_: f64;
-    var phi_4316_: f64;
-    var phi_4330_: f64;
-    var phi_4336_: f64;
-    var phi_4341_: f64;
-    var phi_4347_: f64;
-    var phi_4352_: f64;
-    var phi_4378_: f64;
-    var phi_4385_: f64;
-    var phi_4390_: f64;
-    var phi_4397_: f64;
-    var phi_4402_: f64;
-    var phi_4415_: f64;
-    var phi_4422_: f64;
-    var phi_4427_: f64;
-    var phi_4434_: f64;
-    var phi_4439_: f64;
-    var phi_4444_: f64;
-    var phi_4503_: f64;
-    var phi_4509_: f64;
-    var phi_4514_: f64;
-    var phi_4520_: f64;
-    var phi_4525_: f64;
-    var phi_4539_: f64;
-    var phi_4545_: f64;
-    var phi_4550_: f64;
-    var phi_4556_: f64;
-    var phi_4561_: f64;
-    var phi_4587_: f64;
-    var phi_4594_: f64;
-    var phi_4599_: f64;
-    var phi_4606_: f64;
-    var phi_4611_: f64;
-    var phi_4624_: f64;
-    var phi_4631_: f64;
-    var phi_4636_: f64;
-    var phi_4643_: f64;
-    var phi_4648_: f64;
-    var phi_4653_: f64;
-    var phi_4712_: f64;
-    var phi_4718_: f64;
-    var phi_4723_: f64;
-    var phi_4729_: f64;
-    var phi_4734_: f64;
-    var phi_4748_: f64;
-    var phi_4754_: f64;
-    var phi_4759_: f64;
-    var phi_4765_: f64;
-    var phi_4770_: f64;
-    var phi_4819_: f64;
-    var phi_4825_: f64;
-    var phi_4853_: f64;
-    var phi_4859_: f64;
-    var phi_4864_: u32;
-    var phi_4865_: u32;
-    var phi_4835_: f64;
-    var phi_4841_: f64;
-    var phi_4846_: u32;
-    var phi_4847_: u32;
-    var phi_4866_: u32;
+    var phi_4129_: bool;
+    var phi_4130_: bool;
+    var phi_4134_: bool;
+    var phi_4138_: f64;
+    var phi_4139_: f64;
+    var phi_4141_: type_43;
+    var phi_4172_: f64;
+    var phi_4179_: f64;
+    var phi_4184_: f64;
+    var phi_4191_: f64;
+    var phi_4196_: f64;
+    var phi_4209_: f64;
+    var phi_4216_: f64;
+    var phi_4221_: f64;
+    var phi_4228_: f64;
+    var phi_4233_: f64;
+    var phi_4238_: f64;
+    var phi_4297_: f64;
+    var phi_4303_: f64;
+    var phi_4308_: f64;
+    var phi_4314_: f64;
+    var phi_4319_: f64;
+    var phi_4333_: f64;
+    var phi_4339_: f64;
+    var phi_4344_: f64;
+    var phi_4350_: f64;
+    var phi_4355_: f64;
+    var phi_4381_: f64;
+    var phi_4388_: f64;
+    var phi_4393_: f64;
+    var phi_4400_: f64;
+    var phi_4405_: f64;
+    var phi_4418_: f64;
+    var phi_4425_: f64;
+    var phi_4430_: f64;
+    var phi_4437_: f64;
+    var phi_4442_: f64;
+    var phi_4447_: f64;
+    var phi_4506_: f64;
+    var phi_4512_: f64;
+    var phi_4517_: f64;
+    var phi_4523_: f64;
+    var phi_4528_: f64;
+    var phi_4542_: f64;
+    var phi_4548_: f64;
+    var phi_4553_: f64;
+    var phi_4559_: f64;
+    var phi_4564_: f64;
+    var phi_4590_: f64;
+    var phi_4597_: f64;
+    var phi_4602_: f64;
+    var phi_4609_: f64;
+    var phi_4614_: f64;
+    var phi_4627_: f64;
+    var phi_4634_: f64;
+    var phi_4639_: f64;
+    var phi_4646_: f64;
+    var phi_4651_: f64;
+    var phi_4656_: f64;
+    var phi_4715_: f64;
+    var phi_4721_: f64;
+    var phi_4726_: f64;
+    var phi_4732_: f64;
+    var phi_4737_: f64;
+    var phi_4751_: f64;
+    var phi_4757_: f64;
+    var phi_4762_: f64;
+    var phi_4768_: f64;
+    var phi_4773_: f64;
+    var phi_4822_: f64;
+    var phi_4828_: f64;
+    var phi_4856_: f64;
+    var phi_4862_: f64;
     var phi_4867_: u32;
-    var phi_4938_: f64;
-    var phi_4950_: f64;
-    var phi_5089_: f64;
-    var phi_5095_: f64;
-    var phi_5102_: f64;
-    var phi_5146_: type_19;
-    var phi_5149_: bool;
-    var phi_5147_: type_19;
-    var phi_5172_: type_19;
-    var phi_5199_: bool;
-    var phi_5200_: bool;
-    var phi_5150_: bool;
-    var phi_5201_: bool;
+    var phi_4868_: u32;
+    var phi_4838_: f64;
+    var phi_4844_: f64;
+    var phi_4849_: u32;
+    var phi_4850_: u32;
+    var phi_4869_: u32;
+    var phi_4870_: u32;
+    var phi_4941_: f64;
+    var phi_4953_: f64;
+    var phi_5092_: f64;
+    var phi_5098_: f64;
+    var phi_5105_: f64;
+    var phi_5149_: type_9;
+    var phi_5152_: bool;
+    var phi_5150_: type_9;
+    var phi_5175_: type_9;
     var phi_5202_: bool;
+    var phi_5203_: bool;
+    var phi_5153_: bool;
+    var phi_5204_: bool;
+    var phi_5205_: bool;
     var local_16: bool;
-    var phi_5206_: bool;
+    var phi_5209_: bool;
     var local_17: bool;
-    var phi_5213_: u32;
-    var phi_5214_: u32;
-    var phi_5215_: bool;
     var phi_5216_: u32;
     var phi_5217_: u32;
     var phi_5218_: bool;
-    var phi_5222_: u32;
-    var phi_5243_: bool;
-    var phi_5244_: bool;
-    var phi_5245_: bool;
-    var phi_5442_: f64;
-    var phi_5449_: f64;
-    var phi_5454_: f64;
-    var phi_5461_: f64;
-    var phi_5466_: f64;
-    var phi_5479_: f64;
-    var phi_5486_: f64;
-    var phi_5491_: f64;
-    var phi_5498_: f64;
-    var phi_5503_: f64;
-    var phi_5508_: f64;
-    var phi_5525_: f64;
-    var phi_5532_: f64;
-    var phi_5537_: f64;
-    var phi_5544_: f64;
-    var phi_5549_: f64;
-    var phi_5563_: f64;
-    var phi_5570_: f64;
-    var phi_5575_: f64;
-    var phi_5582_: f64;
-    var phi_5587_: f64;
-    var phi_5592_: f64;
-    var phi_5609_: f64;
-    var phi_5616_: f64;
-    var phi_5621_: f64;
-    var phi_5628_: f64;
-    var phi_5633_: f64;
-    var phi_5647_: f64;
-    var phi_5654_: f64;
-    var phi_5659_: f64;
-    var phi_5666_: f64;
-    var phi_5671_: f64;
-    var phi_5676_: f64;
-    var phi_5696_: type_19;
-    var phi_5699_: f64;
-    var phi_5697_: type_19;
-    var phi_5722_: type_19;
-    var phi_5833_: f64;
-    var phi_5840_: f64;
-    var phi_5848_: f64;
-    var phi_5893_: type_17;
-    var phi_5896_: f64;
-    var phi_5917_: bool;
-    var phi_5923_: type_18;
-    var phi_5894_: type_17;
-    var phi_5937_: type_18;
-    var phi_5897_: f64;
+    var phi_5219_: u32;
+    var phi_5220_: u32;
+    var phi_5221_: bool;
+    var phi_5225_: u32;
+    var phi_5246_: bool;
+    var phi_5247_: bool;
+    var phi_5248_: bool;
+    var phi_5445_: f64;
+    var phi_5452_: f64;
+    var phi_5457_: f64;
+    var phi_5464_: f64;
+    var phi_5469_: f64;
+    var phi_5482_: f64;
+    var phi_5489_: f64;
+    var phi_5494_: f64;
+    var phi_5501_: f64;
+    var phi_5506_: f64;
+    var phi_5511_: f64;
+    var phi_5528_: f64;
+    var phi_5535_: f64;
+    var phi_5540_: f64;
+    var phi_5547_: f64;
+    var phi_5552_: f64;
+    var phi_5566_: f64;
+    var phi_5573_: f64;
+    var phi_5578_: f64;
+    var phi_5585_: f64;
+    var phi_5590_: f64;
+    var phi_5595_: f64;
+    var phi_5612_: f64;
+    var phi_5619_: f64;
+    var phi_5624_: f64;
+    var phi_5631_: f64;
+    var phi_5636_: f64;
+    var phi_5650_: f64;
+    var phi_5657_: f64;
+    var phi_5662_: f64;
+    var phi_5669_: f64;
+    var phi_5674_: f64;
+    var phi_5679_: f64;
+    var phi_5699_: type_9;
+    var phi_5702_: f64;
+    var phi_5700_: type_9;
+    var phi_5725_: type_9;
+    var phi_5836_: f64;
+    var phi_5843_: f64;
+    var phi_5851_: f64;
+    var phi_5896_: type_16;
+    var phi_5899_: f64;
+    var phi_5920_: bool;
+    var phi_5926_: type_17;
+    var phi_5897_: type_16;
+    var phi_5940_: type_17;
+    var phi_5900_: f64;
     var local_18: f64;
-    var phi_5886_: f64;
-    var phi_5950_: f64;
-    var phi_5963_: type_19;
-    var phi_5966_: f64;
-    var phi_5964_: type_19;
-    var phi_5989_: type_19;
-    var phi_6040_: f64;
-    var phi_6046_: f64;
-    var phi_6060_: bool;
-    var phi_6061_: bool;
-    var phi_6095_: f64;
-    var phi_6096_: f64;
-    var phi_6097_: f64;
-    var phi_6098_: bool;
-    var phi_6102_: bool;
-    var phi_6103_: f64;
-    var phi_6104_: bool;
+    var phi_5889_: f64;
+    var phi_5953_: f64;
+    var phi_5966_: type_9;
+    var phi_5969_: f64;
+    var phi_5967_: type_9;
+    var phi_5992_: type_9;
+    var phi_6043_: f64;
+    var phi_6049_: f64;
+    var phi_6063_: bool;
+    var phi_6064_: bool;
+    var phi_6098_: f64;
+    var phi_6099_: f64;
+    var phi_6100_: f64;
+    var phi_6101_: bool;
     var phi_6105_: bool;
-    var phi_6106_: bool;
-    var phi_6107_: f64;
+    var phi_6106_: f64;
+    var phi_6107_: bool;
     var phi_6108_: bool;
     var phi_6109_: bool;
-    var phi_6110_: bool;
-    var phi_5967_: f64;
+    var phi_6110_: f64;
     var phi_6111_: bool;
     var phi_6112_: bool;
     var phi_6113_: bool;
+    var phi_5970_: f64;
     var phi_6114_: bool;
+    var phi_6115_: bool;
+    var phi_6116_: bool;
+    var phi_6117_: bool;
     var local_19: bool;
     var local_20: f64;
     var local_21: f64;
     var local_22: f64;
-    var phi_6132_: bool;
-    var phi_6133_: bool;
-    var phi_6134_: bool;
     var phi_6135_: bool;
     var phi_6136_: bool;
     var phi_6137_: bool;
@@ -761,210 +765,210 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_6142_: bool;
     var phi_6143_: bool;
     var phi_6144_: bool;
-    var phi_6145_: f64;
-    var phi_6146_: f64;
+    var phi_6145_: bool;
+    var phi_6146_: bool;
     var phi_6147_: bool;
-    var phi_6148_: bool;
-    var phi_6149_: bool;
+    var phi_6148_: f64;
+    var phi_6149_: f64;
     var phi_6150_: bool;
     var phi_6151_: bool;
     var phi_6152_: bool;
     var phi_6153_: bool;
-    var phi_6154_: f64;
-    var phi_6155_: f64;
+    var phi_6154_: bool;
+    var phi_6155_: bool;
     var phi_6156_: bool;
-    var phi_6157_: bool;
-    var phi_6158_: bool;
+    var phi_6157_: f64;
+    var phi_6158_: f64;
     var phi_6159_: bool;
     var phi_6160_: bool;
     var phi_6161_: bool;
     var phi_6162_: bool;
     var phi_6163_: bool;
-    var phi_6164_: f64;
-    var phi_5700_: f64;
+    var phi_6164_: bool;
     var phi_6165_: bool;
     var phi_6166_: bool;
-    var phi_6167_: bool;
+    var phi_6167_: f64;
+    var phi_5703_: f64;
     var phi_6168_: bool;
     var phi_6169_: bool;
     var phi_6170_: bool;
     var phi_6171_: bool;
     var phi_6172_: bool;
     var phi_6173_: bool;
+    var phi_6174_: bool;
+    var phi_6175_: bool;
+    var phi_6176_: bool;
     var local_23: bool;
-    var phi_6178_: type_40;
-    var phi_6179_: bool;
-    var phi_6180_: bool;
-    var phi_6181_: bool;
+    var phi_6181_: type_42;
     var phi_6182_: bool;
     var phi_6183_: bool;
     var phi_6184_: bool;
     var phi_6185_: bool;
-    var phi_6189_: f64;
-    var phi_6190_: bool;
-    var phi_6191_: bool;
-    var phi_6192_: bool;
+    var phi_6186_: bool;
+    var phi_6187_: bool;
+    var phi_6188_: bool;
+    var phi_6192_: f64;
     var phi_6193_: bool;
     var phi_6194_: bool;
     var phi_6195_: bool;
     var phi_6196_: bool;
-    var phi_6201_: type_40;
-    var phi_6202_: bool;
-    var phi_6203_: bool;
-    var phi_6204_: bool;
+    var phi_6197_: bool;
+    var phi_6198_: bool;
+    var phi_6199_: bool;
+    var phi_6204_: type_42;
     var phi_6205_: bool;
     var phi_6206_: bool;
     var phi_6207_: bool;
+    var phi_6208_: bool;
+    var phi_6209_: bool;
+    var phi_6210_: bool;
     var local_24: f64;
-    var phi_6212_: type_40;
-    var phi_6213_: bool;
-    var phi_6214_: bool;
-    var phi_6215_: bool;
+    var phi_6215_: type_42;
     var phi_6216_: bool;
     var phi_6217_: bool;
+    var phi_6218_: bool;
+    var phi_6219_: bool;
+    var phi_6220_: bool;
     var local_25: f64;
-    var phi_6222_: type_40;
-    var phi_6223_: bool;
-    var phi_6224_: bool;
-    var phi_6225_: bool;
+    var phi_6225_: type_42;
     var phi_6226_: bool;
+    var phi_6227_: bool;
+    var phi_6228_: bool;
+    var phi_6229_: bool;
     var local_26: f64;
-    var phi_6231_: type_40;
-    var phi_6232_: bool;
-    var phi_6233_: bool;
-    var phi_6234_: bool;
+    var phi_6234_: type_42;
     var phi_6235_: bool;
-    var phi_6239_: type_40;
-    var phi_6240_: bool;
-    var phi_6241_: bool;
-    var phi_6242_: bool;
-    var phi_6246_: bool;
-    var phi_6247_: bool;
-    var phi_6251_: bool;
-    var phi_6252_: bool;
-    var phi_6256_: bool;
-    var phi_6257_: bool;
+    var phi_6236_: bool;
+    var phi_6237_: bool;
+    var phi_6238_: bool;
+    var phi_6242_: type_42;
+    var phi_6243_: bool;
+    var phi_6244_: bool;
+    var phi_6245_: bool;
+    var phi_6249_: bool;
+    var phi_6250_: bool;
+    var phi_6254_: bool;
+    var phi_6255_: bool;
+    var phi_6259_: bool;
+    var phi_6260_: bool;
     var local_27: f64;
-    var phi_6262_: type_40;
-    var phi_6263_: bool;
-    var phi_6267_: type_40;
-    var phi_6274_: bool;
-    var phi_6275_: f64;
-    var phi_6276_: bool;
+    var phi_6265_: type_42;
+    var phi_6266_: bool;
+    var phi_6270_: type_42;
     var phi_6277_: bool;
-    var phi_6278_: bool;
-    var phi_6279_: f64;
+    var phi_6278_: f64;
+    var phi_6279_: bool;
     var phi_6280_: bool;
     var phi_6281_: bool;
-    var phi_6282_: bool;
-    var phi_6283_: f64;
+    var phi_6282_: f64;
+    var phi_6283_: bool;
     var phi_6284_: bool;
     var phi_6285_: bool;
-    var phi_6286_: bool;
+    var phi_6286_: f64;
     var phi_6287_: bool;
-    var phi_6291_: bool;
-    var phi_6292_: bool;
-    var phi_6293_: bool;
-    var phi_6294_: f64;
-    var phi_6295_: type_41;
+    var phi_6288_: bool;
+    var phi_6289_: bool;
+    var phi_6290_: bool;
+    var phi_6294_: bool;
+    var phi_6295_: bool;
     var phi_6296_: bool;
-    var phi_6297_: bool;
-    var phi_6298_: bool;
+    var phi_6297_: f64;
+    var phi_6298_: type_43;
     var phi_6299_: bool;
+    var phi_6300_: bool;
+    var phi_6301_: bool;
+    var phi_6302_: bool;
     var local_28: bool;
-    var phi_6304_: type_40;
-    var phi_6305_: bool;
-    var phi_6306_: bool;
+    var phi_6307_: type_42;
+    var phi_6308_: bool;
+    var phi_6309_: bool;
     var local_29: f64;
-    var phi_6311_: type_40;
-    var phi_6312_: bool;
-    var local_30: type_41;
-    var phi_6318_: type_40;
-    var phi_6319_: bool;
-    var phi_6323_: type_40;
-    var phi_2074_: f64;
-    var phi_2081_: f64;
-    var phi_2086_: f64;
-    var phi_2093_: f64;
-    var phi_2098_: f64;
-    var phi_2111_: f64;
-    var phi_2118_: f64;
-    var phi_2123_: f64;
-    var phi_2130_: f64;
-    var phi_2135_: f64;
-    var phi_2140_: f64;
-    var phi_2157_: f64;
-    var phi_2164_: f64;
-    var phi_2169_: f64;
-    var phi_2176_: f64;
-    var phi_2181_: f64;
-    var phi_2195_: f64;
-    var phi_2202_: f64;
-    var phi_2207_: f64;
-    var phi_2214_: f64;
-    var phi_2219_: f64;
-    var phi_2224_: f64;
-    var phi_2241_: f64;
-    var phi_2248_: f64;
-    var phi_2253_: f64;
-    var phi_2260_: f64;
-    var phi_2265_: f64;
-    var phi_2279_: f64;
-    var phi_2286_: f64;
-    var phi_2291_: f64;
-    var phi_2298_: f64;
-    var phi_2303_: f64;
-    var phi_2308_: f64;
-    var phi_2328_: type_19;
-    var phi_2331_: f64;
-    var phi_2329_: type_19;
-    var phi_2354_: type_19;
-    var phi_2465_: f64;
-    var phi_2472_: f64;
-    var phi_2480_: f64;
-    var phi_2525_: type_17;
-    var phi_2528_: f64;
-    var phi_2549_: bool;
-    var phi_2555_: type_18;
-    var phi_2526_: type_17;
-    var phi_2569_: type_18;
-    var phi_2529_: f64;
+    var phi_6314_: type_42;
+    var phi_6315_: bool;
+    var local_30: type_43;
+    var phi_6321_: type_42;
+    var phi_6322_: bool;
+    var phi_6326_: type_42;
+    var phi_2077_: f64;
+    var phi_2084_: f64;
+    var phi_2089_: f64;
+    var phi_2096_: f64;
+    var phi_2101_: f64;
+    var phi_2114_: f64;
+    var phi_2121_: f64;
+    var phi_2126_: f64;
+    var phi_2133_: f64;
+    var phi_2138_: f64;
+    var phi_2143_: f64;
+    var phi_2160_: f64;
+    var phi_2167_: f64;
+    var phi_2172_: f64;
+    var phi_2179_: f64;
+    var phi_2184_: f64;
+    var phi_2198_: f64;
+    var phi_2205_: f64;
+    var phi_2210_: f64;
+    var phi_2217_: f64;
+    var phi_2222_: f64;
+    var phi_2227_: f64;
+    var phi_2244_: f64;
+    var phi_2251_: f64;
+    var phi_2256_: f64;
+    var phi_2263_: f64;
+    var phi_2268_: f64;
+    var phi_2282_: f64;
+    var phi_2289_: f64;
+    var phi_2294_: f64;
+    var phi_2301_: f64;
+    var phi_2306_: f64;
+    var phi_2311_: f64;
+    var phi_2331_: type_9;
+    var phi_2334_: f64;
+    var phi_2332_: type_9;
+    var phi_2357_: type_9;
+    var phi_2468_: f64;
+    var phi_2475_: f64;
+    var phi_2483_: f64;
+    var phi_2528_: type_16;
+    var phi_2531_: f64;
+    var phi_2552_: bool;
+    var phi_2558_: type_17;
+    var phi_2529_: type_16;
+    var phi_2572_: type_17;
+    var phi_2532_: f64;
     var local_31: f64;
-    var phi_2518_: f64;
-    var phi_2582_: f64;
-    var phi_2595_: type_19;
-    var phi_2598_: f64;
-    var phi_2596_: type_19;
-    var phi_2621_: type_19;
-    var phi_2672_: f64;
-    var phi_2678_: f64;
-    var phi_2692_: bool;
-    var phi_2693_: bool;
-    var phi_2727_: f64;
-    var phi_2728_: f64;
-    var phi_2729_: f64;
-    var phi_2730_: bool;
-    var phi_2734_: bool;
-    var phi_2735_: f64;
-    var phi_2736_: bool;
+    var phi_2521_: f64;
+    var phi_2585_: f64;
+    var phi_2598_: type_9;
+    var phi_2601_: f64;
+    var phi_2599_: type_9;
+    var phi_2624_: type_9;
+    var phi_2675_: f64;
+    var phi_2681_: f64;
+    var phi_2695_: bool;
+    var phi_2696_: bool;
+    var phi_2730_: f64;
+    var phi_2731_: f64;
+    var phi_2732_: f64;
+    var phi_2733_: bool;
     var phi_2737_: bool;
-    var phi_2738_: bool;
-    var phi_2739_: f64;
+    var phi_2738_: f64;
+    var phi_2739_: bool;
     var phi_2740_: bool;
     var phi_2741_: bool;
-    var phi_2742_: bool;
-    var phi_2599_: f64;
+    var phi_2742_: f64;
     var phi_2743_: bool;
     var phi_2744_: bool;
     var phi_2745_: bool;
+    var phi_2602_: f64;
     var phi_2746_: bool;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_2749_: bool;
     var local_32: bool;
     var local_33: f64;
     var local_34: f64;
     var local_35: f64;
-    var phi_2764_: bool;
-    var phi_2765_: bool;
-    var phi_2766_: bool;
     var phi_2767_: bool;
     var phi_2768_: bool;
     var phi_2769_: bool;
@@ -975,159 +979,162 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2774_: bool;
     var phi_2775_: bool;
     var phi_2776_: bool;
-    var phi_2777_: f64;
-    var phi_2778_: f64;
+    var phi_2777_: bool;
+    var phi_2778_: bool;
     var phi_2779_: bool;
-    var phi_2780_: bool;
-    var phi_2781_: bool;
+    var phi_2780_: f64;
+    var phi_2781_: f64;
     var phi_2782_: bool;
     var phi_2783_: bool;
     var phi_2784_: bool;
     var phi_2785_: bool;
-    var phi_2786_: f64;
-    var phi_2787_: f64;
+    var phi_2786_: bool;
+    var phi_2787_: bool;
     var phi_2788_: bool;
-    var phi_2789_: bool;
-    var phi_2790_: bool;
+    var phi_2789_: f64;
+    var phi_2790_: f64;
     var phi_2791_: bool;
     var phi_2792_: bool;
     var phi_2793_: bool;
     var phi_2794_: bool;
     var phi_2795_: bool;
-    var phi_2796_: f64;
-    var phi_2332_: f64;
+    var phi_2796_: bool;
     var phi_2797_: bool;
     var phi_2798_: bool;
-    var phi_2799_: bool;
+    var phi_2799_: f64;
+    var phi_2335_: f64;
     var phi_2800_: bool;
     var phi_2801_: bool;
     var phi_2802_: bool;
     var phi_2803_: bool;
     var phi_2804_: bool;
     var phi_2805_: bool;
+    var phi_2806_: bool;
+    var phi_2807_: bool;
+    var phi_2808_: bool;
     var local_36: bool;
-    var phi_2810_: type_40;
-    var phi_2811_: bool;
-    var phi_2812_: bool;
-    var phi_2813_: bool;
+    var phi_2813_: type_42;
     var phi_2814_: bool;
     var phi_2815_: bool;
     var phi_2816_: bool;
     var phi_2817_: bool;
-    var phi_2821_: f64;
-    var phi_2822_: bool;
-    var phi_2823_: bool;
-    var phi_2824_: bool;
+    var phi_2818_: bool;
+    var phi_2819_: bool;
+    var phi_2820_: bool;
+    var phi_2824_: f64;
     var phi_2825_: bool;
     var phi_2826_: bool;
     var phi_2827_: bool;
     var phi_2828_: bool;
-    var phi_2833_: type_40;
-    var phi_2834_: bool;
-    var phi_2835_: bool;
-    var phi_2836_: bool;
+    var phi_2829_: bool;
+    var phi_2830_: bool;
+    var phi_2831_: bool;
+    var phi_2836_: type_42;
     var phi_2837_: bool;
     var phi_2838_: bool;
     var phi_2839_: bool;
+    var phi_2840_: bool;
+    var phi_2841_: bool;
+    var phi_2842_: bool;
     var local_37: f64;
-    var phi_2844_: type_40;
-    var phi_2845_: bool;
-    var phi_2846_: bool;
-    var phi_2847_: bool;
+    var phi_2847_: type_42;
     var phi_2848_: bool;
     var phi_2849_: bool;
+    var phi_2850_: bool;
+    var phi_2851_: bool;
+    var phi_2852_: bool;
     var local_38: f64;
-    var phi_2854_: type_40;
-    var phi_2855_: bool;
-    var phi_2856_: bool;
-    var phi_2857_: bool;
+    var phi_2857_: type_42;
     var phi_2858_: bool;
+    var phi_2859_: bool;
+    var phi_2860_: bool;
+    var phi_2861_: bool;
     var local_39: f64;
-    var phi_2863_: type_40;
-    var phi_2864_: bool;
-    var phi_2865_: bool;
-    var phi_2866_: bool;
+    var phi_2866_: type_42;
     var phi_2867_: bool;
-    var phi_2871_: type_40;
-    var phi_2872_: bool;
-    var phi_2873_: bool;
-    var phi_2874_: bool;
-    var phi_2878_: bool;
-    var phi_2879_: bool;
-    var phi_2883_: bool;
-    var phi_2884_: bool;
-    var phi_2888_: bool;
-    var phi_2889_: bool;
+    var phi_2868_: bool;
+    var phi_2869_: bool;
+    var phi_2870_: bool;
+    var phi_2874_: type_42;
+    var phi_2875_: bool;
+    var phi_2876_: bool;
+    var phi_2877_: bool;
+    var phi_2881_: bool;
+    var phi_2882_: bool;
+    var phi_2886_: bool;
+    var phi_2887_: bool;
+    var phi_2891_: bool;
+    var phi_2892_: bool;
     var local_40: f64;
-    var phi_2894_: type_40;
-    var phi_2895_: bool;
-    var phi_2899_: type_40;
-    var phi_2913_: type_19;
-    var phi_2914_: type_19;
-    var phi_2937_: type_19;
-    var phi_2958_: f64;
-    var phi_3088_: type_17;
-    var phi_3091_: f64;
-    var phi_3112_: bool;
-    var phi_3118_: type_18;
-    var phi_3089_: type_17;
-    var phi_3132_: type_18;
-    var phi_3092_: f64;
+    var phi_2897_: type_42;
+    var phi_2898_: bool;
+    var phi_2902_: type_42;
+    var phi_2916_: type_9;
+    var phi_2917_: type_9;
+    var phi_2940_: type_9;
+    var phi_2961_: f64;
+    var phi_3091_: type_16;
+    var phi_3094_: f64;
+    var phi_3115_: bool;
+    var phi_3121_: type_17;
+    var phi_3092_: type_16;
+    var phi_3135_: type_17;
+    var phi_3095_: f64;
     var local_41: f64;
-    var phi_3081_: f64;
-    var phi_3145_: f64;
-    var phi_3163_: f64;
-    var phi_3170_: f64;
-    var phi_3175_: f64;
-    var phi_3182_: f64;
-    var phi_3187_: f64;
-    var phi_3200_: f64;
-    var phi_3207_: f64;
-    var phi_3212_: f64;
-    var phi_3219_: f64;
-    var phi_3224_: f64;
-    var phi_3229_: f64;
-    var phi_3246_: f64;
-    var phi_3253_: f64;
-    var phi_3258_: f64;
-    var phi_3265_: f64;
-    var phi_3270_: f64;
-    var phi_3284_: f64;
-    var phi_3291_: f64;
-    var phi_3296_: f64;
-    var phi_3303_: f64;
-    var phi_3308_: f64;
-    var phi_3313_: f64;
-    var phi_3330_: f64;
-    var phi_3337_: f64;
-    var phi_3342_: f64;
-    var phi_3349_: f64;
-    var phi_3354_: f64;
-    var phi_3368_: f64;
-    var phi_3375_: f64;
-    var phi_3380_: f64;
-    var phi_3387_: f64;
-    var phi_3392_: f64;
-    var phi_3397_: f64;
-    var phi_3421_: bool;
-    var phi_3422_: bool;
-    var phi_3423_: bool;
+    var phi_3084_: f64;
+    var phi_3148_: f64;
+    var phi_3166_: f64;
+    var phi_3173_: f64;
+    var phi_3178_: f64;
+    var phi_3185_: f64;
+    var phi_3190_: f64;
+    var phi_3203_: f64;
+    var phi_3210_: f64;
+    var phi_3215_: f64;
+    var phi_3222_: f64;
+    var phi_3227_: f64;
+    var phi_3232_: f64;
+    var phi_3249_: f64;
+    var phi_3256_: f64;
+    var phi_3261_: f64;
+    var phi_3268_: f64;
+    var phi_3273_: f64;
+    var phi_3287_: f64;
+    var phi_3294_: f64;
+    var phi_3299_: f64;
+    var phi_3306_: f64;
+    var phi_3311_: f64;
+    var phi_3316_: f64;
+    var phi_3333_: f64;
+    var phi_3340_: f64;
+    var phi_3345_: f64;
+    var phi_3352_: f64;
+    var phi_3357_: f64;
+    var phi_3371_: f64;
+    var phi_3378_: f64;
+    var phi_3383_: f64;
+    var phi_3390_: f64;
+    var phi_3395_: f64;
+    var phi_3400_: f64;
+    var phi_3424_: bool;
+    var phi_3425_: bool;
+    var phi_3426_: bool;
     var local_42: bool;
-    var phi_3428_: type_40;
-    var phi_3429_: bool;
-    var phi_3434_: type_40;
-    var phi_3435_: bool;
-    var phi_3437_: type_40;
-    var phi_3438_: type_40;
-    var phi_3439_: bool;
-    var phi_3443_: type_40;
-    var phi_6327_: type_40;
-    var phi_6328_: type_40;
-    var phi_6341_: type_30;
-    var phi_6364_: u32;
-    var phi_6368_: type_29;
-    var phi_6369_: bool;
-    var phi_6387_: u32;
+    var phi_3431_: type_42;
+    var phi_3432_: bool;
+    var phi_3437_: type_42;
+    var phi_3438_: bool;
+    var phi_3440_: type_42;
+    var phi_3441_: type_42;
+    var phi_3442_: bool;
+    var phi_3446_: type_42;
+    var phi_6330_: type_42;
+    var phi_6331_: type_42;
+    var phi_6344_: type_32;
+    var phi_6367_: u32;
+    var phi_6371_: type_22;
+    var phi_6372_: bool;
+    var phi_6391_: u32;
     var local_43: u32;
     var local_44: f64;
     var local_45: f64;
@@ -1176,3935 +1183,3934 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e101 = lane_2;
     let _e113 = ((_e99.y * _e100.x) + _e99.x);
     let _e116 = (_e100.x * _e100.y);
-    let _e118 = params.member.member_15;
-    let _e120 = input.member[0u];
-    if (_e118 < _e120) {
-        phi_789_ = _e118;
+    let _e119 = params.member.member_1.member_2;
+    let _e121 = input.member[0u];
+    if (_e119 < _e121) {
+        phi_793_ = _e119;
     } else {
-        phi_789_ = _e120;
+        phi_793_ = _e121;
     }
-    let _e123 = phi_789_;
-    let _e124 = (_e123 / 64u);
-    if ((_e123 % 64u) > 0u) {
-        phi_805_ = (_e124 + 1u);
+    let _e124 = phi_793_;
+    let _e125 = (_e124 / 64u);
+    if ((_e124 % 64u) > 0u) {
+        phi_809_ = (_e125 + 1u);
     } else {
-        phi_805_ = _e124;
+        phi_809_ = _e125;
     }
-    let _e129 = phi_805_;
-    if (_e129 > _e113) {
-        let _e131 = (_e129 - _e113);
+    let _e130 = phi_809_;
+    if (_e130 > _e113) {
+        let _e132 = (_e130 - _e113);
         if (_e116 == 0u) {
             return;
         }
-        let _e133 = (_e131 / _e116);
+        let _e134 = (_e132 / _e116);
         if (_e116 == 0u) {
             return;
         }
-        if ((_e131 % _e116) > 0u) {
-            phi_826_ = (_e133 + 1u);
+        if ((_e132 % _e116) > 0u) {
+            phi_830_ = (_e134 + 1u);
         } else {
-            phi_826_ = _e133;
+            phi_830_ = _e134;
         }
-        let _e139 = phi_826_;
-        phi_827_ = _e139;
+        let _e140 = phi_830_;
+        phi_831_ = _e140;
     } else {
-        phi_827_ = 0u;
+        phi_831_ = 0u;
     }
-    let _e141 = phi_827_;
-    phi_830_ = type_19(0u, _e141);
+    let _e142 = phi_831_;
+    phi_834_ = type_9(0u, _e142);
     loop {
-        let _e144 = phi_830_;
-        if (_e144.member < _e144.member_1) {
-            phi_831_ = type_19((_e144.member + 1u), _e144.member_1);
-            phi_854_ = type_19(1u, _e144.member);
+        let _e145 = phi_834_;
+        if (_e145.member < _e145.member_1) {
+            phi_835_ = type_9((_e145.member + 1u), _e145.member_1);
+            phi_858_ = type_9(1u, _e145.member);
         } else {
-            phi_831_ = _e144;
-            phi_854_ = type_19(0u, type_19().member_1);
+            phi_835_ = _e145;
+            phi_858_ = type_9(0u, type_9().member_1);
         }
-        let _e156 = phi_831_;
-        let _e158 = phi_854_;
-        let _e162 = (bitcast<i32>(_e158.member) != 0i);
-        if _e162 {
-            let _e166 = (((_e113 + (_e158.member_1 * _e116)) * 64u) + _e101);
-            let _e168 = params.member.member_8;
-            if (_e166 < _e123) {
-                let _e171 = (2u * _e166);
-                let _e174 = input.member[(4u + _e171)];
-                let _e177 = input.member[(_e171 + 5u)];
-                let _e179 = elements.member[_e177];
-                let _e184 = params.member.member_1;
-                if ((_e184 & 8u) != 0u) {
-                    let _e223 = paths.member[_e174];
-                    let _e225 = paths.member[_e179[0]];
-                    let _e231 = paths.member[_e179[1]];
-                    let _e233 = paths.member[_e179[2]];
-                    let _e270 = function_(array<f32, 3>(_e223.member[0], _e223.member[1], _e223.member[2]));
-                    let _e271 = function_(array<f32, 3>(_e225.member[0], _e225.member[1], _e225.member[2]));
-                    let _e272 = function_(array<f32, 3>(_e231.member[0], _e231.member[1], _e231.member[2]));
-                    let _e273 = function_(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
-                    let _e275 = function_(array<f32, 3>(_e223.member_1[0], _e223.member_1[1], _e223.member_1[2]));
-                    let _e276 = function_(array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
-                    let _e277 = function_(array<f32, 3>(_e231.member_1[0], _e231.member_1[1], _e231.member_1[2]));
-                    let _e278 = function_(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e270, _e271, _e272, _e273), array<array<f64, 3>, 4>(_e275, _e276, _e277, _e278));
+        let _e157 = phi_835_;
+        let _e159 = phi_858_;
+        let _e163 = (bitcast<i32>(_e159.member) != 0i);
+        if _e163 {
+            let _e167 = (((_e113 + (_e159.member_1 * _e116)) * 64u) + _e101);
+            if (_e167 < _e124) {
+                let _e169 = (2u * _e167);
+                let _e172 = input.member[(4u + _e169)];
+                let _e175 = input.member[(_e169 + 5u)];
+                let _e178 = elements.member[_e175];
+                let _e183 = params.member.member.member_1;
+                if ((_e183 & 8u) != 0u) {
+                    let _e222 = paths.member[_e172];
+                    let _e224 = paths.member[_e178[0]];
+                    let _e230 = paths.member[_e178[1]];
+                    let _e232 = paths.member[_e178[2]];
+                    let _e269 = function_(array<f32, 3>(_e222.member[0], _e222.member[1], _e222.member[2]));
+                    let _e270 = function_(array<f32, 3>(_e224.member[0], _e224.member[1], _e224.member[2]));
+                    let _e271 = function_(array<f32, 3>(_e230.member[0], _e230.member[1], _e230.member[2]));
+                    let _e272 = function_(array<f32, 3>(_e232.member[0], _e232.member[1], _e232.member[2]));
+                    let _e274 = function_(array<f32, 3>(_e222.member_1[0], _e222.member_1[1], _e222.member_1[2]));
+                    let _e275 = function_(array<f32, 3>(_e224.member_1[0], _e224.member_1[1], _e224.member_1[2]));
+                    let _e276 = function_(array<f32, 3>(_e230.member_1[0], _e230.member_1[1], _e230.member_1[2]));
+                    let _e277 = function_(array<f32, 3>(_e232.member_1[0], _e232.member_1[1], _e232.member_1[2]));
+                    phi_1105_ = type_41(array<array<f64, 3>, 4>(_e269, _e270, _e271, _e272), array<array<f64, 3>, 4>(_e274, _e275, _e276, _e277));
                 } else {
-                    let _e188 = wide.member[_e174];
-                    let _e191 = params.member.member[0u];
-                    let _e194 = wide.member[(_e191 + _e174)];
-                    let _e196 = wide.member[_e179[0]];
-                    let _e199 = params.member.member[0u];
-                    let _e202 = wide.member[(_e199 + _e179[0])];
-                    let _e204 = wide.member[_e179[1]];
-                    let _e207 = params.member.member[0u];
-                    let _e210 = wide.member[(_e207 + _e179[1])];
-                    let _e212 = wide.member[_e179[2]];
-                    let _e215 = params.member.member[0u];
-                    let _e218 = wide.member[(_e215 + _e179[2])];
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e188, _e196, _e204, _e212), array<array<f64, 3>, 4>(_e194, _e202, _e210, _e218));
+                    let _e187 = positions.member[_e172];
+                    let _e190 = params.member.member.member[0u];
+                    let _e193 = positions.member[(_e190 + _e172)];
+                    let _e195 = positions.member[_e178[0]];
+                    let _e198 = params.member.member.member[0u];
+                    let _e201 = positions.member[(_e198 + _e178[0])];
+                    let _e203 = positions.member[_e178[1]];
+                    let _e206 = params.member.member.member[0u];
+                    let _e209 = positions.member[(_e206 + _e178[1])];
+                    let _e211 = positions.member[_e178[2]];
+                    let _e214 = params.member.member.member[0u];
+                    let _e217 = positions.member[(_e214 + _e178[2])];
+                    phi_1105_ = type_41(array<array<f64, 3>, 4>(_e187, _e195, _e203, _e211), array<array<f64, 3>, 4>(_e193, _e201, _e209, _e217));
                 }
-                let _e282 = phi_1102_;
-                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[0][0] - _e282.member[1][0]), (_e282.member[0][1] - _e282.member[1][1]), (_e282.member[0][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[0][0] - _e282.member_1[1][0]), (_e282.member_1[0][1] - _e282.member_1[1][1]), (_e282.member_1[0][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[2][0] - _e282.member[1][0]), (_e282.member[2][1] - _e282.member[1][1]), (_e282.member[2][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[2][0] - _e282.member_1[1][0]), (_e282.member_1[2][1] - _e282.member_1[1][1]), (_e282.member_1[2][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[3][0] - _e282.member[1][0]), (_e282.member[3][1] - _e282.member[1][1]), (_e282.member[3][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[3][0] - _e282.member_1[1][0]), (_e282.member_1[3][1] - _e282.member_1[1][1]), (_e282.member_1[3][2] - _e282.member_1[1][2]))), (0.0lf + 0.0lf));
-                let _e363 = params.member.member_7;
-                let _e370 = bitcast<f64>(((u64(_e363[1]) * 4294967296lu) + u64(_e363[0])));
-                let _e371 = f64(0f);
-                let _e374 = local_12.member_1[0u];
-                let _e380 = local_12.member_2[0u];
-                let _e386 = ((_e374[1] * _e380[2]) - (_e374[2] * _e380[1]));
-                let _e389 = ((_e374[2] * _e380[0]) - (_e374[0] * _e380[2]));
-                let _e392 = ((_e374[0] * _e380[1]) - (_e374[1] * _e380[0]));
-                let _e395 = local_12.member_1[1u];
-                let _e401 = local_12.member_2[1u];
-                let _e407 = ((_e395[1] * _e401[2]) - (_e395[2] * _e401[1]));
-                let _e410 = ((_e395[2] * _e401[0]) - (_e395[0] * _e401[2]));
-                let _e413 = ((_e395[0] * _e401[1]) - (_e395[1] * _e401[0]));
-                let _e416 = local_12.member_1[0u];
-                let _e422 = local_12.member_2[1u];
-                let _e437 = local_12.member_1[1u];
-                let _e443 = local_12.member_2[0u];
-                let _e456 = (((_e416[1] * _e422[2]) - (_e416[2] * _e422[1])) + ((_e437[1] * _e443[2]) - (_e437[2] * _e443[1])));
-                let _e457 = (((_e416[2] * _e422[0]) - (_e416[0] * _e422[2])) + ((_e437[2] * _e443[0]) - (_e437[0] * _e443[2])));
-                let _e458 = (((_e416[0] * _e422[1]) - (_e416[1] * _e422[0])) + ((_e437[0] * _e443[1]) - (_e437[1] * _e443[0])));
-                let _e461 = local_12.member[0u];
-                let _e469 = (((_e461[0] * _e386) + (_e461[1] * _e389)) + (_e461[2] * _e392));
-                let _e472 = local_12.member[1u];
-                let _e483 = local_12.member[0u];
-                let _e492 = ((((_e472[0] * _e386) + (_e472[1] * _e389)) + (_e472[2] * _e392)) + (((_e483[0] * _e456) + (_e483[1] * _e457)) + (_e483[2] * _e458)));
-                let _e495 = local_12.member[0u];
-                let _e506 = local_12.member[1u];
-                let _e515 = ((((_e495[0] * _e407) + (_e495[1] * _e410)) + (_e495[2] * _e413)) + (((_e506[0] * _e456) + (_e506[1] * _e457)) + (_e506[2] * _e458)));
-                let _e518 = local_12.member[1u];
-                let _e526 = (((_e518[0] * _e407) + (_e518[1] * _e410)) + (_e518[2] * _e413));
-                let _e529 = local_12.member[0u];
-                if (_e529[0] < 0.0lf) {
-                    phi_1471_ = -(_e529[0]);
+                let _e281 = phi_1105_;
+                local_12 = type_40(array<array<f64, 3>, 2>(array<f64, 3>((_e281.member[0][0] - _e281.member[1][0]), (_e281.member[0][1] - _e281.member[1][1]), (_e281.member[0][2] - _e281.member[1][2])), array<f64, 3>((_e281.member_1[0][0] - _e281.member_1[1][0]), (_e281.member_1[0][1] - _e281.member_1[1][1]), (_e281.member_1[0][2] - _e281.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e281.member[2][0] - _e281.member[1][0]), (_e281.member[2][1] - _e281.member[1][1]), (_e281.member[2][2] - _e281.member[1][2])), array<f64, 3>((_e281.member_1[2][0] - _e281.member_1[1][0]), (_e281.member_1[2][1] - _e281.member_1[1][1]), (_e281.member_1[2][2] - _e281.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e281.member[3][0] - _e281.member[1][0]), (_e281.member[3][1] - _e281.member[1][1]), (_e281.member[3][2] - _e281.member[1][2])), array<f64, 3>((_e281.member_1[3][0] - _e281.member_1[1][0]), (_e281.member_1[3][1] - _e281.member_1[1][1]), (_e281.member_1[3][2] - _e281.member_1[1][2]))), (0.0lf + 0.0lf));
+                let _e362 = params.member.member.member_7;
+                let _e369 = bitcast<f64>(((u64(_e362[1]) * 4294967296lu) + u64(_e362[0])));
+                let _e370 = f64(0f);
+                let _e373 = local_12.member_1[0u];
+                let _e379 = local_12.member_2[0u];
+                let _e385 = ((_e373[1] * _e379[2]) - (_e373[2] * _e379[1]));
+                let _e388 = ((_e373[2] * _e379[0]) - (_e373[0] * _e379[2]));
+                let _e391 = ((_e373[0] * _e379[1]) - (_e373[1] * _e379[0]));
+                let _e394 = local_12.member_1[1u];
+                let _e400 = local_12.member_2[1u];
+                let _e406 = ((_e394[1] * _e400[2]) - (_e394[2] * _e400[1]));
+                let _e409 = ((_e394[2] * _e400[0]) - (_e394[0] * _e400[2]));
+                let _e412 = ((_e394[0] * _e400[1]) - (_e394[1] * _e400[0]));
+                let _e415 = local_12.member_1[0u];
+                let _e421 = local_12.member_2[1u];
+                let _e436 = local_12.member_1[1u];
+                let _e442 = local_12.member_2[0u];
+                let _e455 = (((_e415[1] * _e421[2]) - (_e415[2] * _e421[1])) + ((_e436[1] * _e442[2]) - (_e436[2] * _e442[1])));
+                let _e456 = (((_e415[2] * _e421[0]) - (_e415[0] * _e421[2])) + ((_e436[2] * _e442[0]) - (_e436[0] * _e442[2])));
+                let _e457 = (((_e415[0] * _e421[1]) - (_e415[1] * _e421[0])) + ((_e436[0] * _e442[1]) - (_e436[1] * _e442[0])));
+                let _e460 = local_12.member[0u];
+                let _e468 = (((_e460[0] * _e385) + (_e460[1] * _e388)) + (_e460[2] * _e391));
+                let _e471 = local_12.member[1u];
+                let _e482 = local_12.member[0u];
+                let _e491 = ((((_e471[0] * _e385) + (_e471[1] * _e388)) + (_e471[2] * _e391)) + (((_e482[0] * _e455) + (_e482[1] * _e456)) + (_e482[2] * _e457)));
+                let _e494 = local_12.member[0u];
+                let _e505 = local_12.member[1u];
+                let _e514 = ((((_e494[0] * _e406) + (_e494[1] * _e409)) + (_e494[2] * _e412)) + (((_e505[0] * _e455) + (_e505[1] * _e456)) + (_e505[2] * _e457)));
+                let _e517 = local_12.member[1u];
+                let _e525 = (((_e517[0] * _e406) + (_e517[1] * _e409)) + (_e517[2] * _e412));
+                let _e528 = local_12.member[0u];
+                if (_e528[0] < 0.0lf) {
+                    phi_1474_ = -(_e528[0]);
                 } else {
-                    phi_1471_ = _e529[0];
+                    phi_1474_ = _e528[0];
                 }
-                let _e536 = phi_1471_;
-                if (_e529[1] < 0.0lf) {
-                    phi_1478_ = -(_e529[1]);
+                let _e535 = phi_1474_;
+                if (_e528[1] < 0.0lf) {
+                    phi_1481_ = -(_e528[1]);
                 } else {
-                    phi_1478_ = _e529[1];
+                    phi_1481_ = _e528[1];
                 }
-                let _e540 = phi_1478_;
-                if (_e536 > _e540) {
-                    phi_1483_ = _e536;
+                let _e539 = phi_1481_;
+                if (_e535 > _e539) {
+                    phi_1486_ = _e535;
                 } else {
-                    phi_1483_ = _e540;
+                    phi_1486_ = _e539;
                 }
-                let _e543 = phi_1483_;
-                if (_e529[2] < 0.0lf) {
-                    phi_1490_ = -(_e529[2]);
+                let _e542 = phi_1486_;
+                if (_e528[2] < 0.0lf) {
+                    phi_1493_ = -(_e528[2]);
                 } else {
-                    phi_1490_ = _e529[2];
+                    phi_1493_ = _e528[2];
                 }
-                let _e547 = phi_1490_;
-                if (_e543 > _e547) {
-                    phi_1495_ = _e543;
+                let _e546 = phi_1493_;
+                if (_e542 > _e546) {
+                    phi_1498_ = _e542;
                 } else {
-                    phi_1495_ = _e547;
+                    phi_1498_ = _e546;
                 }
-                let _e550 = phi_1495_;
-                let _e553 = local_12.member[1u];
-                if (_e553[0] < 0.0lf) {
-                    phi_1508_ = -(_e553[0]);
+                let _e549 = phi_1498_;
+                let _e552 = local_12.member[1u];
+                if (_e552[0] < 0.0lf) {
+                    phi_1511_ = -(_e552[0]);
                 } else {
-                    phi_1508_ = _e553[0];
+                    phi_1511_ = _e552[0];
                 }
-                let _e560 = phi_1508_;
-                if (_e553[1] < 0.0lf) {
-                    phi_1515_ = -(_e553[1]);
+                let _e559 = phi_1511_;
+                if (_e552[1] < 0.0lf) {
+                    phi_1518_ = -(_e552[1]);
                 } else {
-                    phi_1515_ = _e553[1];
+                    phi_1518_ = _e552[1];
                 }
-                let _e564 = phi_1515_;
-                if (_e560 > _e564) {
-                    phi_1520_ = _e560;
+                let _e563 = phi_1518_;
+                if (_e559 > _e563) {
+                    phi_1523_ = _e559;
                 } else {
-                    phi_1520_ = _e564;
+                    phi_1523_ = _e563;
                 }
-                let _e567 = phi_1520_;
-                if (_e553[2] < 0.0lf) {
-                    phi_1527_ = -(_e553[2]);
+                let _e566 = phi_1523_;
+                if (_e552[2] < 0.0lf) {
+                    phi_1530_ = -(_e552[2]);
                 } else {
-                    phi_1527_ = _e553[2];
+                    phi_1530_ = _e552[2];
                 }
-                let _e571 = phi_1527_;
-                if (_e567 > _e571) {
-                    phi_1532_ = _e567;
+                let _e570 = phi_1530_;
+                if (_e566 > _e570) {
+                    phi_1535_ = _e566;
                 } else {
-                    phi_1532_ = _e571;
+                    phi_1535_ = _e570;
                 }
-                let _e574 = phi_1532_;
-                if (_e550 > _e574) {
-                    phi_1537_ = _e550;
+                let _e573 = phi_1535_;
+                if (_e549 > _e573) {
+                    phi_1540_ = _e549;
                 } else {
-                    phi_1537_ = _e574;
+                    phi_1540_ = _e573;
                 }
-                let _e577 = phi_1537_;
-                let _e579 = local_12.member_3;
-                let _e580 = (_e577 + _e579);
-                let _e583 = local_12.member_1[0u];
-                if (_e583[0] < 0.0lf) {
-                    phi_1554_ = -(_e583[0]);
+                let _e576 = phi_1540_;
+                let _e578 = local_12.member_3;
+                let _e579 = (_e576 + _e578);
+                let _e582 = local_12.member_1[0u];
+                if (_e582[0] < 0.0lf) {
+                    phi_1557_ = -(_e582[0]);
                 } else {
-                    phi_1554_ = _e583[0];
+                    phi_1557_ = _e582[0];
                 }
-                let _e590 = phi_1554_;
-                if (_e583[1] < 0.0lf) {
-                    phi_1561_ = -(_e583[1]);
+                let _e589 = phi_1557_;
+                if (_e582[1] < 0.0lf) {
+                    phi_1564_ = -(_e582[1]);
                 } else {
-                    phi_1561_ = _e583[1];
+                    phi_1564_ = _e582[1];
                 }
-                let _e594 = phi_1561_;
-                if (_e590 > _e594) {
-                    phi_1566_ = _e590;
+                let _e593 = phi_1564_;
+                if (_e589 > _e593) {
+                    phi_1569_ = _e589;
                 } else {
-                    phi_1566_ = _e594;
+                    phi_1569_ = _e593;
                 }
-                let _e597 = phi_1566_;
-                if (_e583[2] < 0.0lf) {
-                    phi_1573_ = -(_e583[2]);
+                let _e596 = phi_1569_;
+                if (_e582[2] < 0.0lf) {
+                    phi_1576_ = -(_e582[2]);
                 } else {
-                    phi_1573_ = _e583[2];
+                    phi_1576_ = _e582[2];
                 }
-                let _e601 = phi_1573_;
-                if (_e597 > _e601) {
-                    phi_1578_ = _e597;
+                let _e600 = phi_1576_;
+                if (_e596 > _e600) {
+                    phi_1581_ = _e596;
                 } else {
-                    phi_1578_ = _e601;
+                    phi_1581_ = _e600;
                 }
-                let _e604 = phi_1578_;
-                let _e607 = local_12.member_1[1u];
-                if (_e607[0] < 0.0lf) {
-                    phi_1592_ = -(_e607[0]);
+                let _e603 = phi_1581_;
+                let _e606 = local_12.member_1[1u];
+                if (_e606[0] < 0.0lf) {
+                    phi_1595_ = -(_e606[0]);
                 } else {
-                    phi_1592_ = _e607[0];
+                    phi_1595_ = _e606[0];
                 }
-                let _e614 = phi_1592_;
-                if (_e607[1] < 0.0lf) {
-                    phi_1599_ = -(_e607[1]);
+                let _e613 = phi_1595_;
+                if (_e606[1] < 0.0lf) {
+                    phi_1602_ = -(_e606[1]);
                 } else {
-                    phi_1599_ = _e607[1];
+                    phi_1602_ = _e606[1];
                 }
-                let _e618 = phi_1599_;
-                if (_e614 > _e618) {
-                    phi_1604_ = _e614;
+                let _e617 = phi_1602_;
+                if (_e613 > _e617) {
+                    phi_1607_ = _e613;
                 } else {
-                    phi_1604_ = _e618;
+                    phi_1607_ = _e617;
                 }
-                let _e621 = phi_1604_;
-                if (_e607[2] < 0.0lf) {
-                    phi_1611_ = -(_e607[2]);
+                let _e620 = phi_1607_;
+                if (_e606[2] < 0.0lf) {
+                    phi_1614_ = -(_e606[2]);
                 } else {
-                    phi_1611_ = _e607[2];
+                    phi_1614_ = _e606[2];
                 }
-                let _e625 = phi_1611_;
-                if (_e621 > _e625) {
-                    phi_1616_ = _e621;
+                let _e624 = phi_1614_;
+                if (_e620 > _e624) {
+                    phi_1619_ = _e620;
                 } else {
-                    phi_1616_ = _e625;
+                    phi_1619_ = _e624;
                 }
-                let _e628 = phi_1616_;
-                if (_e604 > _e628) {
-                    phi_1621_ = _e604;
+                let _e627 = phi_1619_;
+                if (_e603 > _e627) {
+                    phi_1624_ = _e603;
                 } else {
-                    phi_1621_ = _e628;
+                    phi_1624_ = _e627;
                 }
-                let _e631 = phi_1621_;
-                let _e633 = local_12.member_3;
-                let _e634 = (_e631 + _e633);
-                let _e637 = local_12.member_2[0u];
-                if (_e637[0] < 0.0lf) {
-                    phi_1638_ = -(_e637[0]);
+                let _e630 = phi_1624_;
+                let _e632 = local_12.member_3;
+                let _e633 = (_e630 + _e632);
+                let _e636 = local_12.member_2[0u];
+                if (_e636[0] < 0.0lf) {
+                    phi_1641_ = -(_e636[0]);
                 } else {
-                    phi_1638_ = _e637[0];
+                    phi_1641_ = _e636[0];
                 }
-                let _e644 = phi_1638_;
-                if (_e637[1] < 0.0lf) {
-                    phi_1645_ = -(_e637[1]);
+                let _e643 = phi_1641_;
+                if (_e636[1] < 0.0lf) {
+                    phi_1648_ = -(_e636[1]);
                 } else {
-                    phi_1645_ = _e637[1];
+                    phi_1648_ = _e636[1];
                 }
-                let _e648 = phi_1645_;
-                if (_e644 > _e648) {
-                    phi_1650_ = _e644;
+                let _e647 = phi_1648_;
+                if (_e643 > _e647) {
+                    phi_1653_ = _e643;
                 } else {
-                    phi_1650_ = _e648;
+                    phi_1653_ = _e647;
                 }
-                let _e651 = phi_1650_;
-                if (_e637[2] < 0.0lf) {
-                    phi_1657_ = -(_e637[2]);
+                let _e650 = phi_1653_;
+                if (_e636[2] < 0.0lf) {
+                    phi_1660_ = -(_e636[2]);
                 } else {
-                    phi_1657_ = _e637[2];
+                    phi_1660_ = _e636[2];
                 }
-                let _e655 = phi_1657_;
-                if (_e651 > _e655) {
-                    phi_1662_ = _e651;
+                let _e654 = phi_1660_;
+                if (_e650 > _e654) {
+                    phi_1665_ = _e650;
                 } else {
-                    phi_1662_ = _e655;
+                    phi_1665_ = _e654;
                 }
-                let _e658 = phi_1662_;
-                let _e661 = local_12.member_2[1u];
-                if (_e661[0] < 0.0lf) {
-                    phi_1676_ = -(_e661[0]);
+                let _e657 = phi_1665_;
+                let _e660 = local_12.member_2[1u];
+                if (_e660[0] < 0.0lf) {
+                    phi_1679_ = -(_e660[0]);
                 } else {
-                    phi_1676_ = _e661[0];
+                    phi_1679_ = _e660[0];
                 }
-                let _e668 = phi_1676_;
-                if (_e661[1] < 0.0lf) {
-                    phi_1683_ = -(_e661[1]);
+                let _e667 = phi_1679_;
+                if (_e660[1] < 0.0lf) {
+                    phi_1686_ = -(_e660[1]);
                 } else {
-                    phi_1683_ = _e661[1];
+                    phi_1686_ = _e660[1];
                 }
-                let _e672 = phi_1683_;
-                if (_e668 > _e672) {
-                    phi_1688_ = _e668;
+                let _e671 = phi_1686_;
+                if (_e667 > _e671) {
+                    phi_1691_ = _e667;
                 } else {
-                    phi_1688_ = _e672;
+                    phi_1691_ = _e671;
                 }
-                let _e675 = phi_1688_;
-                if (_e661[2] < 0.0lf) {
-                    phi_1695_ = -(_e661[2]);
+                let _e674 = phi_1691_;
+                if (_e660[2] < 0.0lf) {
+                    phi_1698_ = -(_e660[2]);
                 } else {
-                    phi_1695_ = _e661[2];
+                    phi_1698_ = _e660[2];
                 }
-                let _e679 = phi_1695_;
-                if (_e675 > _e679) {
-                    phi_1700_ = _e675;
+                let _e678 = phi_1698_;
+                if (_e674 > _e678) {
+                    phi_1703_ = _e674;
                 } else {
-                    phi_1700_ = _e679;
+                    phi_1703_ = _e678;
                 }
-                let _e682 = phi_1700_;
-                if (_e658 > _e682) {
-                    phi_1705_ = _e658;
+                let _e681 = phi_1703_;
+                if (_e657 > _e681) {
+                    phi_1708_ = _e657;
                 } else {
-                    phi_1705_ = _e682;
+                    phi_1708_ = _e681;
                 }
-                let _e685 = phi_1705_;
-                let _e687 = local_12.member_3;
-                let _e688 = (_e685 + _e687);
-                let _e689 = f64(1f);
-                let _e690 = f64(8f);
-                let _e692 = ((_e634 * _e690) * _e688);
-                let _e700 = local_12.member_3;
-                if (_e386 < 0.0lf) {
-                    phi_1742_ = -(_e386);
+                let _e684 = phi_1708_;
+                let _e686 = local_12.member_3;
+                let _e687 = (_e684 + _e686);
+                let _e688 = f64(1f);
+                let _e689 = f64(8f);
+                let _e691 = ((_e633 * _e689) * _e687);
+                let _e699 = local_12.member_3;
+                if (_e385 < 0.0lf) {
+                    phi_1745_ = -(_e385);
                 } else {
-                    phi_1742_ = _e386;
+                    phi_1745_ = _e385;
                 }
-                let _e720 = phi_1742_;
-                if (_e389 < 0.0lf) {
-                    phi_1748_ = -(_e389);
+                let _e719 = phi_1745_;
+                if (_e388 < 0.0lf) {
+                    phi_1751_ = -(_e388);
                 } else {
-                    phi_1748_ = _e389;
+                    phi_1751_ = _e388;
                 }
-                let _e724 = phi_1748_;
-                if (_e392 < 0.0lf) {
-                    phi_1755_ = -(_e392);
+                let _e723 = phi_1751_;
+                if (_e391 < 0.0lf) {
+                    phi_1758_ = -(_e391);
                 } else {
-                    phi_1755_ = _e392;
+                    phi_1758_ = _e391;
                 }
-                let _e729 = phi_1755_;
-                let _e730 = ((_e720 + _e724) + _e729);
-                if (_e407 < 0.0lf) {
-                    phi_1762_ = -(_e407);
+                let _e728 = phi_1758_;
+                let _e729 = ((_e719 + _e723) + _e728);
+                if (_e406 < 0.0lf) {
+                    phi_1765_ = -(_e406);
                 } else {
-                    phi_1762_ = _e407;
+                    phi_1765_ = _e406;
                 }
-                let _e734 = phi_1762_;
-                if (_e410 < 0.0lf) {
-                    phi_1768_ = -(_e410);
+                let _e733 = phi_1765_;
+                if (_e409 < 0.0lf) {
+                    phi_1771_ = -(_e409);
                 } else {
-                    phi_1768_ = _e410;
+                    phi_1771_ = _e409;
                 }
-                let _e738 = phi_1768_;
-                if (_e413 < 0.0lf) {
-                    phi_1775_ = -(_e413);
+                let _e737 = phi_1771_;
+                if (_e412 < 0.0lf) {
+                    phi_1778_ = -(_e412);
                 } else {
-                    phi_1775_ = _e413;
+                    phi_1778_ = _e412;
                 }
-                let _e743 = phi_1775_;
-                let _e744 = ((_e734 + _e738) + _e743);
-                if (_e730 > _e744) {
-                    phi_1781_ = _e730;
+                let _e742 = phi_1778_;
+                let _e743 = ((_e733 + _e737) + _e742);
+                if (_e729 > _e743) {
+                    phi_1784_ = _e729;
                 } else {
-                    phi_1781_ = _e744;
+                    phi_1784_ = _e743;
                 }
-                let _e747 = phi_1781_;
+                let _e746 = phi_1784_;
+                if (_e455 < 0.0lf) {
+                    phi_1790_ = -(_e455);
+                } else {
+                    phi_1790_ = _e455;
+                }
+                let _e750 = phi_1790_;
                 if (_e456 < 0.0lf) {
-                    phi_1787_ = -(_e456);
+                    phi_1796_ = -(_e456);
                 } else {
-                    phi_1787_ = _e456;
+                    phi_1796_ = _e456;
                 }
-                let _e751 = phi_1787_;
+                let _e754 = phi_1796_;
                 if (_e457 < 0.0lf) {
-                    phi_1793_ = -(_e457);
+                    phi_1803_ = -(_e457);
                 } else {
-                    phi_1793_ = _e457;
+                    phi_1803_ = _e457;
                 }
-                let _e755 = phi_1793_;
-                if (_e458 < 0.0lf) {
-                    phi_1800_ = -(_e458);
+                let _e759 = phi_1803_;
+                let _e761 = (((_e750 + _e754) + _e759) * f64(0.5f));
+                if (_e746 > _e761) {
+                    phi_1810_ = _e746;
                 } else {
-                    phi_1800_ = _e458;
+                    phi_1810_ = _e761;
                 }
-                let _e760 = phi_1800_;
-                let _e762 = (((_e751 + _e755) + _e760) * f64(0.5f));
-                if (_e747 > _e762) {
-                    phi_1807_ = _e747;
+                let _e764 = phi_1810_;
+                let _e770 = local_12.member_3;
+                let _e784 = (((((_e579 * _e689) * _e691) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e699 * f64(19f)) * ((_e579 * (_e633 + _e687)) + (_e633 * _e687)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e688 + _e579) * ((_e688 + _e633) * (_e688 + _e687)))));
+                let _e785 = f64(3f);
+                let _e786 = (_e468 * _e785);
+                let _e787 = (_e525 * _e785);
+                if (_e786 < _e787) {
+                    phi_1838_ = _e786;
                 } else {
-                    phi_1807_ = _e762;
+                    phi_1838_ = _e787;
                 }
-                let _e765 = phi_1807_;
-                let _e771 = local_12.member_3;
-                let _e785 = (((((_e580 * _e690) * _e692) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e700 * f64(19f)) * ((_e580 * (_e634 + _e688)) + (_e634 * _e688)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e580) * ((_e689 + _e634) * (_e689 + _e688)))));
-                let _e786 = f64(3f);
-                let _e787 = (_e469 * _e786);
-                let _e788 = (_e526 * _e786);
-                if (_e787 < _e788) {
-                    phi_1835_ = _e787;
+                let _e790 = phi_1838_;
+                if (_e491 < _e514) {
+                    phi_1843_ = _e491;
                 } else {
-                    phi_1835_ = _e788;
+                    phi_1843_ = _e514;
                 }
-                let _e791 = phi_1835_;
-                if (_e492 < _e515) {
-                    phi_1840_ = _e492;
+                let _e793 = phi_1843_;
+                if (_e790 < _e793) {
+                    phi_1848_ = _e790;
                 } else {
-                    phi_1840_ = _e515;
+                    phi_1848_ = _e793;
                 }
-                let _e794 = phi_1840_;
-                if (_e791 < _e794) {
-                    phi_1845_ = _e791;
+                let _e796 = phi_1848_;
+                if (_e786 > _e787) {
+                    phi_1853_ = _e786;
                 } else {
-                    phi_1845_ = _e794;
+                    phi_1853_ = _e787;
                 }
-                let _e797 = phi_1845_;
-                if (_e787 > _e788) {
-                    phi_1850_ = _e787;
+                let _e799 = phi_1853_;
+                if (_e491 > _e514) {
+                    phi_1858_ = _e491;
                 } else {
-                    phi_1850_ = _e788;
+                    phi_1858_ = _e514;
                 }
-                let _e800 = phi_1850_;
-                if (_e492 > _e515) {
-                    phi_1855_ = _e492;
+                let _e802 = phi_1858_;
+                if (_e799 > _e802) {
+                    phi_1863_ = _e799;
                 } else {
-                    phi_1855_ = _e515;
+                    phi_1863_ = _e802;
                 }
-                let _e803 = phi_1855_;
-                if (_e800 > _e803) {
-                    phi_1860_ = _e800;
+                let _e805 = phi_1863_;
+                let _e811 = -(_e805);
+                if (_e796 > _e811) {
+                    phi_1874_ = _e796;
                 } else {
-                    phi_1860_ = _e803;
+                    phi_1874_ = _e811;
                 }
-                let _e806 = phi_1860_;
-                let _e812 = -(_e806);
-                if (_e797 > _e812) {
-                    phi_1871_ = _e797;
+                let _e814 = phi_1874_;
+                if ((_e814 - (_e784 + ((_e369 * (((_e764 + (_e691 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e770 * f64(6f)) * (_e633 + _e687))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e688 + _e633) * (_e688 + _e687))))) * f64((3f * 1.0001f))))) > _e370) {
+                    phi_6331_ = type_42(0u, type_42().member_1);
                 } else {
-                    phi_1871_ = _e812;
-                }
-                let _e815 = phi_1871_;
-                if ((_e815 - (_e785 + ((_e370 * (((_e765 + (_e692 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e771 * f64(6f)) * (_e634 + _e688))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e634) * (_e689 + _e688))))) * f64((3f * 1.0001f))))) > _e371) {
-                    phi_6328_ = type_40(0u, type_40().member_1);
-                } else {
-                    if (_e370 > _e371) {
-                        let _e2904 = f64(1f);
-                        let _e2908 = local_12.member[0u];
-                        let _e2914 = local_12.member_1[0u];
-                        let _e2920 = local_12.member_2[0u];
-                        local_9 = array<array<f64, 3>, 4>(_e2908, array<f64, 3>((_e2908[0] - _e2914[0]), (_e2908[1] - _e2914[1]), (_e2908[2] - _e2914[2])), array<f64, 3>((_e2908[0] - _e2920[0]), (_e2908[1] - _e2920[1]), (_e2908[2] - _e2920[2])), _e2908);
-                        let _e2935 = local_12.member[1u];
-                        let _e2941 = local_12.member_1[1u];
-                        let _e2947 = local_12.member_2[1u];
-                        local_10 = array<array<f64, 3>, 4>(_e2935, array<f64, 3>((_e2935[0] - _e2941[0]), (_e2935[1] - _e2941[1]), (_e2935[2] - _e2941[2])), array<f64, 3>((_e2935[0] - _e2947[0]), (_e2935[1] - _e2947[1]), (_e2935[2] - _e2947[2])), _e2935);
-                        let _e2962 = local_12.member[0u];
-                        if (_e2962[0] < 0.0lf) {
-                            phi_2074_ = -(_e2962[0]);
+                    if (_e369 > _e370) {
+                        let _e2903 = f64(1f);
+                        let _e2907 = local_12.member[0u];
+                        let _e2913 = local_12.member_1[0u];
+                        let _e2919 = local_12.member_2[0u];
+                        local_9 = array<array<f64, 3>, 4>(_e2907, array<f64, 3>((_e2907[0] - _e2913[0]), (_e2907[1] - _e2913[1]), (_e2907[2] - _e2913[2])), array<f64, 3>((_e2907[0] - _e2919[0]), (_e2907[1] - _e2919[1]), (_e2907[2] - _e2919[2])), _e2907);
+                        let _e2934 = local_12.member[1u];
+                        let _e2940 = local_12.member_1[1u];
+                        let _e2946 = local_12.member_2[1u];
+                        local_10 = array<array<f64, 3>, 4>(_e2934, array<f64, 3>((_e2934[0] - _e2940[0]), (_e2934[1] - _e2940[1]), (_e2934[2] - _e2940[2])), array<f64, 3>((_e2934[0] - _e2946[0]), (_e2934[1] - _e2946[1]), (_e2934[2] - _e2946[2])), _e2934);
+                        let _e2961 = local_12.member[0u];
+                        if (_e2961[0] < 0.0lf) {
+                            phi_2077_ = -(_e2961[0]);
                         } else {
-                            phi_2074_ = _e2962[0];
+                            phi_2077_ = _e2961[0];
                         }
-                        let _e2969 = phi_2074_;
-                        if (_e2962[1] < 0.0lf) {
-                            phi_2081_ = -(_e2962[1]);
+                        let _e2968 = phi_2077_;
+                        if (_e2961[1] < 0.0lf) {
+                            phi_2084_ = -(_e2961[1]);
                         } else {
-                            phi_2081_ = _e2962[1];
+                            phi_2084_ = _e2961[1];
                         }
-                        let _e2973 = phi_2081_;
-                        if (_e2969 > _e2973) {
-                            phi_2086_ = _e2969;
+                        let _e2972 = phi_2084_;
+                        if (_e2968 > _e2972) {
+                            phi_2089_ = _e2968;
                         } else {
-                            phi_2086_ = _e2973;
+                            phi_2089_ = _e2972;
                         }
-                        let _e2976 = phi_2086_;
-                        if (_e2962[2] < 0.0lf) {
-                            phi_2093_ = -(_e2962[2]);
+                        let _e2975 = phi_2089_;
+                        if (_e2961[2] < 0.0lf) {
+                            phi_2096_ = -(_e2961[2]);
                         } else {
-                            phi_2093_ = _e2962[2];
+                            phi_2096_ = _e2961[2];
                         }
-                        let _e2980 = phi_2093_;
-                        if (_e2976 > _e2980) {
-                            phi_2098_ = _e2976;
+                        let _e2979 = phi_2096_;
+                        if (_e2975 > _e2979) {
+                            phi_2101_ = _e2975;
                         } else {
-                            phi_2098_ = _e2980;
+                            phi_2101_ = _e2979;
                         }
-                        let _e2983 = phi_2098_;
-                        let _e2986 = local_12.member[1u];
-                        if (_e2986[0] < 0.0lf) {
-                            phi_2111_ = -(_e2986[0]);
+                        let _e2982 = phi_2101_;
+                        let _e2985 = local_12.member[1u];
+                        if (_e2985[0] < 0.0lf) {
+                            phi_2114_ = -(_e2985[0]);
                         } else {
-                            phi_2111_ = _e2986[0];
+                            phi_2114_ = _e2985[0];
                         }
-                        let _e2993 = phi_2111_;
-                        if (_e2986[1] < 0.0lf) {
-                            phi_2118_ = -(_e2986[1]);
+                        let _e2992 = phi_2114_;
+                        if (_e2985[1] < 0.0lf) {
+                            phi_2121_ = -(_e2985[1]);
                         } else {
-                            phi_2118_ = _e2986[1];
+                            phi_2121_ = _e2985[1];
                         }
-                        let _e2997 = phi_2118_;
-                        if (_e2993 > _e2997) {
-                            phi_2123_ = _e2993;
+                        let _e2996 = phi_2121_;
+                        if (_e2992 > _e2996) {
+                            phi_2126_ = _e2992;
                         } else {
-                            phi_2123_ = _e2997;
+                            phi_2126_ = _e2996;
                         }
-                        let _e3000 = phi_2123_;
-                        if (_e2986[2] < 0.0lf) {
-                            phi_2130_ = -(_e2986[2]);
+                        let _e2999 = phi_2126_;
+                        if (_e2985[2] < 0.0lf) {
+                            phi_2133_ = -(_e2985[2]);
                         } else {
-                            phi_2130_ = _e2986[2];
+                            phi_2133_ = _e2985[2];
                         }
-                        let _e3004 = phi_2130_;
-                        if (_e3000 > _e3004) {
-                            phi_2135_ = _e3000;
+                        let _e3003 = phi_2133_;
+                        if (_e2999 > _e3003) {
+                            phi_2138_ = _e2999;
                         } else {
-                            phi_2135_ = _e3004;
+                            phi_2138_ = _e3003;
                         }
-                        let _e3007 = phi_2135_;
-                        if (_e2983 > _e3007) {
-                            phi_2140_ = _e2983;
+                        let _e3006 = phi_2138_;
+                        if (_e2982 > _e3006) {
+                            phi_2143_ = _e2982;
                         } else {
-                            phi_2140_ = _e3007;
+                            phi_2143_ = _e3006;
                         }
-                        let _e3010 = phi_2140_;
-                        let _e3012 = local_12.member_3;
-                        let _e3016 = local_12.member_1[0u];
-                        if (_e3016[0] < 0.0lf) {
-                            phi_2157_ = -(_e3016[0]);
+                        let _e3009 = phi_2143_;
+                        let _e3011 = local_12.member_3;
+                        let _e3015 = local_12.member_1[0u];
+                        if (_e3015[0] < 0.0lf) {
+                            phi_2160_ = -(_e3015[0]);
                         } else {
-                            phi_2157_ = _e3016[0];
+                            phi_2160_ = _e3015[0];
                         }
-                        let _e3023 = phi_2157_;
-                        if (_e3016[1] < 0.0lf) {
-                            phi_2164_ = -(_e3016[1]);
+                        let _e3022 = phi_2160_;
+                        if (_e3015[1] < 0.0lf) {
+                            phi_2167_ = -(_e3015[1]);
                         } else {
-                            phi_2164_ = _e3016[1];
+                            phi_2167_ = _e3015[1];
                         }
-                        let _e3027 = phi_2164_;
-                        if (_e3023 > _e3027) {
-                            phi_2169_ = _e3023;
+                        let _e3026 = phi_2167_;
+                        if (_e3022 > _e3026) {
+                            phi_2172_ = _e3022;
                         } else {
-                            phi_2169_ = _e3027;
+                            phi_2172_ = _e3026;
                         }
-                        let _e3030 = phi_2169_;
-                        if (_e3016[2] < 0.0lf) {
-                            phi_2176_ = -(_e3016[2]);
+                        let _e3029 = phi_2172_;
+                        if (_e3015[2] < 0.0lf) {
+                            phi_2179_ = -(_e3015[2]);
                         } else {
-                            phi_2176_ = _e3016[2];
+                            phi_2179_ = _e3015[2];
                         }
-                        let _e3034 = phi_2176_;
-                        if (_e3030 > _e3034) {
-                            phi_2181_ = _e3030;
+                        let _e3033 = phi_2179_;
+                        if (_e3029 > _e3033) {
+                            phi_2184_ = _e3029;
                         } else {
-                            phi_2181_ = _e3034;
+                            phi_2184_ = _e3033;
                         }
-                        let _e3037 = phi_2181_;
-                        let _e3040 = local_12.member_1[1u];
-                        if (_e3040[0] < 0.0lf) {
-                            phi_2195_ = -(_e3040[0]);
+                        let _e3036 = phi_2184_;
+                        let _e3039 = local_12.member_1[1u];
+                        if (_e3039[0] < 0.0lf) {
+                            phi_2198_ = -(_e3039[0]);
                         } else {
-                            phi_2195_ = _e3040[0];
+                            phi_2198_ = _e3039[0];
                         }
-                        let _e3047 = phi_2195_;
-                        if (_e3040[1] < 0.0lf) {
-                            phi_2202_ = -(_e3040[1]);
+                        let _e3046 = phi_2198_;
+                        if (_e3039[1] < 0.0lf) {
+                            phi_2205_ = -(_e3039[1]);
                         } else {
-                            phi_2202_ = _e3040[1];
+                            phi_2205_ = _e3039[1];
                         }
-                        let _e3051 = phi_2202_;
-                        if (_e3047 > _e3051) {
-                            phi_2207_ = _e3047;
+                        let _e3050 = phi_2205_;
+                        if (_e3046 > _e3050) {
+                            phi_2210_ = _e3046;
                         } else {
-                            phi_2207_ = _e3051;
+                            phi_2210_ = _e3050;
                         }
-                        let _e3054 = phi_2207_;
-                        if (_e3040[2] < 0.0lf) {
-                            phi_2214_ = -(_e3040[2]);
+                        let _e3053 = phi_2210_;
+                        if (_e3039[2] < 0.0lf) {
+                            phi_2217_ = -(_e3039[2]);
                         } else {
-                            phi_2214_ = _e3040[2];
+                            phi_2217_ = _e3039[2];
                         }
-                        let _e3058 = phi_2214_;
-                        if (_e3054 > _e3058) {
-                            phi_2219_ = _e3054;
+                        let _e3057 = phi_2217_;
+                        if (_e3053 > _e3057) {
+                            phi_2222_ = _e3053;
                         } else {
-                            phi_2219_ = _e3058;
+                            phi_2222_ = _e3057;
                         }
-                        let _e3061 = phi_2219_;
-                        if (_e3037 > _e3061) {
-                            phi_2224_ = _e3037;
+                        let _e3060 = phi_2222_;
+                        if (_e3036 > _e3060) {
+                            phi_2227_ = _e3036;
                         } else {
-                            phi_2224_ = _e3061;
+                            phi_2227_ = _e3060;
                         }
-                        let _e3064 = phi_2224_;
-                        let _e3066 = local_12.member_3;
-                        let _e3070 = local_12.member_2[0u];
-                        if (_e3070[0] < 0.0lf) {
-                            phi_2241_ = -(_e3070[0]);
+                        let _e3063 = phi_2227_;
+                        let _e3065 = local_12.member_3;
+                        let _e3069 = local_12.member_2[0u];
+                        if (_e3069[0] < 0.0lf) {
+                            phi_2244_ = -(_e3069[0]);
                         } else {
-                            phi_2241_ = _e3070[0];
+                            phi_2244_ = _e3069[0];
                         }
-                        let _e3077 = phi_2241_;
-                        if (_e3070[1] < 0.0lf) {
-                            phi_2248_ = -(_e3070[1]);
+                        let _e3076 = phi_2244_;
+                        if (_e3069[1] < 0.0lf) {
+                            phi_2251_ = -(_e3069[1]);
                         } else {
-                            phi_2248_ = _e3070[1];
+                            phi_2251_ = _e3069[1];
                         }
-                        let _e3081 = phi_2248_;
-                        if (_e3077 > _e3081) {
-                            phi_2253_ = _e3077;
+                        let _e3080 = phi_2251_;
+                        if (_e3076 > _e3080) {
+                            phi_2256_ = _e3076;
                         } else {
-                            phi_2253_ = _e3081;
+                            phi_2256_ = _e3080;
                         }
-                        let _e3084 = phi_2253_;
-                        if (_e3070[2] < 0.0lf) {
-                            phi_2260_ = -(_e3070[2]);
+                        let _e3083 = phi_2256_;
+                        if (_e3069[2] < 0.0lf) {
+                            phi_2263_ = -(_e3069[2]);
                         } else {
-                            phi_2260_ = _e3070[2];
+                            phi_2263_ = _e3069[2];
                         }
-                        let _e3088 = phi_2260_;
-                        if (_e3084 > _e3088) {
-                            phi_2265_ = _e3084;
+                        let _e3087 = phi_2263_;
+                        if (_e3083 > _e3087) {
+                            phi_2268_ = _e3083;
                         } else {
-                            phi_2265_ = _e3088;
+                            phi_2268_ = _e3087;
                         }
-                        let _e3091 = phi_2265_;
-                        let _e3094 = local_12.member_2[1u];
-                        if (_e3094[0] < 0.0lf) {
-                            phi_2279_ = -(_e3094[0]);
+                        let _e3090 = phi_2268_;
+                        let _e3093 = local_12.member_2[1u];
+                        if (_e3093[0] < 0.0lf) {
+                            phi_2282_ = -(_e3093[0]);
                         } else {
-                            phi_2279_ = _e3094[0];
+                            phi_2282_ = _e3093[0];
                         }
-                        let _e3101 = phi_2279_;
-                        if (_e3094[1] < 0.0lf) {
-                            phi_2286_ = -(_e3094[1]);
+                        let _e3100 = phi_2282_;
+                        if (_e3093[1] < 0.0lf) {
+                            phi_2289_ = -(_e3093[1]);
                         } else {
-                            phi_2286_ = _e3094[1];
+                            phi_2289_ = _e3093[1];
                         }
-                        let _e3105 = phi_2286_;
-                        if (_e3101 > _e3105) {
-                            phi_2291_ = _e3101;
+                        let _e3104 = phi_2289_;
+                        if (_e3100 > _e3104) {
+                            phi_2294_ = _e3100;
                         } else {
-                            phi_2291_ = _e3105;
+                            phi_2294_ = _e3104;
                         }
-                        let _e3108 = phi_2291_;
-                        if (_e3094[2] < 0.0lf) {
-                            phi_2298_ = -(_e3094[2]);
+                        let _e3107 = phi_2294_;
+                        if (_e3093[2] < 0.0lf) {
+                            phi_2301_ = -(_e3093[2]);
                         } else {
-                            phi_2298_ = _e3094[2];
+                            phi_2301_ = _e3093[2];
                         }
-                        let _e3112 = phi_2298_;
-                        if (_e3108 > _e3112) {
-                            phi_2303_ = _e3108;
+                        let _e3111 = phi_2301_;
+                        if (_e3107 > _e3111) {
+                            phi_2306_ = _e3107;
                         } else {
-                            phi_2303_ = _e3112;
+                            phi_2306_ = _e3111;
                         }
-                        let _e3115 = phi_2303_;
-                        if (_e3091 > _e3115) {
-                            phi_2308_ = _e3091;
+                        let _e3114 = phi_2306_;
+                        if (_e3090 > _e3114) {
+                            phi_2311_ = _e3090;
                         } else {
-                            phi_2308_ = _e3115;
+                            phi_2311_ = _e3114;
                         }
-                        let _e3118 = phi_2308_;
-                        let _e3120 = local_12.member_3;
-                        let _e3128 = local_12.member_3;
-                        phi_2328_ = type_19(0u, 48u);
-                        phi_2331_ = f64(0f);
+                        let _e3117 = phi_2311_;
+                        let _e3119 = local_12.member_3;
+                        let _e3127 = local_12.member_3;
+                        phi_2331_ = type_9(0u, 48u);
+                        phi_2334_ = f64(0f);
                         loop {
-                            let _e3137 = phi_2328_;
-                            let _e3139 = phi_2331_;
-                            local_77 = _e3139;
-                            local_37 = _e3139;
-                            local_38 = _e3139;
-                            local_39 = _e3139;
-                            local_40 = _e3139;
-                            if (_e3137.member < _e3137.member_1) {
-                                phi_2329_ = type_19((_e3137.member + 1u), _e3137.member_1);
-                                phi_2354_ = type_19(1u, _e3137.member);
+                            let _e3136 = phi_2331_;
+                            let _e3138 = phi_2334_;
+                            local_77 = _e3138;
+                            local_37 = _e3138;
+                            local_38 = _e3138;
+                            local_39 = _e3138;
+                            local_40 = _e3138;
+                            if (_e3136.member < _e3136.member_1) {
+                                phi_2332_ = type_9((_e3136.member + 1u), _e3136.member_1);
+                                phi_2357_ = type_9(1u, _e3136.member);
                             } else {
-                                phi_2329_ = _e3137;
-                                phi_2354_ = type_19(0u, type_19().member_1);
+                                phi_2332_ = _e3136;
+                                phi_2357_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3151 = phi_2329_;
-                            let _e3153 = phi_2354_;
-                            if (bitcast<i32>(_e3153.member) != 0i) {
-                                let _e3159 = local_12.member[0u];
-                                let _e3165 = local_12.member[1u];
-                                let _e3181 = local_12.member_1[0u];
-                                let _e3187 = local_12.member_1[1u];
-                                let _e3203 = local_12.member_2[0u];
-                                let _e3209 = local_12.member_2[1u];
-                                let _e3223 = function_2(array<f64, 3>((_e3159[0] + ((_e3165[0] - _e3159[0]) * _e3139)), (_e3159[1] + ((_e3165[1] - _e3159[1]) * _e3139)), (_e3159[2] + ((_e3165[2] - _e3159[2]) * _e3139))), array<f64, 3>((_e3181[0] + ((_e3187[0] - _e3181[0]) * _e3139)), (_e3181[1] + ((_e3187[1] - _e3181[1]) * _e3139)), (_e3181[2] + ((_e3187[2] - _e3181[2]) * _e3139))), array<f64, 3>((_e3203[0] + ((_e3209[0] - _e3203[0]) * _e3139)), (_e3203[1] + ((_e3209[1] - _e3203[1]) * _e3139)), (_e3203[2] + ((_e3209[2] - _e3203[2]) * _e3139))), 0u);
-                                if (_e3223[0] < 0.0lf) {
-                                    phi_2465_ = -(_e3223[0]);
+                            let _e3150 = phi_2332_;
+                            let _e3152 = phi_2357_;
+                            if (bitcast<i32>(_e3152.member) != 0i) {
+                                let _e3158 = local_12.member[0u];
+                                let _e3164 = local_12.member[1u];
+                                let _e3180 = local_12.member_1[0u];
+                                let _e3186 = local_12.member_1[1u];
+                                let _e3202 = local_12.member_2[0u];
+                                let _e3208 = local_12.member_2[1u];
+                                let _e3222 = function_2(array<f64, 3>((_e3158[0] + ((_e3164[0] - _e3158[0]) * _e3138)), (_e3158[1] + ((_e3164[1] - _e3158[1]) * _e3138)), (_e3158[2] + ((_e3164[2] - _e3158[2]) * _e3138))), array<f64, 3>((_e3180[0] + ((_e3186[0] - _e3180[0]) * _e3138)), (_e3180[1] + ((_e3186[1] - _e3180[1]) * _e3138)), (_e3180[2] + ((_e3186[2] - _e3180[2]) * _e3138))), array<f64, 3>((_e3202[0] + ((_e3208[0] - _e3202[0]) * _e3138)), (_e3202[1] + ((_e3208[1] - _e3202[1]) * _e3138)), (_e3202[2] + ((_e3208[2] - _e3202[2]) * _e3138))), 0u);
+                                if (_e3222[0] < 0.0lf) {
+                                    phi_2468_ = -(_e3222[0]);
                                 } else {
-                                    phi_2465_ = _e3223[0];
+                                    phi_2468_ = _e3222[0];
                                 }
-                                let _e3228 = phi_2465_;
-                                if (_e3223[1] < 0.0lf) {
-                                    phi_2472_ = -(_e3223[1]);
+                                let _e3227 = phi_2468_;
+                                if (_e3222[1] < 0.0lf) {
+                                    phi_2475_ = -(_e3222[1]);
                                 } else {
-                                    phi_2472_ = _e3223[1];
+                                    phi_2475_ = _e3222[1];
                                 }
-                                let _e3233 = phi_2472_;
-                                if (_e3223[2] < 0.0lf) {
-                                    phi_2480_ = -(_e3223[2]);
+                                let _e3232 = phi_2475_;
+                                if (_e3222[2] < 0.0lf) {
+                                    phi_2483_ = -(_e3222[2]);
                                 } else {
-                                    phi_2480_ = _e3223[2];
+                                    phi_2483_ = _e3222[2];
                                 }
-                                let _e3239 = phi_2480_;
-                                let _e3240 = ((_e3228 + _e3233) + _e3239);
-                                if (_e3240 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3240) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3246 = (f64(1f) / _e3240);
-                                        let _e3248 = (_e3223[0] * _e3246);
-                                        let _e3250 = (_e3223[1] * _e3246);
-                                        let _e3252 = (_e3223[2] * _e3246);
-                                        let _e3257 = (((_e3248 * _e3248) + (_e3250 * _e3250)) + (_e3252 * _e3252));
-                                        if (_e3257 <= 2.2250738585072014e-308lf) {
-                                            if (_e3257 > 0.0lf) {
-                                                phi_2518_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e3238 = phi_2483_;
+                                let _e3239 = ((_e3227 + _e3232) + _e3238);
+                                if (_e3239 > f64(0f)) {
+                                    if ((bitcast<u64>(_e3239) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e3245 = (f64(1f) / _e3239);
+                                        let _e3247 = (_e3222[0] * _e3245);
+                                        let _e3249 = (_e3222[1] * _e3245);
+                                        let _e3251 = (_e3222[2] * _e3245);
+                                        let _e3256 = (((_e3247 * _e3247) + (_e3249 * _e3249)) + (_e3251 * _e3251));
+                                        if (_e3256 <= 2.2250738585072014e-308lf) {
+                                            if (_e3256 > 0.0lf) {
+                                                phi_2521_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2518_ = 0.0lf;
+                                                phi_2521_ = 0.0lf;
                                             }
-                                            let _e3309 = phi_2518_;
-                                            phi_2582_ = _e3309;
+                                            let _e3308 = phi_2521_;
+                                            phi_2585_ = _e3308;
                                         } else {
-                                            phi_2525_ = type_17(0i, 5i);
-                                            phi_2528_ = bitcast<f64>(((bitcast<u64>(_e3257) / 2lu) + 2303426169912950784lu));
+                                            phi_2528_ = type_16(0i, 5i);
+                                            phi_2531_ = bitcast<f64>(((bitcast<u64>(_e3256) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3264 = phi_2525_;
-                                                let _e3266 = phi_2528_;
-                                                local_31 = _e3266;
-                                                if (_e3264.member < _e3264.member_1) {
-                                                    let _e3273 = (_e3264.member + 1i);
-                                                    if ((false == (_e3273 > _e3264.member)) != false) {
-                                                        phi_2549_ = true;
+                                                let _e3263 = phi_2528_;
+                                                let _e3265 = phi_2531_;
+                                                local_31 = _e3265;
+                                                if (_e3263.member < _e3263.member_1) {
+                                                    let _e3272 = (_e3263.member + 1i);
+                                                    if ((false == (_e3272 > _e3263.member)) != false) {
+                                                        phi_2552_ = true;
                                                     } else {
-                                                        phi_2549_ = false;
+                                                        phi_2552_ = false;
                                                     }
-                                                    let _e3278 = phi_2549_;
-                                                    if _e3278 {
-                                                        phi_2555_ = type_18(0u, type_18().member_1);
+                                                    let _e3277 = phi_2552_;
+                                                    if _e3277 {
+                                                        phi_2558_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2555_ = type_18(1u, _e3273);
+                                                        phi_2558_ = type_17(1u, _e3272);
                                                     }
-                                                    let _e3283 = phi_2555_;
-                                                    phi_2526_ = type_17(_e3283.member_1, _e3264.member_1);
-                                                    phi_2569_ = type_18(1u, _e3264.member);
+                                                    let _e3282 = phi_2558_;
+                                                    phi_2529_ = type_16(_e3282.member_1, _e3263.member_1);
+                                                    phi_2572_ = type_17(1u, _e3263.member);
                                                 } else {
-                                                    phi_2526_ = _e3264;
-                                                    phi_2569_ = type_18(0u, type_18().member_1);
+                                                    phi_2529_ = _e3263;
+                                                    phi_2572_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e3289 = phi_2526_;
-                                                let _e3291 = phi_2569_;
-                                                let _e3294 = (bitcast<i32>(_e3291.member) != 0i);
-                                                if _e3294 {
-                                                    phi_2529_ = (0.5lf * (_e3266 + (_e3257 / _e3266)));
+                                                let _e3288 = phi_2529_;
+                                                let _e3290 = phi_2572_;
+                                                let _e3293 = (bitcast<i32>(_e3290.member) != 0i);
+                                                if _e3293 {
+                                                    phi_2532_ = (0.5lf * (_e3265 + (_e3256 / _e3265)));
                                                 } else {
-                                                    phi_2529_ = f64();
+                                                    phi_2532_ = f64();
                                                 }
-                                                let _e3299 = phi_2529_;
+                                                let _e3298 = phi_2532_;
                                                 continue;
                                                 continuing {
-                                                    phi_2525_ = _e3289;
-                                                    phi_2528_ = _e3299;
-                                                    break if !(_e3294);
+                                                    phi_2528_ = _e3288;
+                                                    phi_2531_ = _e3298;
+                                                    break if !(_e3293);
                                                 }
                                             }
-                                            let _e3304 = local_31;
-                                            phi_2582_ = (_e3304 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e3303 = local_31;
+                                            phi_2585_ = (_e3303 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e3311 = phi_2582_;
-                                        phi_2595_ = type_19(0u, 4u);
-                                        phi_2598_ = f64(2f);
+                                        let _e3310 = phi_2585_;
+                                        phi_2598_ = type_9(0u, 4u);
+                                        phi_2601_ = f64(2f);
                                         loop {
-                                            let _e3323 = phi_2595_;
-                                            let _e3325 = phi_2598_;
-                                            local_33 = _e3325;
-                                            local_34 = _e3325;
-                                            local_35 = _e3325;
-                                            local_67 = _e3325;
-                                            local_68 = _e3325;
-                                            if (_e3323.member < _e3323.member_1) {
-                                                phi_2596_ = type_19((_e3323.member + 1u), _e3323.member_1);
-                                                phi_2621_ = type_19(1u, _e3323.member);
+                                            let _e3322 = phi_2598_;
+                                            let _e3324 = phi_2601_;
+                                            local_33 = _e3324;
+                                            local_34 = _e3324;
+                                            local_35 = _e3324;
+                                            local_67 = _e3324;
+                                            local_68 = _e3324;
+                                            if (_e3322.member < _e3322.member_1) {
+                                                phi_2599_ = type_9((_e3322.member + 1u), _e3322.member_1);
+                                                phi_2624_ = type_9(1u, _e3322.member);
                                             } else {
-                                                phi_2596_ = _e3323;
-                                                phi_2621_ = type_19(0u, type_19().member_1);
+                                                phi_2599_ = _e3322;
+                                                phi_2624_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e3337 = phi_2596_;
-                                            let _e3339 = phi_2621_;
-                                            if (bitcast<i32>(_e3339.member) != 0i) {
-                                                let _e3345 = local_9[_e3339.member_1];
-                                                let _e3353 = (((_e3248 * _e3345[0]) + (_e3250 * _e3345[1])) + (_e3252 * _e3345[2]));
-                                                let _e3355 = local_10[_e3339.member_1];
-                                                let _e3363 = (((_e3248 * _e3355[0]) + (_e3250 * _e3355[1])) + (_e3252 * _e3355[2]));
-                                                if (_e3353 < 0.0lf) {
-                                                    phi_2672_ = -(_e3353);
+                                            let _e3336 = phi_2599_;
+                                            let _e3338 = phi_2624_;
+                                            if (bitcast<i32>(_e3338.member) != 0i) {
+                                                let _e3344 = local_9[_e3338.member_1];
+                                                let _e3352 = (((_e3247 * _e3344[0]) + (_e3249 * _e3344[1])) + (_e3251 * _e3344[2]));
+                                                let _e3354 = local_10[_e3338.member_1];
+                                                let _e3362 = (((_e3247 * _e3354[0]) + (_e3249 * _e3354[1])) + (_e3251 * _e3354[2]));
+                                                if (_e3352 < 0.0lf) {
+                                                    phi_2675_ = -(_e3352);
                                                 } else {
-                                                    phi_2672_ = _e3353;
+                                                    phi_2675_ = _e3352;
                                                 }
-                                                let _e3367 = phi_2672_;
-                                                if (_e3363 < 0.0lf) {
-                                                    phi_2678_ = -(_e3363);
+                                                let _e3366 = phi_2675_;
+                                                if (_e3362 < 0.0lf) {
+                                                    phi_2681_ = -(_e3362);
                                                 } else {
-                                                    phi_2678_ = _e3363;
+                                                    phi_2681_ = _e3362;
                                                 }
-                                                let _e3371 = phi_2678_;
-                                                let _e3376 = (((((((((_e3010 + _e3012) + (_e3064 + _e3066)) + (_e3118 + _e3120)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3128 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e370 * _e3311) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3367 + _e3371) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e3353 > _e3376) {
-                                                    if (_e3363 > _e3376) {
-                                                        phi_2692_ = false;
+                                                let _e3370 = phi_2681_;
+                                                let _e3375 = (((((((((_e3009 + _e3011) + (_e3063 + _e3065)) + (_e3117 + _e3119)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3127 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e369 * _e3310) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3366 + _e3370) * (1.1102230246251565e-16lf * f64(8f))));
+                                                if (_e3352 > _e3375) {
+                                                    if (_e3362 > _e3375) {
+                                                        phi_2695_ = false;
                                                     } else {
-                                                        phi_2692_ = true;
+                                                        phi_2695_ = true;
                                                     }
-                                                    let _e3380 = phi_2692_;
-                                                    phi_2693_ = _e3380;
+                                                    let _e3379 = phi_2695_;
+                                                    phi_2696_ = _e3379;
                                                 } else {
-                                                    phi_2693_ = true;
+                                                    phi_2696_ = true;
                                                 }
-                                                let _e3382 = phi_2693_;
-                                                if _e3382 {
-                                                    if ((_e3353 + ((_e3363 - _e3353) * _e3139)) > _e3376) {
-                                                        if (_e3363 < _e3353) {
-                                                            let _e3391 = ((_e3353 - _e3363) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e3391 {
-                                                                let _e3399 = (((_e3353 - _e3376) / (_e3353 - _e3363)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e3325 < _e3399) {
-                                                                    phi_2727_ = _e3325;
+                                                let _e3381 = phi_2696_;
+                                                if _e3381 {
+                                                    if ((_e3352 + ((_e3362 - _e3352) * _e3138)) > _e3375) {
+                                                        if (_e3362 < _e3352) {
+                                                            let _e3390 = ((_e3352 - _e3362) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                            if _e3390 {
+                                                                let _e3398 = (((_e3352 - _e3375) / (_e3352 - _e3362)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                if (_e3324 < _e3398) {
+                                                                    phi_2730_ = _e3324;
                                                                 } else {
-                                                                    phi_2727_ = _e3399;
+                                                                    phi_2730_ = _e3398;
                                                                 }
-                                                                let _e3402 = phi_2727_;
-                                                                phi_2728_ = _e3402;
+                                                                let _e3401 = phi_2730_;
+                                                                phi_2731_ = _e3401;
                                                             } else {
-                                                                phi_2728_ = f64();
+                                                                phi_2731_ = f64();
                                                             }
-                                                            let _e3404 = phi_2728_;
-                                                            phi_2729_ = _e3404;
-                                                            phi_2730_ = _e3391;
+                                                            let _e3403 = phi_2731_;
+                                                            phi_2732_ = _e3403;
+                                                            phi_2733_ = _e3390;
                                                         } else {
-                                                            phi_2729_ = _e3325;
-                                                            phi_2730_ = true;
+                                                            phi_2732_ = _e3324;
+                                                            phi_2733_ = true;
                                                         }
-                                                        let _e3406 = phi_2729_;
-                                                        let _e3408 = phi_2730_;
-                                                        if _e3408 {
-                                                            phi_2734_ = false;
+                                                        let _e3405 = phi_2732_;
+                                                        let _e3407 = phi_2733_;
+                                                        if _e3407 {
+                                                            phi_2737_ = false;
                                                         } else {
-                                                            phi_2734_ = true;
+                                                            phi_2737_ = true;
                                                         }
-                                                        let _e3410 = phi_2734_;
-                                                        phi_2735_ = _e3406;
-                                                        phi_2736_ = _e3408;
-                                                        phi_2737_ = _e3410;
-                                                        phi_2738_ = false;
+                                                        let _e3409 = phi_2737_;
+                                                        phi_2738_ = _e3405;
+                                                        phi_2739_ = _e3407;
+                                                        phi_2740_ = _e3409;
+                                                        phi_2741_ = false;
                                                     } else {
-                                                        phi_2735_ = f64();
-                                                        phi_2736_ = false;
-                                                        phi_2737_ = false;
-                                                        phi_2738_ = true;
+                                                        phi_2738_ = f64();
+                                                        phi_2739_ = false;
+                                                        phi_2740_ = false;
+                                                        phi_2741_ = true;
                                                     }
-                                                    let _e3412 = phi_2735_;
-                                                    let _e3414 = phi_2736_;
-                                                    let _e3416 = phi_2737_;
-                                                    let _e3418 = phi_2738_;
-                                                    phi_2739_ = _e3412;
-                                                    phi_2740_ = _e3414;
-                                                    phi_2741_ = _e3416;
-                                                    phi_2742_ = _e3418;
+                                                    let _e3411 = phi_2738_;
+                                                    let _e3413 = phi_2739_;
+                                                    let _e3415 = phi_2740_;
+                                                    let _e3417 = phi_2741_;
+                                                    phi_2742_ = _e3411;
+                                                    phi_2743_ = _e3413;
+                                                    phi_2744_ = _e3415;
+                                                    phi_2745_ = _e3417;
                                                 } else {
-                                                    phi_2739_ = _e3325;
-                                                    phi_2740_ = true;
-                                                    phi_2741_ = false;
-                                                    phi_2742_ = false;
+                                                    phi_2742_ = _e3324;
+                                                    phi_2743_ = true;
+                                                    phi_2744_ = false;
+                                                    phi_2745_ = false;
                                                 }
-                                                let _e3420 = phi_2739_;
-                                                let _e3422 = phi_2740_;
-                                                let _e3424 = phi_2741_;
-                                                let _e3426 = phi_2742_;
-                                                phi_2599_ = _e3420;
-                                                phi_2743_ = _e3422;
-                                                phi_2744_ = false;
-                                                phi_2745_ = _e3424;
-                                                phi_2746_ = _e3426;
+                                                let _e3419 = phi_2742_;
+                                                let _e3421 = phi_2743_;
+                                                let _e3423 = phi_2744_;
+                                                let _e3425 = phi_2745_;
+                                                phi_2602_ = _e3419;
+                                                phi_2746_ = _e3421;
+                                                phi_2747_ = false;
+                                                phi_2748_ = _e3423;
+                                                phi_2749_ = _e3425;
                                             } else {
-                                                phi_2599_ = f64();
-                                                phi_2743_ = false;
-                                                phi_2744_ = true;
-                                                phi_2745_ = false;
+                                                phi_2602_ = f64();
                                                 phi_2746_ = false;
+                                                phi_2747_ = true;
+                                                phi_2748_ = false;
+                                                phi_2749_ = false;
                                             }
-                                            let _e3428 = phi_2599_;
-                                            let _e3430 = phi_2743_;
-                                            let _e3432 = phi_2744_;
-                                            let _e3434 = phi_2745_;
-                                            let _e3436 = phi_2746_;
-                                            local_32 = _e3432;
-                                            local_65 = _e3434;
-                                            local_66 = _e3436;
+                                            let _e3427 = phi_2602_;
+                                            let _e3429 = phi_2746_;
+                                            let _e3431 = phi_2747_;
+                                            let _e3433 = phi_2748_;
+                                            let _e3435 = phi_2749_;
+                                            local_32 = _e3431;
+                                            local_65 = _e3433;
+                                            local_66 = _e3435;
                                             continue;
                                             continuing {
-                                                phi_2595_ = _e3337;
-                                                phi_2598_ = _e3428;
-                                                break if !(_e3430);
+                                                phi_2598_ = _e3336;
+                                                phi_2601_ = _e3427;
+                                                break if !(_e3429);
                                             }
                                         }
-                                        let _e3439 = local_32;
-                                        if _e3439 {
-                                            let _e3441 = local_33;
-                                            let _e3442 = (_e3441 > _e2904);
-                                            if _e3442 {
-                                                phi_2768_ = false;
-                                                phi_2769_ = false;
-                                                phi_2770_ = false;
+                                        let _e3438 = local_32;
+                                        if _e3438 {
+                                            let _e3440 = local_33;
+                                            let _e3441 = (_e3440 > _e2903);
+                                            if _e3441 {
+                                                phi_2771_ = false;
+                                                phi_2772_ = false;
+                                                phi_2773_ = false;
                                             } else {
-                                                let _e3444 = local_34;
-                                                if (_e3444 > _e3139) {
-                                                    let _e3447 = local_35;
-                                                    let _e3450 = ((_e3447 - _e3139) < f64(0.00000000023283064f));
-                                                    if _e3450 {
-                                                        phi_2764_ = false;
+                                                let _e3443 = local_34;
+                                                if (_e3443 > _e3138) {
+                                                    let _e3446 = local_35;
+                                                    let _e3449 = ((_e3446 - _e3138) < f64(0.00000000023283064f));
+                                                    if _e3449 {
+                                                        phi_2767_ = false;
                                                     } else {
-                                                        phi_2764_ = true;
+                                                        phi_2767_ = true;
                                                     }
-                                                    let _e3452 = phi_2764_;
-                                                    phi_2765_ = _e3452;
-                                                    phi_2766_ = _e3450;
-                                                    phi_2767_ = false;
+                                                    let _e3451 = phi_2767_;
+                                                    phi_2768_ = _e3451;
+                                                    phi_2769_ = _e3449;
+                                                    phi_2770_ = false;
                                                 } else {
-                                                    phi_2765_ = false;
-                                                    phi_2766_ = false;
-                                                    phi_2767_ = true;
+                                                    phi_2768_ = false;
+                                                    phi_2769_ = false;
+                                                    phi_2770_ = true;
                                                 }
-                                                let _e3454 = phi_2765_;
-                                                let _e3456 = phi_2766_;
-                                                let _e3458 = phi_2767_;
-                                                phi_2768_ = _e3454;
-                                                phi_2769_ = _e3456;
-                                                phi_2770_ = _e3458;
+                                                let _e3453 = phi_2768_;
+                                                let _e3455 = phi_2769_;
+                                                let _e3457 = phi_2770_;
+                                                phi_2771_ = _e3453;
+                                                phi_2772_ = _e3455;
+                                                phi_2773_ = _e3457;
                                             }
-                                            let _e3460 = phi_2768_;
-                                            let _e3462 = phi_2769_;
-                                            let _e3464 = phi_2770_;
-                                            phi_2771_ = _e3460;
-                                            phi_2772_ = _e3442;
-                                            phi_2773_ = _e3462;
-                                            phi_2774_ = _e3464;
+                                            let _e3459 = phi_2771_;
+                                            let _e3461 = phi_2772_;
+                                            let _e3463 = phi_2773_;
+                                            phi_2774_ = _e3459;
+                                            phi_2775_ = _e3441;
+                                            phi_2776_ = _e3461;
+                                            phi_2777_ = _e3463;
+                                            phi_2778_ = false;
+                                            phi_2779_ = false;
+                                        } else {
+                                            phi_2774_ = false;
                                             phi_2775_ = false;
                                             phi_2776_ = false;
-                                        } else {
-                                            phi_2771_ = false;
-                                            phi_2772_ = false;
-                                            phi_2773_ = false;
-                                            phi_2774_ = false;
-                                            let _e4736 = local_65;
-                                            phi_2775_ = _e4736;
-                                            let _e4739 = local_66;
-                                            phi_2776_ = _e4739;
+                                            phi_2777_ = false;
+                                            let _e4737 = local_65;
+                                            phi_2778_ = _e4737;
+                                            let _e4740 = local_66;
+                                            phi_2779_ = _e4740;
                                         }
-                                        let _e3466 = phi_2771_;
-                                        let _e3468 = phi_2772_;
-                                        let _e3470 = phi_2773_;
-                                        let _e3472 = phi_2774_;
-                                        let _e3474 = phi_2775_;
-                                        let _e3476 = phi_2776_;
-                                        let _e4742 = local_67;
-                                        phi_2777_ = _e4742;
-                                        let _e4745 = local_68;
-                                        phi_2778_ = _e4745;
-                                        phi_2779_ = _e3466;
-                                        phi_2780_ = _e3468;
-                                        phi_2781_ = _e3470;
-                                        phi_2782_ = _e3472;
-                                        phi_2783_ = _e3474;
-                                        phi_2784_ = _e3476;
-                                        phi_2785_ = false;
+                                        let _e3465 = phi_2774_;
+                                        let _e3467 = phi_2775_;
+                                        let _e3469 = phi_2776_;
+                                        let _e3471 = phi_2777_;
+                                        let _e3473 = phi_2778_;
+                                        let _e3475 = phi_2779_;
+                                        let _e4743 = local_67;
+                                        phi_2780_ = _e4743;
+                                        let _e4746 = local_68;
+                                        phi_2781_ = _e4746;
+                                        phi_2782_ = _e3465;
+                                        phi_2783_ = _e3467;
+                                        phi_2784_ = _e3469;
+                                        phi_2785_ = _e3471;
+                                        phi_2786_ = _e3473;
+                                        phi_2787_ = _e3475;
+                                        phi_2788_ = false;
                                     } else {
-                                        phi_2777_ = f64();
-                                        phi_2778_ = f64();
-                                        phi_2779_ = false;
-                                        phi_2780_ = false;
-                                        phi_2781_ = false;
+                                        phi_2780_ = f64();
+                                        phi_2781_ = f64();
                                         phi_2782_ = false;
                                         phi_2783_ = false;
                                         phi_2784_ = false;
-                                        phi_2785_ = true;
+                                        phi_2785_ = false;
+                                        phi_2786_ = false;
+                                        phi_2787_ = false;
+                                        phi_2788_ = true;
                                     }
-                                    let _e3478 = phi_2777_;
-                                    let _e3480 = phi_2778_;
-                                    let _e3482 = phi_2779_;
-                                    let _e3484 = phi_2780_;
-                                    let _e3486 = phi_2781_;
-                                    let _e3488 = phi_2782_;
-                                    let _e3490 = phi_2783_;
-                                    let _e3492 = phi_2784_;
-                                    let _e3494 = phi_2785_;
-                                    phi_2786_ = _e3478;
-                                    phi_2787_ = _e3480;
-                                    phi_2788_ = _e3482;
-                                    phi_2789_ = _e3484;
-                                    phi_2790_ = _e3486;
-                                    phi_2791_ = _e3488;
-                                    phi_2792_ = _e3490;
-                                    phi_2793_ = _e3492;
-                                    phi_2794_ = _e3494;
-                                    phi_2795_ = false;
+                                    let _e3477 = phi_2780_;
+                                    let _e3479 = phi_2781_;
+                                    let _e3481 = phi_2782_;
+                                    let _e3483 = phi_2783_;
+                                    let _e3485 = phi_2784_;
+                                    let _e3487 = phi_2785_;
+                                    let _e3489 = phi_2786_;
+                                    let _e3491 = phi_2787_;
+                                    let _e3493 = phi_2788_;
+                                    phi_2789_ = _e3477;
+                                    phi_2790_ = _e3479;
+                                    phi_2791_ = _e3481;
+                                    phi_2792_ = _e3483;
+                                    phi_2793_ = _e3485;
+                                    phi_2794_ = _e3487;
+                                    phi_2795_ = _e3489;
+                                    phi_2796_ = _e3491;
+                                    phi_2797_ = _e3493;
+                                    phi_2798_ = false;
                                 } else {
-                                    phi_2786_ = f64();
-                                    phi_2787_ = f64();
-                                    phi_2788_ = false;
-                                    phi_2789_ = false;
-                                    phi_2790_ = false;
+                                    phi_2789_ = f64();
+                                    phi_2790_ = f64();
                                     phi_2791_ = false;
                                     phi_2792_ = false;
                                     phi_2793_ = false;
                                     phi_2794_ = false;
-                                    phi_2795_ = true;
+                                    phi_2795_ = false;
+                                    phi_2796_ = false;
+                                    phi_2797_ = false;
+                                    phi_2798_ = true;
                                 }
-                                let _e3496 = phi_2786_;
-                                let _e3498 = phi_2787_;
-                                let _e3500 = phi_2788_;
-                                let _e3502 = phi_2789_;
-                                let _e3504 = phi_2790_;
-                                let _e3506 = phi_2791_;
-                                let _e3508 = phi_2792_;
-                                let _e3510 = phi_2793_;
-                                let _e3512 = phi_2794_;
-                                let _e3514 = phi_2795_;
-                                phi_2796_ = _e3496;
-                                phi_2332_ = _e3498;
-                                phi_2797_ = _e3500;
-                                phi_2798_ = _e3502;
-                                phi_2799_ = _e3504;
-                                phi_2800_ = false;
-                                phi_2801_ = _e3506;
-                                phi_2802_ = _e3508;
-                                phi_2803_ = _e3510;
-                                phi_2804_ = _e3512;
-                                phi_2805_ = _e3514;
+                                let _e3495 = phi_2789_;
+                                let _e3497 = phi_2790_;
+                                let _e3499 = phi_2791_;
+                                let _e3501 = phi_2792_;
+                                let _e3503 = phi_2793_;
+                                let _e3505 = phi_2794_;
+                                let _e3507 = phi_2795_;
+                                let _e3509 = phi_2796_;
+                                let _e3511 = phi_2797_;
+                                let _e3513 = phi_2798_;
+                                phi_2799_ = _e3495;
+                                phi_2335_ = _e3497;
+                                phi_2800_ = _e3499;
+                                phi_2801_ = _e3501;
+                                phi_2802_ = _e3503;
+                                phi_2803_ = false;
+                                phi_2804_ = _e3505;
+                                phi_2805_ = _e3507;
+                                phi_2806_ = _e3509;
+                                phi_2807_ = _e3511;
+                                phi_2808_ = _e3513;
                             } else {
-                                phi_2796_ = f64();
-                                phi_2332_ = f64();
-                                phi_2797_ = false;
-                                phi_2798_ = false;
-                                phi_2799_ = false;
-                                phi_2800_ = true;
+                                phi_2799_ = f64();
+                                phi_2335_ = f64();
+                                phi_2800_ = false;
                                 phi_2801_ = false;
                                 phi_2802_ = false;
-                                phi_2803_ = false;
+                                phi_2803_ = true;
                                 phi_2804_ = false;
                                 phi_2805_ = false;
+                                phi_2806_ = false;
+                                phi_2807_ = false;
+                                phi_2808_ = false;
                             }
-                            let _e3516 = phi_2796_;
-                            let _e3518 = phi_2332_;
-                            let _e3520 = phi_2797_;
-                            let _e3522 = phi_2798_;
-                            let _e3524 = phi_2799_;
-                            let _e3526 = phi_2800_;
-                            let _e3528 = phi_2801_;
-                            let _e3530 = phi_2802_;
-                            let _e3532 = phi_2803_;
-                            let _e3534 = phi_2804_;
-                            let _e3536 = phi_2805_;
-                            local_36 = _e3522;
-                            local_69 = _e3524;
-                            local_70 = _e3526;
-                            local_71 = _e3528;
-                            local_72 = _e3530;
-                            local_73 = _e3532;
-                            local_74 = _e3534;
-                            local_75 = _e3536;
-                            local_76 = _e3516;
-                            local_78 = _e3522;
+                            let _e3515 = phi_2799_;
+                            let _e3517 = phi_2335_;
+                            let _e3519 = phi_2800_;
+                            let _e3521 = phi_2801_;
+                            let _e3523 = phi_2802_;
+                            let _e3525 = phi_2803_;
+                            let _e3527 = phi_2804_;
+                            let _e3529 = phi_2805_;
+                            let _e3531 = phi_2806_;
+                            let _e3533 = phi_2807_;
+                            let _e3535 = phi_2808_;
+                            local_36 = _e3521;
+                            local_69 = _e3523;
+                            local_70 = _e3525;
+                            local_71 = _e3527;
+                            local_72 = _e3529;
+                            local_73 = _e3531;
+                            local_74 = _e3533;
+                            local_75 = _e3535;
+                            local_76 = _e3515;
+                            local_78 = _e3521;
                             continue;
                             continuing {
-                                phi_2328_ = _e3151;
-                                phi_2331_ = _e3518;
-                                break if !(_e3520);
+                                phi_2331_ = _e3150;
+                                phi_2334_ = _e3517;
+                                break if !(_e3519);
                             }
                         }
-                        let _e3539 = local_36;
-                        if _e3539 {
-                            phi_2810_ = type_40(0u, type_40().member_1);
-                            phi_2811_ = false;
-                            phi_2812_ = false;
-                            phi_2813_ = false;
+                        let _e3538 = local_36;
+                        if _e3538 {
+                            phi_2813_ = type_42(0u, type_42().member_1);
                             phi_2814_ = false;
                             phi_2815_ = false;
                             phi_2816_ = false;
                             phi_2817_ = false;
+                            phi_2818_ = false;
+                            phi_2819_ = false;
+                            phi_2820_ = false;
                         } else {
-                            phi_2810_ = type_40();
-                            let _e4778 = local_69;
-                            phi_2811_ = _e4778;
-                            let _e4781 = local_70;
-                            phi_2812_ = _e4781;
-                            let _e4784 = local_71;
-                            phi_2813_ = _e4784;
-                            let _e4787 = local_72;
-                            phi_2814_ = _e4787;
-                            let _e4790 = local_73;
-                            phi_2815_ = _e4790;
-                            let _e4793 = local_74;
-                            phi_2816_ = _e4793;
-                            let _e4796 = local_75;
-                            phi_2817_ = _e4796;
+                            phi_2813_ = type_42();
+                            let _e4779 = local_69;
+                            phi_2814_ = _e4779;
+                            let _e4782 = local_70;
+                            phi_2815_ = _e4782;
+                            let _e4785 = local_71;
+                            phi_2816_ = _e4785;
+                            let _e4788 = local_72;
+                            phi_2817_ = _e4788;
+                            let _e4791 = local_73;
+                            phi_2818_ = _e4791;
+                            let _e4794 = local_74;
+                            phi_2819_ = _e4794;
+                            let _e4797 = local_75;
+                            phi_2820_ = _e4797;
                         }
-                        let _e3543 = phi_2810_;
-                        let _e3545 = phi_2811_;
-                        let _e3547 = phi_2812_;
-                        let _e3549 = phi_2813_;
-                        let _e3551 = phi_2814_;
-                        let _e3553 = phi_2815_;
-                        let _e3555 = phi_2816_;
-                        let _e3557 = phi_2817_;
-                        if _e3545 {
-                            let _e4799 = local_76;
-                            phi_2821_ = _e4799;
-                            phi_2822_ = true;
-                            phi_2823_ = false;
-                            phi_2824_ = false;
-                            phi_2825_ = false;
+                        let _e3542 = phi_2813_;
+                        let _e3544 = phi_2814_;
+                        let _e3546 = phi_2815_;
+                        let _e3548 = phi_2816_;
+                        let _e3550 = phi_2817_;
+                        let _e3552 = phi_2818_;
+                        let _e3554 = phi_2819_;
+                        let _e3556 = phi_2820_;
+                        if _e3544 {
+                            let _e4800 = local_76;
+                            phi_2824_ = _e4800;
+                            phi_2825_ = true;
                             phi_2826_ = false;
                             phi_2827_ = false;
                             phi_2828_ = false;
+                            phi_2829_ = false;
+                            phi_2830_ = false;
+                            phi_2831_ = false;
                         } else {
-                            let _e4801 = local_77;
-                            phi_2821_ = _e4801;
-                            phi_2822_ = _e3547;
-                            phi_2823_ = _e3549;
-                            phi_2824_ = _e3551;
-                            phi_2825_ = _e3553;
-                            let _e4808 = local_78;
-                            phi_2826_ = _e4808;
-                            phi_2827_ = _e3555;
-                            phi_2828_ = _e3557;
+                            let _e4802 = local_77;
+                            phi_2824_ = _e4802;
+                            phi_2825_ = _e3546;
+                            phi_2826_ = _e3548;
+                            phi_2827_ = _e3550;
+                            phi_2828_ = _e3552;
+                            let _e4809 = local_78;
+                            phi_2829_ = _e4809;
+                            phi_2830_ = _e3554;
+                            phi_2831_ = _e3556;
                         }
-                        let _e3559 = phi_2821_;
-                        let _e3561 = phi_2822_;
-                        let _e3563 = phi_2823_;
-                        let _e3565 = phi_2824_;
-                        let _e3567 = phi_2825_;
-                        let _e3569 = phi_2826_;
-                        let _e3571 = phi_2827_;
-                        let _e3573 = phi_2828_;
-                        if _e3561 {
-                            phi_2833_ = type_40(1u, _e3559);
-                            phi_2834_ = false;
-                            phi_2835_ = false;
-                            phi_2836_ = false;
+                        let _e3558 = phi_2824_;
+                        let _e3560 = phi_2825_;
+                        let _e3562 = phi_2826_;
+                        let _e3564 = phi_2827_;
+                        let _e3566 = phi_2828_;
+                        let _e3568 = phi_2829_;
+                        let _e3570 = phi_2830_;
+                        let _e3572 = phi_2831_;
+                        if _e3560 {
+                            phi_2836_ = type_42(1u, _e3558);
                             phi_2837_ = false;
                             phi_2838_ = false;
                             phi_2839_ = false;
+                            phi_2840_ = false;
+                            phi_2841_ = false;
+                            phi_2842_ = false;
                         } else {
-                            phi_2833_ = type_40();
-                            phi_2834_ = _e3563;
-                            phi_2835_ = _e3565;
-                            phi_2836_ = _e3567;
-                            phi_2837_ = _e3569;
-                            phi_2838_ = _e3571;
-                            phi_2839_ = _e3573;
+                            phi_2836_ = type_42();
+                            phi_2837_ = _e3562;
+                            phi_2838_ = _e3564;
+                            phi_2839_ = _e3566;
+                            phi_2840_ = _e3568;
+                            phi_2841_ = _e3570;
+                            phi_2842_ = _e3572;
                         }
-                        let _e3576 = phi_2833_;
-                        let _e3578 = phi_2834_;
-                        let _e3580 = phi_2835_;
-                        let _e3582 = phi_2836_;
-                        let _e3584 = phi_2837_;
-                        let _e3586 = phi_2838_;
-                        let _e3588 = phi_2839_;
-                        if _e3578 {
-                            let _e3590 = local_37;
-                            phi_2844_ = type_40(1u, _e3590);
-                            phi_2845_ = false;
-                            phi_2846_ = false;
-                            phi_2847_ = true;
+                        let _e3575 = phi_2836_;
+                        let _e3577 = phi_2837_;
+                        let _e3579 = phi_2838_;
+                        let _e3581 = phi_2839_;
+                        let _e3583 = phi_2840_;
+                        let _e3585 = phi_2841_;
+                        let _e3587 = phi_2842_;
+                        if _e3577 {
+                            let _e3589 = local_37;
+                            phi_2847_ = type_42(1u, _e3589);
                             phi_2848_ = false;
                             phi_2849_ = false;
+                            phi_2850_ = true;
+                            phi_2851_ = false;
+                            phi_2852_ = false;
                         } else {
-                            phi_2844_ = _e3543;
-                            phi_2845_ = _e3580;
-                            phi_2846_ = _e3582;
-                            phi_2847_ = _e3584;
-                            phi_2848_ = _e3586;
-                            phi_2849_ = _e3588;
+                            phi_2847_ = _e3542;
+                            phi_2848_ = _e3579;
+                            phi_2849_ = _e3581;
+                            phi_2850_ = _e3583;
+                            phi_2851_ = _e3585;
+                            phi_2852_ = _e3587;
                         }
-                        let _e3593 = phi_2844_;
-                        let _e3595 = phi_2845_;
-                        let _e3597 = phi_2846_;
-                        let _e3599 = phi_2847_;
-                        let _e3601 = phi_2848_;
-                        let _e3603 = phi_2849_;
-                        if _e3595 {
-                            let _e3605 = local_38;
-                            phi_2854_ = type_40(1u, _e3605);
-                            phi_2855_ = false;
-                            phi_2856_ = false;
-                            phi_2857_ = false;
+                        let _e3592 = phi_2847_;
+                        let _e3594 = phi_2848_;
+                        let _e3596 = phi_2849_;
+                        let _e3598 = phi_2850_;
+                        let _e3600 = phi_2851_;
+                        let _e3602 = phi_2852_;
+                        if _e3594 {
+                            let _e3604 = local_38;
+                            phi_2857_ = type_42(1u, _e3604);
                             phi_2858_ = false;
+                            phi_2859_ = false;
+                            phi_2860_ = false;
+                            phi_2861_ = false;
                         } else {
-                            phi_2854_ = type_40();
-                            phi_2855_ = _e3597;
-                            phi_2856_ = _e3599;
-                            phi_2857_ = _e3601;
-                            phi_2858_ = _e3603;
+                            phi_2857_ = type_42();
+                            phi_2858_ = _e3596;
+                            phi_2859_ = _e3598;
+                            phi_2860_ = _e3600;
+                            phi_2861_ = _e3602;
                         }
-                        let _e3608 = phi_2854_;
-                        let _e3610 = phi_2855_;
-                        let _e3612 = phi_2856_;
-                        let _e3614 = phi_2857_;
-                        let _e3616 = phi_2858_;
-                        if _e3610 {
-                            let _e3618 = local_39;
-                            phi_2863_ = type_40(1u, _e3618);
-                            phi_2864_ = true;
-                            phi_2865_ = false;
-                            phi_2866_ = false;
-                            phi_2867_ = false;
+                        let _e3607 = phi_2857_;
+                        let _e3609 = phi_2858_;
+                        let _e3611 = phi_2859_;
+                        let _e3613 = phi_2860_;
+                        let _e3615 = phi_2861_;
+                        if _e3609 {
+                            let _e3617 = local_39;
+                            phi_2866_ = type_42(1u, _e3617);
+                            phi_2867_ = true;
+                            phi_2868_ = false;
+                            phi_2869_ = false;
+                            phi_2870_ = false;
                         } else {
-                            phi_2863_ = _e3608;
-                            phi_2864_ = _e3595;
-                            phi_2865_ = _e3612;
-                            phi_2866_ = _e3614;
-                            phi_2867_ = _e3616;
+                            phi_2866_ = _e3607;
+                            phi_2867_ = _e3594;
+                            phi_2868_ = _e3611;
+                            phi_2869_ = _e3613;
+                            phi_2870_ = _e3615;
                         }
-                        let _e3621 = phi_2863_;
-                        let _e3623 = phi_2864_;
-                        let _e3625 = phi_2865_;
-                        let _e3627 = phi_2866_;
-                        let _e3629 = phi_2867_;
-                        if _e3623 {
-                            phi_2871_ = _e3621;
-                            phi_2872_ = true;
-                            phi_2873_ = false;
-                            phi_2874_ = false;
+                        let _e3620 = phi_2866_;
+                        let _e3622 = phi_2867_;
+                        let _e3624 = phi_2868_;
+                        let _e3626 = phi_2869_;
+                        let _e3628 = phi_2870_;
+                        if _e3622 {
+                            phi_2874_ = _e3620;
+                            phi_2875_ = true;
+                            phi_2876_ = false;
+                            phi_2877_ = false;
                         } else {
-                            phi_2871_ = _e3593;
-                            phi_2872_ = _e3625;
-                            phi_2873_ = _e3627;
-                            phi_2874_ = _e3629;
+                            phi_2874_ = _e3592;
+                            phi_2875_ = _e3624;
+                            phi_2876_ = _e3626;
+                            phi_2877_ = _e3628;
                         }
-                        let _e3631 = phi_2871_;
-                        let _e3633 = phi_2872_;
-                        let _e3635 = phi_2873_;
-                        let _e3637 = phi_2874_;
-                        if _e3633 {
-                            phi_2878_ = false;
-                            phi_2879_ = false;
+                        let _e3630 = phi_2874_;
+                        let _e3632 = phi_2875_;
+                        let _e3634 = phi_2876_;
+                        let _e3636 = phi_2877_;
+                        if _e3632 {
+                            phi_2881_ = false;
+                            phi_2882_ = false;
                         } else {
-                            phi_2878_ = _e3635;
-                            phi_2879_ = _e3637;
+                            phi_2881_ = _e3634;
+                            phi_2882_ = _e3636;
                         }
-                        let _e3639 = phi_2878_;
-                        let _e3641 = phi_2879_;
-                        if _e3639 {
-                            phi_2883_ = false;
-                            phi_2884_ = false;
+                        let _e3638 = phi_2881_;
+                        let _e3640 = phi_2882_;
+                        if _e3638 {
+                            phi_2886_ = false;
+                            phi_2887_ = false;
                         } else {
-                            phi_2883_ = _e3641;
-                            phi_2884_ = _e3633;
+                            phi_2886_ = _e3640;
+                            phi_2887_ = _e3632;
                         }
-                        let _e3643 = phi_2883_;
-                        let _e3645 = phi_2884_;
-                        if _e3643 {
-                            phi_2888_ = true;
-                            phi_2889_ = false;
+                        let _e3642 = phi_2886_;
+                        let _e3644 = phi_2887_;
+                        if _e3642 {
+                            phi_2891_ = true;
+                            phi_2892_ = false;
                         } else {
-                            phi_2888_ = _e3639;
-                            phi_2889_ = _e3645;
+                            phi_2891_ = _e3638;
+                            phi_2892_ = _e3644;
                         }
-                        let _e3647 = phi_2888_;
-                        let _e3649 = phi_2889_;
-                        if _e3647 {
-                            let _e3651 = local_40;
-                            phi_2894_ = type_40(1u, _e3651);
-                            phi_2895_ = true;
+                        let _e3646 = phi_2891_;
+                        let _e3648 = phi_2892_;
+                        if _e3646 {
+                            let _e3650 = local_40;
+                            phi_2897_ = type_42(1u, _e3650);
+                            phi_2898_ = true;
                         } else {
-                            phi_2894_ = _e3631;
-                            phi_2895_ = _e3649;
+                            phi_2897_ = _e3630;
+                            phi_2898_ = _e3648;
                         }
-                        let _e3654 = phi_2894_;
-                        let _e3656 = phi_2895_;
-                        if _e3656 {
-                            phi_2899_ = _e3654;
+                        let _e3653 = phi_2897_;
+                        let _e3655 = phi_2898_;
+                        if _e3655 {
+                            phi_2902_ = _e3653;
                         } else {
-                            phi_2899_ = _e3576;
+                            phi_2902_ = _e3575;
                         }
-                        let _e3658 = phi_2899_;
-                        if (_e3658.member != 0u) {
+                        let _e3657 = phi_2902_;
+                        if (_e3657.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2913_ = type_19(0u, 3u);
+                            phi_2916_ = type_9(0u, 3u);
                             loop {
-                                let _e3670 = phi_2913_;
-                                if (_e3670.member < _e3670.member_1) {
-                                    phi_2914_ = type_19((_e3670.member + 1u), _e3670.member_1);
-                                    phi_2937_ = type_19(1u, _e3670.member);
+                                let _e3669 = phi_2916_;
+                                if (_e3669.member < _e3669.member_1) {
+                                    phi_2917_ = type_9((_e3669.member + 1u), _e3669.member_1);
+                                    phi_2940_ = type_9(1u, _e3669.member);
                                 } else {
-                                    phi_2914_ = _e3670;
-                                    phi_2937_ = type_19(0u, type_19().member_1);
+                                    phi_2917_ = _e3669;
+                                    phi_2940_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3682 = phi_2914_;
-                                let _e3684 = phi_2937_;
-                                if (bitcast<i32>(_e3684.member) != 0i) {
-                                    let _e3690 = local_11[_e3684.member_1];
-                                    let _e3692 = (_e3658.member_1 + f64(_e3690));
-                                    if (_e3692 < _e2904) {
-                                        phi_2958_ = _e3692;
+                                let _e3681 = phi_2917_;
+                                let _e3683 = phi_2940_;
+                                if (bitcast<i32>(_e3683.member) != 0i) {
+                                    let _e3689 = local_11[_e3683.member_1];
+                                    let _e3691 = (_e3657.member_1 + f64(_e3689));
+                                    if (_e3691 < _e2903) {
+                                        phi_2961_ = _e3691;
                                     } else {
-                                        phi_2958_ = _e2904;
+                                        phi_2961_ = _e2903;
                                     }
-                                    let _e3695 = phi_2958_;
-                                    let _e3698 = local_12.member[0u];
-                                    let _e3704 = local_12.member[1u];
-                                    let _e3720 = local_12.member_1[0u];
-                                    let _e3726 = local_12.member_1[1u];
-                                    let _e3742 = local_12.member_2[0u];
-                                    let _e3748 = local_12.member_2[1u];
-                                    let _e3762 = function_2(array<f64, 3>((_e3698[0] + ((_e3704[0] - _e3698[0]) * _e3695)), (_e3698[1] + ((_e3704[1] - _e3698[1]) * _e3695)), (_e3698[2] + ((_e3704[2] - _e3698[2]) * _e3695))), array<f64, 3>((_e3720[0] + ((_e3726[0] - _e3720[0]) * _e3695)), (_e3720[1] + ((_e3726[1] - _e3720[1]) * _e3695)), (_e3720[2] + ((_e3726[2] - _e3720[2]) * _e3695))), array<f64, 3>((_e3742[0] + ((_e3748[0] - _e3742[0]) * _e3695)), (_e3742[1] + ((_e3748[1] - _e3742[1]) * _e3695)), (_e3742[2] + ((_e3748[2] - _e3742[2]) * _e3695))), 0u);
-                                    let _e3773 = (((_e3762[0] * _e3762[0]) + (_e3762[1] * _e3762[1])) + (_e3762[2] * _e3762[2]));
-                                    if (_e3773 <= 2.2250738585072014e-308lf) {
-                                        if (_e3773 > 0.0lf) {
-                                            phi_3081_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e3694 = phi_2961_;
+                                    let _e3697 = local_12.member[0u];
+                                    let _e3703 = local_12.member[1u];
+                                    let _e3719 = local_12.member_1[0u];
+                                    let _e3725 = local_12.member_1[1u];
+                                    let _e3741 = local_12.member_2[0u];
+                                    let _e3747 = local_12.member_2[1u];
+                                    let _e3761 = function_2(array<f64, 3>((_e3697[0] + ((_e3703[0] - _e3697[0]) * _e3694)), (_e3697[1] + ((_e3703[1] - _e3697[1]) * _e3694)), (_e3697[2] + ((_e3703[2] - _e3697[2]) * _e3694))), array<f64, 3>((_e3719[0] + ((_e3725[0] - _e3719[0]) * _e3694)), (_e3719[1] + ((_e3725[1] - _e3719[1]) * _e3694)), (_e3719[2] + ((_e3725[2] - _e3719[2]) * _e3694))), array<f64, 3>((_e3741[0] + ((_e3747[0] - _e3741[0]) * _e3694)), (_e3741[1] + ((_e3747[1] - _e3741[1]) * _e3694)), (_e3741[2] + ((_e3747[2] - _e3741[2]) * _e3694))), 0u);
+                                    let _e3772 = (((_e3761[0] * _e3761[0]) + (_e3761[1] * _e3761[1])) + (_e3761[2] * _e3761[2]));
+                                    if (_e3772 <= 2.2250738585072014e-308lf) {
+                                        if (_e3772 > 0.0lf) {
+                                            phi_3084_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3081_ = 0.0lf;
+                                            phi_3084_ = 0.0lf;
                                         }
-                                        let _e3825 = phi_3081_;
-                                        phi_3145_ = _e3825;
+                                        let _e3824 = phi_3084_;
+                                        phi_3148_ = _e3824;
                                     } else {
-                                        phi_3088_ = type_17(0i, 5i);
-                                        phi_3091_ = bitcast<f64>(((bitcast<u64>(_e3773) / 2lu) + 2303426169912950784lu));
+                                        phi_3091_ = type_16(0i, 5i);
+                                        phi_3094_ = bitcast<f64>(((bitcast<u64>(_e3772) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e3780 = phi_3088_;
-                                            let _e3782 = phi_3091_;
-                                            local_41 = _e3782;
-                                            if (_e3780.member < _e3780.member_1) {
-                                                let _e3789 = (_e3780.member + 1i);
-                                                if ((false == (_e3789 > _e3780.member)) != false) {
-                                                    phi_3112_ = true;
+                                            let _e3779 = phi_3091_;
+                                            let _e3781 = phi_3094_;
+                                            local_41 = _e3781;
+                                            if (_e3779.member < _e3779.member_1) {
+                                                let _e3788 = (_e3779.member + 1i);
+                                                if ((false == (_e3788 > _e3779.member)) != false) {
+                                                    phi_3115_ = true;
                                                 } else {
-                                                    phi_3112_ = false;
+                                                    phi_3115_ = false;
                                                 }
-                                                let _e3794 = phi_3112_;
-                                                if _e3794 {
-                                                    phi_3118_ = type_18(0u, type_18().member_1);
+                                                let _e3793 = phi_3115_;
+                                                if _e3793 {
+                                                    phi_3121_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3118_ = type_18(1u, _e3789);
+                                                    phi_3121_ = type_17(1u, _e3788);
                                                 }
-                                                let _e3799 = phi_3118_;
-                                                phi_3089_ = type_17(_e3799.member_1, _e3780.member_1);
-                                                phi_3132_ = type_18(1u, _e3780.member);
+                                                let _e3798 = phi_3121_;
+                                                phi_3092_ = type_16(_e3798.member_1, _e3779.member_1);
+                                                phi_3135_ = type_17(1u, _e3779.member);
                                             } else {
-                                                phi_3089_ = _e3780;
-                                                phi_3132_ = type_18(0u, type_18().member_1);
+                                                phi_3092_ = _e3779;
+                                                phi_3135_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e3805 = phi_3089_;
-                                            let _e3807 = phi_3132_;
-                                            let _e3810 = (bitcast<i32>(_e3807.member) != 0i);
-                                            if _e3810 {
-                                                phi_3092_ = (0.5lf * (_e3782 + (_e3773 / _e3782)));
+                                            let _e3804 = phi_3092_;
+                                            let _e3806 = phi_3135_;
+                                            let _e3809 = (bitcast<i32>(_e3806.member) != 0i);
+                                            if _e3809 {
+                                                phi_3095_ = (0.5lf * (_e3781 + (_e3772 / _e3781)));
                                             } else {
-                                                phi_3092_ = f64();
+                                                phi_3095_ = f64();
                                             }
-                                            let _e3815 = phi_3092_;
+                                            let _e3814 = phi_3095_;
                                             continue;
                                             continuing {
-                                                phi_3088_ = _e3805;
-                                                phi_3091_ = _e3815;
-                                                break if !(_e3810);
+                                                phi_3091_ = _e3804;
+                                                phi_3094_ = _e3814;
+                                                break if !(_e3809);
                                             }
                                         }
-                                        let _e3820 = local_41;
-                                        phi_3145_ = (_e3820 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e3819 = local_41;
+                                        phi_3148_ = (_e3819 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e3827 = phi_3145_;
-                                    let _e3835 = local_12.member[0u];
-                                    if (_e3835[0] < 0.0lf) {
-                                        phi_3163_ = -(_e3835[0]);
+                                    let _e3826 = phi_3148_;
+                                    let _e3834 = local_12.member[0u];
+                                    if (_e3834[0] < 0.0lf) {
+                                        phi_3166_ = -(_e3834[0]);
                                     } else {
-                                        phi_3163_ = _e3835[0];
+                                        phi_3166_ = _e3834[0];
                                     }
-                                    let _e3842 = phi_3163_;
-                                    if (_e3835[1] < 0.0lf) {
-                                        phi_3170_ = -(_e3835[1]);
+                                    let _e3841 = phi_3166_;
+                                    if (_e3834[1] < 0.0lf) {
+                                        phi_3173_ = -(_e3834[1]);
                                     } else {
-                                        phi_3170_ = _e3835[1];
+                                        phi_3173_ = _e3834[1];
                                     }
-                                    let _e3846 = phi_3170_;
-                                    if (_e3842 > _e3846) {
-                                        phi_3175_ = _e3842;
+                                    let _e3845 = phi_3173_;
+                                    if (_e3841 > _e3845) {
+                                        phi_3178_ = _e3841;
                                     } else {
-                                        phi_3175_ = _e3846;
+                                        phi_3178_ = _e3845;
                                     }
-                                    let _e3849 = phi_3175_;
-                                    if (_e3835[2] < 0.0lf) {
-                                        phi_3182_ = -(_e3835[2]);
+                                    let _e3848 = phi_3178_;
+                                    if (_e3834[2] < 0.0lf) {
+                                        phi_3185_ = -(_e3834[2]);
                                     } else {
-                                        phi_3182_ = _e3835[2];
+                                        phi_3185_ = _e3834[2];
                                     }
-                                    let _e3853 = phi_3182_;
-                                    if (_e3849 > _e3853) {
-                                        phi_3187_ = _e3849;
+                                    let _e3852 = phi_3185_;
+                                    if (_e3848 > _e3852) {
+                                        phi_3190_ = _e3848;
                                     } else {
-                                        phi_3187_ = _e3853;
+                                        phi_3190_ = _e3852;
                                     }
-                                    let _e3856 = phi_3187_;
-                                    let _e3859 = local_12.member[1u];
-                                    if (_e3859[0] < 0.0lf) {
-                                        phi_3200_ = -(_e3859[0]);
+                                    let _e3855 = phi_3190_;
+                                    let _e3858 = local_12.member[1u];
+                                    if (_e3858[0] < 0.0lf) {
+                                        phi_3203_ = -(_e3858[0]);
                                     } else {
-                                        phi_3200_ = _e3859[0];
+                                        phi_3203_ = _e3858[0];
                                     }
-                                    let _e3866 = phi_3200_;
-                                    if (_e3859[1] < 0.0lf) {
-                                        phi_3207_ = -(_e3859[1]);
+                                    let _e3865 = phi_3203_;
+                                    if (_e3858[1] < 0.0lf) {
+                                        phi_3210_ = -(_e3858[1]);
                                     } else {
-                                        phi_3207_ = _e3859[1];
+                                        phi_3210_ = _e3858[1];
                                     }
-                                    let _e3870 = phi_3207_;
-                                    if (_e3866 > _e3870) {
-                                        phi_3212_ = _e3866;
+                                    let _e3869 = phi_3210_;
+                                    if (_e3865 > _e3869) {
+                                        phi_3215_ = _e3865;
                                     } else {
-                                        phi_3212_ = _e3870;
+                                        phi_3215_ = _e3869;
                                     }
-                                    let _e3873 = phi_3212_;
-                                    if (_e3859[2] < 0.0lf) {
-                                        phi_3219_ = -(_e3859[2]);
+                                    let _e3872 = phi_3215_;
+                                    if (_e3858[2] < 0.0lf) {
+                                        phi_3222_ = -(_e3858[2]);
                                     } else {
-                                        phi_3219_ = _e3859[2];
+                                        phi_3222_ = _e3858[2];
                                     }
-                                    let _e3877 = phi_3219_;
-                                    if (_e3873 > _e3877) {
-                                        phi_3224_ = _e3873;
+                                    let _e3876 = phi_3222_;
+                                    if (_e3872 > _e3876) {
+                                        phi_3227_ = _e3872;
                                     } else {
-                                        phi_3224_ = _e3877;
+                                        phi_3227_ = _e3876;
                                     }
-                                    let _e3880 = phi_3224_;
-                                    if (_e3856 > _e3880) {
-                                        phi_3229_ = _e3856;
+                                    let _e3879 = phi_3227_;
+                                    if (_e3855 > _e3879) {
+                                        phi_3232_ = _e3855;
                                     } else {
-                                        phi_3229_ = _e3880;
+                                        phi_3232_ = _e3879;
                                     }
-                                    let _e3883 = phi_3229_;
-                                    let _e3885 = local_12.member_3;
-                                    let _e3889 = local_12.member_1[0u];
-                                    if (_e3889[0] < 0.0lf) {
-                                        phi_3246_ = -(_e3889[0]);
+                                    let _e3882 = phi_3232_;
+                                    let _e3884 = local_12.member_3;
+                                    let _e3888 = local_12.member_1[0u];
+                                    if (_e3888[0] < 0.0lf) {
+                                        phi_3249_ = -(_e3888[0]);
                                     } else {
-                                        phi_3246_ = _e3889[0];
+                                        phi_3249_ = _e3888[0];
                                     }
-                                    let _e3896 = phi_3246_;
-                                    if (_e3889[1] < 0.0lf) {
-                                        phi_3253_ = -(_e3889[1]);
+                                    let _e3895 = phi_3249_;
+                                    if (_e3888[1] < 0.0lf) {
+                                        phi_3256_ = -(_e3888[1]);
                                     } else {
-                                        phi_3253_ = _e3889[1];
+                                        phi_3256_ = _e3888[1];
                                     }
-                                    let _e3900 = phi_3253_;
-                                    if (_e3896 > _e3900) {
-                                        phi_3258_ = _e3896;
+                                    let _e3899 = phi_3256_;
+                                    if (_e3895 > _e3899) {
+                                        phi_3261_ = _e3895;
                                     } else {
-                                        phi_3258_ = _e3900;
+                                        phi_3261_ = _e3899;
                                     }
-                                    let _e3903 = phi_3258_;
-                                    if (_e3889[2] < 0.0lf) {
-                                        phi_3265_ = -(_e3889[2]);
+                                    let _e3902 = phi_3261_;
+                                    if (_e3888[2] < 0.0lf) {
+                                        phi_3268_ = -(_e3888[2]);
                                     } else {
-                                        phi_3265_ = _e3889[2];
+                                        phi_3268_ = _e3888[2];
                                     }
-                                    let _e3907 = phi_3265_;
-                                    if (_e3903 > _e3907) {
-                                        phi_3270_ = _e3903;
+                                    let _e3906 = phi_3268_;
+                                    if (_e3902 > _e3906) {
+                                        phi_3273_ = _e3902;
                                     } else {
-                                        phi_3270_ = _e3907;
+                                        phi_3273_ = _e3906;
                                     }
-                                    let _e3910 = phi_3270_;
-                                    let _e3913 = local_12.member_1[1u];
-                                    if (_e3913[0] < 0.0lf) {
-                                        phi_3284_ = -(_e3913[0]);
+                                    let _e3909 = phi_3273_;
+                                    let _e3912 = local_12.member_1[1u];
+                                    if (_e3912[0] < 0.0lf) {
+                                        phi_3287_ = -(_e3912[0]);
                                     } else {
-                                        phi_3284_ = _e3913[0];
+                                        phi_3287_ = _e3912[0];
                                     }
-                                    let _e3920 = phi_3284_;
-                                    if (_e3913[1] < 0.0lf) {
-                                        phi_3291_ = -(_e3913[1]);
+                                    let _e3919 = phi_3287_;
+                                    if (_e3912[1] < 0.0lf) {
+                                        phi_3294_ = -(_e3912[1]);
                                     } else {
-                                        phi_3291_ = _e3913[1];
+                                        phi_3294_ = _e3912[1];
                                     }
-                                    let _e3924 = phi_3291_;
-                                    if (_e3920 > _e3924) {
-                                        phi_3296_ = _e3920;
+                                    let _e3923 = phi_3294_;
+                                    if (_e3919 > _e3923) {
+                                        phi_3299_ = _e3919;
                                     } else {
-                                        phi_3296_ = _e3924;
+                                        phi_3299_ = _e3923;
                                     }
-                                    let _e3927 = phi_3296_;
-                                    if (_e3913[2] < 0.0lf) {
-                                        phi_3303_ = -(_e3913[2]);
+                                    let _e3926 = phi_3299_;
+                                    if (_e3912[2] < 0.0lf) {
+                                        phi_3306_ = -(_e3912[2]);
                                     } else {
-                                        phi_3303_ = _e3913[2];
+                                        phi_3306_ = _e3912[2];
                                     }
-                                    let _e3931 = phi_3303_;
-                                    if (_e3927 > _e3931) {
-                                        phi_3308_ = _e3927;
+                                    let _e3930 = phi_3306_;
+                                    if (_e3926 > _e3930) {
+                                        phi_3311_ = _e3926;
                                     } else {
-                                        phi_3308_ = _e3931;
+                                        phi_3311_ = _e3930;
                                     }
-                                    let _e3934 = phi_3308_;
-                                    if (_e3910 > _e3934) {
-                                        phi_3313_ = _e3910;
+                                    let _e3933 = phi_3311_;
+                                    if (_e3909 > _e3933) {
+                                        phi_3316_ = _e3909;
                                     } else {
-                                        phi_3313_ = _e3934;
+                                        phi_3316_ = _e3933;
                                     }
-                                    let _e3937 = phi_3313_;
-                                    let _e3939 = local_12.member_3;
-                                    let _e3943 = local_12.member_2[0u];
-                                    if (_e3943[0] < 0.0lf) {
-                                        phi_3330_ = -(_e3943[0]);
+                                    let _e3936 = phi_3316_;
+                                    let _e3938 = local_12.member_3;
+                                    let _e3942 = local_12.member_2[0u];
+                                    if (_e3942[0] < 0.0lf) {
+                                        phi_3333_ = -(_e3942[0]);
                                     } else {
-                                        phi_3330_ = _e3943[0];
+                                        phi_3333_ = _e3942[0];
                                     }
-                                    let _e3950 = phi_3330_;
-                                    if (_e3943[1] < 0.0lf) {
-                                        phi_3337_ = -(_e3943[1]);
+                                    let _e3949 = phi_3333_;
+                                    if (_e3942[1] < 0.0lf) {
+                                        phi_3340_ = -(_e3942[1]);
                                     } else {
-                                        phi_3337_ = _e3943[1];
+                                        phi_3340_ = _e3942[1];
                                     }
-                                    let _e3954 = phi_3337_;
-                                    if (_e3950 > _e3954) {
-                                        phi_3342_ = _e3950;
+                                    let _e3953 = phi_3340_;
+                                    if (_e3949 > _e3953) {
+                                        phi_3345_ = _e3949;
                                     } else {
-                                        phi_3342_ = _e3954;
+                                        phi_3345_ = _e3953;
                                     }
-                                    let _e3957 = phi_3342_;
-                                    if (_e3943[2] < 0.0lf) {
-                                        phi_3349_ = -(_e3943[2]);
+                                    let _e3956 = phi_3345_;
+                                    if (_e3942[2] < 0.0lf) {
+                                        phi_3352_ = -(_e3942[2]);
                                     } else {
-                                        phi_3349_ = _e3943[2];
+                                        phi_3352_ = _e3942[2];
                                     }
-                                    let _e3961 = phi_3349_;
-                                    if (_e3957 > _e3961) {
-                                        phi_3354_ = _e3957;
+                                    let _e3960 = phi_3352_;
+                                    if (_e3956 > _e3960) {
+                                        phi_3357_ = _e3956;
                                     } else {
-                                        phi_3354_ = _e3961;
+                                        phi_3357_ = _e3960;
                                     }
-                                    let _e3964 = phi_3354_;
-                                    let _e3967 = local_12.member_2[1u];
-                                    if (_e3967[0] < 0.0lf) {
-                                        phi_3368_ = -(_e3967[0]);
+                                    let _e3963 = phi_3357_;
+                                    let _e3966 = local_12.member_2[1u];
+                                    if (_e3966[0] < 0.0lf) {
+                                        phi_3371_ = -(_e3966[0]);
                                     } else {
-                                        phi_3368_ = _e3967[0];
+                                        phi_3371_ = _e3966[0];
                                     }
-                                    let _e3974 = phi_3368_;
-                                    if (_e3967[1] < 0.0lf) {
-                                        phi_3375_ = -(_e3967[1]);
+                                    let _e3973 = phi_3371_;
+                                    if (_e3966[1] < 0.0lf) {
+                                        phi_3378_ = -(_e3966[1]);
                                     } else {
-                                        phi_3375_ = _e3967[1];
+                                        phi_3378_ = _e3966[1];
                                     }
-                                    let _e3978 = phi_3375_;
-                                    if (_e3974 > _e3978) {
-                                        phi_3380_ = _e3974;
+                                    let _e3977 = phi_3378_;
+                                    if (_e3973 > _e3977) {
+                                        phi_3383_ = _e3973;
                                     } else {
-                                        phi_3380_ = _e3978;
+                                        phi_3383_ = _e3977;
                                     }
-                                    let _e3981 = phi_3380_;
-                                    if (_e3967[2] < 0.0lf) {
-                                        phi_3387_ = -(_e3967[2]);
+                                    let _e3980 = phi_3383_;
+                                    if (_e3966[2] < 0.0lf) {
+                                        phi_3390_ = -(_e3966[2]);
                                     } else {
-                                        phi_3387_ = _e3967[2];
+                                        phi_3390_ = _e3966[2];
                                     }
-                                    let _e3985 = phi_3387_;
-                                    if (_e3981 > _e3985) {
-                                        phi_3392_ = _e3981;
+                                    let _e3984 = phi_3390_;
+                                    if (_e3980 > _e3984) {
+                                        phi_3395_ = _e3980;
                                     } else {
-                                        phi_3392_ = _e3985;
+                                        phi_3395_ = _e3984;
                                     }
-                                    let _e3988 = phi_3392_;
-                                    if (_e3964 > _e3988) {
-                                        phi_3397_ = _e3964;
+                                    let _e3987 = phi_3395_;
+                                    if (_e3963 > _e3987) {
+                                        phi_3400_ = _e3963;
                                     } else {
-                                        phi_3397_ = _e3988;
+                                        phi_3400_ = _e3987;
                                     }
-                                    let _e3991 = phi_3397_;
-                                    let _e3993 = local_12.member_3;
-                                    let _e4001 = local_12.member_3;
-                                    let _e4011 = (((_e3827 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3883 + _e3885) + (_e3937 + _e3939)) + (_e3991 + _e3993)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4001 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e370);
-                                    if _e4011 {
-                                        phi_3421_ = false;
+                                    let _e3990 = phi_3400_;
+                                    let _e3992 = local_12.member_3;
+                                    let _e4000 = local_12.member_3;
+                                    let _e4010 = (((_e3826 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3882 + _e3884) + (_e3936 + _e3938)) + (_e3990 + _e3992)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4000 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e369);
+                                    if _e4010 {
+                                        phi_3424_ = false;
                                     } else {
-                                        phi_3421_ = true;
+                                        phi_3424_ = true;
                                     }
-                                    let _e4013 = phi_3421_;
-                                    phi_3422_ = _e4013;
-                                    phi_3423_ = _e4011;
+                                    let _e4012 = phi_3424_;
+                                    phi_3425_ = _e4012;
+                                    phi_3426_ = _e4010;
                                 } else {
-                                    phi_3422_ = false;
-                                    phi_3423_ = false;
+                                    phi_3425_ = false;
+                                    phi_3426_ = false;
                                 }
-                                let _e4015 = phi_3422_;
-                                let _e4017 = phi_3423_;
-                                local_42 = _e4017;
+                                let _e4014 = phi_3425_;
+                                let _e4016 = phi_3426_;
+                                local_42 = _e4016;
                                 continue;
                                 continuing {
-                                    phi_2913_ = _e3682;
-                                    break if !(_e4015);
+                                    phi_2916_ = _e3681;
+                                    break if !(_e4014);
                                 }
                             }
-                            let _e4020 = local_42;
-                            if _e4020 {
-                                phi_3428_ = type_40(1u, _e3658.member_1);
-                                phi_3429_ = false;
+                            let _e4019 = local_42;
+                            if _e4019 {
+                                phi_3431_ = type_42(1u, _e3657.member_1);
+                                phi_3432_ = false;
                             } else {
-                                phi_3428_ = type_40();
-                                phi_3429_ = true;
+                                phi_3431_ = type_42();
+                                phi_3432_ = true;
                             }
-                            let _e4023 = phi_3428_;
-                            let _e4025 = phi_3429_;
-                            if _e4025 {
-                                phi_3434_ = type_40(2u, _e3658.member_1);
-                                phi_3435_ = false;
+                            let _e4022 = phi_3431_;
+                            let _e4024 = phi_3432_;
+                            if _e4024 {
+                                phi_3437_ = type_42(2u, _e3657.member_1);
+                                phi_3438_ = false;
                             } else {
-                                phi_3434_ = type_40();
-                                phi_3435_ = true;
+                                phi_3437_ = type_42();
+                                phi_3438_ = true;
                             }
-                            let _e4028 = phi_3434_;
-                            let _e4030 = phi_3435_;
-                            phi_3437_ = _e4028;
-                            phi_3438_ = _e4023;
-                            phi_3439_ = _e4030;
+                            let _e4027 = phi_3437_;
+                            let _e4029 = phi_3438_;
+                            phi_3440_ = _e4027;
+                            phi_3441_ = _e4022;
+                            phi_3442_ = _e4029;
                         } else {
-                            phi_3437_ = type_40();
-                            phi_3438_ = type_40(0u, type_40().member_1);
-                            phi_3439_ = true;
+                            phi_3440_ = type_42();
+                            phi_3441_ = type_42(0u, type_42().member_1);
+                            phi_3442_ = true;
                         }
-                        let _e4032 = phi_3437_;
-                        let _e4034 = phi_3438_;
-                        let _e4036 = phi_3439_;
-                        if _e4036 {
-                            phi_3443_ = _e4034;
+                        let _e4031 = phi_3440_;
+                        let _e4033 = phi_3441_;
+                        let _e4035 = phi_3442_;
+                        if _e4035 {
+                            phi_3446_ = _e4033;
                         } else {
-                            phi_3443_ = _e4032;
+                            phi_3446_ = _e4031;
                         }
-                        let _e4038 = phi_3443_;
-                        phi_6327_ = _e4038;
+                        let _e4037 = phi_3446_;
+                        phi_6330_ = _e4037;
                     } else {
-                        if (_e469 < 0.0lf) {
-                            phi_3454_ = -(_e469);
+                        if (_e468 < 0.0lf) {
+                            phi_3457_ = -(_e468);
                         } else {
-                            phi_3454_ = _e469;
+                            phi_3457_ = _e468;
                         }
-                        let _e824 = phi_3454_;
-                        if (_e492 < 0.0lf) {
-                            phi_3460_ = -(_e492);
+                        let _e823 = phi_3457_;
+                        if (_e491 < 0.0lf) {
+                            phi_3463_ = -(_e491);
                         } else {
-                            phi_3460_ = _e492;
+                            phi_3463_ = _e491;
                         }
-                        let _e828 = phi_3460_;
-                        if (_e824 > _e828) {
-                            phi_3465_ = _e824;
+                        let _e827 = phi_3463_;
+                        if (_e823 > _e827) {
+                            phi_3468_ = _e823;
                         } else {
-                            phi_3465_ = _e828;
+                            phi_3468_ = _e827;
                         }
-                        let _e831 = phi_3465_;
-                        if (_e515 < 0.0lf) {
-                            phi_3471_ = -(_e515);
+                        let _e830 = phi_3468_;
+                        if (_e514 < 0.0lf) {
+                            phi_3474_ = -(_e514);
                         } else {
-                            phi_3471_ = _e515;
+                            phi_3474_ = _e514;
                         }
-                        let _e835 = phi_3471_;
-                        if (_e526 < 0.0lf) {
-                            phi_3477_ = -(_e526);
+                        let _e834 = phi_3474_;
+                        if (_e525 < 0.0lf) {
+                            phi_3480_ = -(_e525);
                         } else {
-                            phi_3477_ = _e526;
+                            phi_3480_ = _e525;
                         }
-                        let _e839 = phi_3477_;
-                        if (_e835 > _e839) {
-                            phi_3482_ = _e835;
+                        let _e838 = phi_3480_;
+                        if (_e834 > _e838) {
+                            phi_3485_ = _e834;
                         } else {
-                            phi_3482_ = _e839;
+                            phi_3485_ = _e838;
                         }
-                        let _e842 = phi_3482_;
-                        if (_e831 > _e842) {
-                            phi_3487_ = _e831;
+                        let _e841 = phi_3485_;
+                        if (_e830 > _e841) {
+                            phi_3490_ = _e830;
                         } else {
-                            phi_3487_ = _e842;
+                            phi_3490_ = _e841;
                         }
-                        let _e845 = phi_3487_;
-                        let _e847 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e848 = f64(1f);
-                        if (_e845 >= _e847) {
-                            phi_3497_ = (_e845 <= (_e848 / _e847));
+                        let _e844 = phi_3490_;
+                        let _e846 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e847 = f64(1f);
+                        if (_e844 >= _e846) {
+                            phi_3500_ = (_e844 <= (_e847 / _e846));
                         } else {
-                            phi_3497_ = false;
+                            phi_3500_ = false;
                         }
-                        let _e853 = phi_3497_;
-                        if _e853 {
-                            phi_3504_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e852 = phi_3500_;
+                        if _e852 {
+                            phi_3507_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_3504_ = f64(2f);
+                            phi_3507_ = f64(2f);
                         }
-                        let _e858 = phi_3504_;
-                        let _e860 = ((_e785 * f64(0.34f)) + (_e845 * _e858));
-                        if _e853 {
-                            phi_3512_ = (_e848 / _e845);
+                        let _e857 = phi_3507_;
+                        let _e859 = ((_e784 * f64(0.34f)) + (_e844 * _e857));
+                        if _e852 {
+                            phi_3515_ = (_e847 / _e844);
                         } else {
-                            phi_3512_ = f64(0f);
+                            phi_3515_ = f64(0f);
                         }
-                        let _e864 = phi_3512_;
-                        let _e865 = f64(0f);
-                        let _e866 = f64(1f);
-                        let _e867 = f64(3f);
-                        let _e873 = ((_e492 - (_e867 * _e469)) * _e864);
-                        let _e874 = ((_e515 - _e492) * _e864);
-                        let _e875 = (((_e867 * _e526) - _e515) * _e864);
-                        local_6[0u] = _e865;
-                        local_6[1u] = _e866;
-                        local_6[2u] = _e866;
-                        local_6[3u] = _e866;
-                        let _e882 = ((_e874 * _e874) - (_e873 * _e875));
-                        if (_e882 > _e865) {
-                            if (_e882 <= 2.2250738585072014e-308lf) {
-                                if (_e882 > 0.0lf) {
-                                    phi_3548_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e863 = phi_3515_;
+                        let _e864 = f64(0f);
+                        let _e865 = f64(1f);
+                        let _e866 = f64(3f);
+                        let _e872 = ((_e491 - (_e866 * _e468)) * _e863);
+                        let _e873 = ((_e514 - _e491) * _e863);
+                        let _e874 = (((_e866 * _e525) - _e514) * _e863);
+                        local_6[0u] = _e864;
+                        local_6[1u] = _e865;
+                        local_6[2u] = _e865;
+                        local_6[3u] = _e865;
+                        let _e881 = ((_e873 * _e873) - (_e872 * _e874));
+                        if (_e881 > _e864) {
+                            if (_e881 <= 2.2250738585072014e-308lf) {
+                                if (_e881 > 0.0lf) {
+                                    phi_3551_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_3548_ = 0.0lf;
+                                    phi_3551_ = 0.0lf;
                                 }
-                                let _e935 = phi_3548_;
-                                phi_3612_ = _e935;
+                                let _e934 = phi_3551_;
+                                phi_3615_ = _e934;
                             } else {
-                                phi_3555_ = type_17(0i, 5i);
-                                phi_3558_ = bitcast<f64>(((bitcast<u64>(_e882) / 2lu) + 2303426169912950784lu));
+                                phi_3558_ = type_16(0i, 5i);
+                                phi_3561_ = bitcast<f64>(((bitcast<u64>(_e881) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e890 = phi_3555_;
-                                    let _e892 = phi_3558_;
-                                    local_13 = _e892;
-                                    if (_e890.member < _e890.member_1) {
-                                        let _e899 = (_e890.member + 1i);
-                                        if ((false == (_e899 > _e890.member)) != false) {
-                                            phi_3579_ = true;
+                                    let _e889 = phi_3558_;
+                                    let _e891 = phi_3561_;
+                                    local_13 = _e891;
+                                    if (_e889.member < _e889.member_1) {
+                                        let _e898 = (_e889.member + 1i);
+                                        if ((false == (_e898 > _e889.member)) != false) {
+                                            phi_3582_ = true;
                                         } else {
-                                            phi_3579_ = false;
+                                            phi_3582_ = false;
                                         }
-                                        let _e904 = phi_3579_;
-                                        if _e904 {
-                                            phi_3585_ = type_18(0u, type_18().member_1);
+                                        let _e903 = phi_3582_;
+                                        if _e903 {
+                                            phi_3588_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_3585_ = type_18(1u, _e899);
+                                            phi_3588_ = type_17(1u, _e898);
                                         }
-                                        let _e909 = phi_3585_;
-                                        phi_3556_ = type_17(_e909.member_1, _e890.member_1);
-                                        phi_3599_ = type_18(1u, _e890.member);
+                                        let _e908 = phi_3588_;
+                                        phi_3559_ = type_16(_e908.member_1, _e889.member_1);
+                                        phi_3602_ = type_17(1u, _e889.member);
                                     } else {
-                                        phi_3556_ = _e890;
-                                        phi_3599_ = type_18(0u, type_18().member_1);
+                                        phi_3559_ = _e889;
+                                        phi_3602_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e915 = phi_3556_;
-                                    let _e917 = phi_3599_;
-                                    let _e920 = (bitcast<i32>(_e917.member) != 0i);
-                                    if _e920 {
-                                        phi_3559_ = (0.5lf * (_e892 + (_e882 / _e892)));
+                                    let _e914 = phi_3559_;
+                                    let _e916 = phi_3602_;
+                                    let _e919 = (bitcast<i32>(_e916.member) != 0i);
+                                    if _e919 {
+                                        phi_3562_ = (0.5lf * (_e891 + (_e881 / _e891)));
                                     } else {
-                                        phi_3559_ = f64();
+                                        phi_3562_ = f64();
                                     }
-                                    let _e925 = phi_3559_;
+                                    let _e924 = phi_3562_;
                                     continue;
                                     continuing {
-                                        phi_3555_ = _e915;
-                                        phi_3558_ = _e925;
-                                        break if !(_e920);
+                                        phi_3558_ = _e914;
+                                        phi_3561_ = _e924;
+                                        break if !(_e919);
                                     }
                                 }
-                                let _e930 = local_13;
-                                phi_3612_ = (_e930 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e929 = local_13;
+                                phi_3615_ = (_e929 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e937 = phi_3612_;
-                            if (_e874 < _e865) {
-                                phi_3618_ = -(_e937);
+                            let _e936 = phi_3615_;
+                            if (_e873 < _e864) {
+                                phi_3621_ = -(_e936);
                             } else {
-                                phi_3618_ = _e937;
+                                phi_3621_ = _e936;
                             }
-                            let _e941 = phi_3618_;
-                            let _e943 = -((_e874 + _e941));
-                            local_7[0u] = (_e943 / (_e943 + _e875));
-                            local_7[1u] = (_e873 / (_e873 + _e943));
-                            let _e952 = local_7[1u];
-                            let _e953 = local_7[0u];
-                            if (_e952 < _e953) {
-                                let _e956 = local_7[1u];
-                                let _e958 = local_7[0u];
-                                local_7[0u] = _e956;
-                                local_7[1u] = _e958;
+                            let _e940 = phi_3621_;
+                            let _e942 = -((_e873 + _e940));
+                            local_7[0u] = (_e942 / (_e942 + _e874));
+                            local_7[1u] = (_e872 / (_e872 + _e942));
+                            let _e951 = local_7[1u];
+                            let _e952 = local_7[0u];
+                            if (_e951 < _e952) {
+                                let _e955 = local_7[1u];
+                                let _e957 = local_7[0u];
+                                local_7[0u] = _e955;
+                                local_7[1u] = _e957;
                             }
-                            phi_3643_ = type_19(0u, 2u);
-                            phi_3646_ = 1u;
+                            phi_3646_ = type_9(0u, 2u);
+                            phi_3649_ = 1u;
                             loop {
-                                let _e962 = phi_3643_;
-                                let _e964 = phi_3646_;
-                                local_43 = _e964;
-                                if (_e962.member < _e962.member_1) {
-                                    phi_3644_ = type_19((_e962.member + 1u), _e962.member_1);
-                                    phi_3669_ = type_19(1u, _e962.member);
+                                let _e961 = phi_3646_;
+                                let _e963 = phi_3649_;
+                                local_43 = _e963;
+                                if (_e961.member < _e961.member_1) {
+                                    phi_3647_ = type_9((_e961.member + 1u), _e961.member_1);
+                                    phi_3672_ = type_9(1u, _e961.member);
                                 } else {
-                                    phi_3644_ = _e962;
-                                    phi_3669_ = type_19(0u, type_19().member_1);
+                                    phi_3647_ = _e961;
+                                    phi_3672_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e976 = phi_3644_;
-                                let _e978 = phi_3669_;
-                                let _e982 = (bitcast<i32>(_e978.member) != 0i);
-                                if _e982 {
-                                    let _e984 = local_7[_e978.member_1];
-                                    if (_e984 > _e865) {
-                                        let _e987 = local_7[_e978.member_1];
-                                        if (_e987 < _e866) {
-                                            let _e990 = local_7[_e978.member_1];
-                                            local_6[_e964] = _e990;
-                                            phi_3713_ = (_e964 + 1u);
+                                let _e975 = phi_3647_;
+                                let _e977 = phi_3672_;
+                                let _e981 = (bitcast<i32>(_e977.member) != 0i);
+                                if _e981 {
+                                    let _e983 = local_7[_e977.member_1];
+                                    if (_e983 > _e864) {
+                                        let _e986 = local_7[_e977.member_1];
+                                        if (_e986 < _e865) {
+                                            let _e989 = local_7[_e977.member_1];
+                                            local_6[_e963] = _e989;
+                                            phi_3716_ = (_e963 + 1u);
                                         } else {
-                                            phi_3713_ = _e964;
+                                            phi_3716_ = _e963;
                                         }
-                                        let _e994 = phi_3713_;
-                                        phi_3714_ = _e994;
+                                        let _e993 = phi_3716_;
+                                        phi_3717_ = _e993;
                                     } else {
-                                        phi_3714_ = _e964;
+                                        phi_3717_ = _e963;
                                     }
-                                    let _e996 = phi_3714_;
-                                    phi_3647_ = _e996;
+                                    let _e995 = phi_3717_;
+                                    phi_3650_ = _e995;
                                 } else {
-                                    phi_3647_ = u32();
+                                    phi_3650_ = u32();
                                 }
-                                let _e998 = phi_3647_;
+                                let _e997 = phi_3650_;
                                 continue;
                                 continuing {
-                                    phi_3643_ = _e976;
-                                    phi_3646_ = _e998;
-                                    break if !(_e982);
+                                    phi_3646_ = _e975;
+                                    phi_3649_ = _e997;
+                                    break if !(_e981);
                                 }
                             }
-                            let _e4216 = local_43;
-                            phi_3715_ = _e4216;
+                            let _e4217 = local_43;
+                            phi_3718_ = _e4217;
                         } else {
-                            phi_3715_ = 1u;
+                            phi_3718_ = 1u;
                         }
-                        let _e1001 = phi_3715_;
-                        local_6[_e1001] = _e866;
-                        let _e1003 = local_6;
-                        local_8 = _e1003;
-                        phi_3735_ = type_19(0u, _e1001);
+                        let _e1000 = phi_3718_;
+                        local_6[_e1000] = _e865;
+                        let _e1002 = local_6;
+                        local_8 = _e1002;
+                        phi_3738_ = type_9(0u, _e1000);
                         loop {
-                            let _e1006 = phi_3735_;
-                            if (_e1006.member < _e1006.member_1) {
-                                phi_3736_ = type_19((_e1006.member + 1u), _e1006.member_1);
-                                phi_3759_ = type_19(1u, _e1006.member);
+                            let _e1005 = phi_3738_;
+                            if (_e1005.member < _e1005.member_1) {
+                                phi_3739_ = type_9((_e1005.member + 1u), _e1005.member_1);
+                                phi_3762_ = type_9(1u, _e1005.member);
                             } else {
-                                phi_3736_ = _e1006;
-                                phi_3759_ = type_19(0u, type_19().member_1);
+                                phi_3739_ = _e1005;
+                                phi_3762_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1018 = phi_3736_;
-                            let _e1020 = phi_3759_;
-                            if (bitcast<i32>(_e1020.member) != 0i) {
-                                let _e1026 = local_8[_e1020.member_1];
-                                let _e1029 = local_8[(_e1020.member_1 + 1u)];
-                                let _e1031 = (f64(1f) - _e1026);
-                                let _e1042 = ((((_e469 * _e1031) + (_e492 * _e1026)) * (_e1031 * _e1031)) + (((_e515 * _e1031) + (_e526 * _e1026)) * (_e1026 * _e1026)));
-                                let _e1044 = (f64(1f) - _e1029);
-                                let _e1055 = ((((_e469 * _e1044) + (_e492 * _e1029)) * (_e1044 * _e1044)) + (((_e515 * _e1044) + (_e526 * _e1029)) * (_e1029 * _e1029)));
-                                if (_e1042 < 0.0lf) {
-                                    phi_3813_ = -(_e1042);
+                            let _e1017 = phi_3739_;
+                            let _e1019 = phi_3762_;
+                            if (bitcast<i32>(_e1019.member) != 0i) {
+                                let _e1025 = local_8[_e1019.member_1];
+                                let _e1028 = local_8[(_e1019.member_1 + 1u)];
+                                let _e1030 = (f64(1f) - _e1025);
+                                let _e1041 = ((((_e468 * _e1030) + (_e491 * _e1025)) * (_e1030 * _e1030)) + (((_e514 * _e1030) + (_e525 * _e1025)) * (_e1025 * _e1025)));
+                                let _e1043 = (f64(1f) - _e1028);
+                                let _e1054 = ((((_e468 * _e1043) + (_e491 * _e1028)) * (_e1043 * _e1043)) + (((_e514 * _e1043) + (_e525 * _e1028)) * (_e1028 * _e1028)));
+                                if (_e1041 < 0.0lf) {
+                                    phi_3816_ = -(_e1041);
                                 } else {
-                                    phi_3813_ = _e1042;
+                                    phi_3816_ = _e1041;
                                 }
-                                let _e1059 = phi_3813_;
-                                let _e1060 = (_e1059 > _e860);
-                                if (_e1055 < 0.0lf) {
-                                    phi_3820_ = -(_e1055);
+                                let _e1058 = phi_3816_;
+                                let _e1059 = (_e1058 > _e859);
+                                if (_e1054 < 0.0lf) {
+                                    phi_3823_ = -(_e1054);
                                 } else {
-                                    phi_3820_ = _e1055;
+                                    phi_3823_ = _e1054;
                                 }
-                                let _e1064 = phi_3820_;
-                                let _e1065 = (_e1064 > _e860);
-                                let _e1066 = f64(0f);
-                                if _e1060 {
-                                    if _e1065 {
-                                        phi_3832_ = ((_e1042 > _e1066) != (_e1055 > _e1066));
-                                        phi_3833_ = false;
+                                let _e1063 = phi_3823_;
+                                let _e1064 = (_e1063 > _e859);
+                                let _e1065 = f64(0f);
+                                if _e1059 {
+                                    if _e1064 {
+                                        phi_3835_ = ((_e1041 > _e1065) != (_e1054 > _e1065));
+                                        phi_3836_ = false;
                                     } else {
-                                        phi_3832_ = bool();
-                                        phi_3833_ = true;
+                                        phi_3835_ = bool();
+                                        phi_3836_ = true;
                                     }
-                                    let _e1071 = phi_3832_;
-                                    let _e1073 = phi_3833_;
-                                    phi_3834_ = _e1071;
-                                    phi_3835_ = _e1073;
+                                    let _e1070 = phi_3835_;
+                                    let _e1072 = phi_3836_;
+                                    phi_3837_ = _e1070;
+                                    phi_3838_ = _e1072;
                                 } else {
-                                    phi_3834_ = bool();
-                                    phi_3835_ = true;
+                                    phi_3837_ = bool();
+                                    phi_3838_ = true;
                                 }
-                                let _e1075 = phi_3834_;
-                                let _e1077 = phi_3835_;
-                                if _e1077 {
-                                    phi_3839_ = false;
+                                let _e1074 = phi_3837_;
+                                let _e1076 = phi_3838_;
+                                if _e1076 {
+                                    phi_3842_ = false;
                                 } else {
-                                    phi_3839_ = _e1075;
+                                    phi_3842_ = _e1074;
                                 }
-                                let _e1079 = phi_3839_;
-                                if _e1060 {
-                                    if _e1065 {
-                                        if _e1079 {
-                                            phi_3851_ = type_41();
+                                let _e1078 = phi_3842_;
+                                if _e1059 {
+                                    if _e1064 {
+                                        if _e1078 {
+                                            phi_3854_ = type_43();
                                         } else {
-                                            phi_3851_ = type_41(f64(1f), _e1066, _e1079);
+                                            phi_3854_ = type_43(f64(1f), _e1065, _e1078);
                                         }
-                                        let _e1083 = phi_3851_;
-                                        phi_3852_ = _e1083;
-                                        phi_3853_ = _e1079;
+                                        let _e1082 = phi_3854_;
+                                        phi_3855_ = _e1082;
+                                        phi_3856_ = _e1078;
                                     } else {
-                                        phi_3852_ = type_41();
-                                        phi_3853_ = true;
+                                        phi_3855_ = type_43();
+                                        phi_3856_ = true;
                                     }
-                                    let _e1085 = phi_3852_;
-                                    let _e1087 = phi_3853_;
-                                    phi_3854_ = _e1085;
-                                    phi_3855_ = _e1087;
+                                    let _e1084 = phi_3855_;
+                                    let _e1086 = phi_3856_;
+                                    phi_3857_ = _e1084;
+                                    phi_3858_ = _e1086;
                                 } else {
-                                    phi_3854_ = type_41();
-                                    phi_3855_ = true;
+                                    phi_3857_ = type_43();
+                                    phi_3858_ = true;
                                 }
-                                let _e1089 = phi_3854_;
-                                let _e1091 = phi_3855_;
-                                if _e1091 {
-                                    if _e1060 {
-                                        if (_e1042 < _e1066) {
-                                            phi_3868_ = f64(-1f);
+                                let _e1088 = phi_3857_;
+                                let _e1090 = phi_3858_;
+                                if _e1090 {
+                                    if _e1059 {
+                                        if (_e1041 < _e1065) {
+                                            phi_3871_ = f64(-1f);
                                         } else {
-                                            phi_3868_ = f64(1f);
+                                            phi_3871_ = f64(1f);
                                         }
-                                        let _e1096 = phi_3868_;
-                                        let _e1097 = f64(0.00000000000022737368f);
-                                        let _e1098 = f64(0.5f);
-                                        let _e1099 = f64(3f);
-                                        let _e1102 = (_e515 - _e492);
-                                        phi_3881_ = type_19(0u, 64u);
-                                        phi_3884_ = _e1029;
-                                        phi_3886_ = _e1026;
-                                        phi_3888_ = (_e1098 * (_e1026 + _e1029));
+                                        let _e1095 = phi_3871_;
+                                        let _e1096 = f64(0.00000000000022737368f);
+                                        let _e1097 = f64(0.5f);
+                                        let _e1098 = f64(3f);
+                                        let _e1101 = (_e514 - _e491);
+                                        phi_3884_ = type_9(0u, 64u);
+                                        phi_3887_ = _e1028;
+                                        phi_3889_ = _e1025;
+                                        phi_3891_ = (_e1097 * (_e1025 + _e1028));
                                         loop {
-                                            let _e1108 = phi_3881_;
-                                            let _e1110 = phi_3884_;
-                                            let _e1112 = phi_3886_;
-                                            let _e1114 = phi_3888_;
-                                            local_45 = _e1112;
-                                            if (_e1108.member < _e1108.member_1) {
-                                                phi_3882_ = type_19((_e1108.member + 1u), _e1108.member_1);
-                                                phi_3911_ = type_19(1u, _e1108.member);
+                                            let _e1107 = phi_3884_;
+                                            let _e1109 = phi_3887_;
+                                            let _e1111 = phi_3889_;
+                                            let _e1113 = phi_3891_;
+                                            local_45 = _e1111;
+                                            if (_e1107.member < _e1107.member_1) {
+                                                phi_3885_ = type_9((_e1107.member + 1u), _e1107.member_1);
+                                                phi_3914_ = type_9(1u, _e1107.member);
                                             } else {
-                                                phi_3882_ = _e1108;
-                                                phi_3911_ = type_19(0u, type_19().member_1);
+                                                phi_3885_ = _e1107;
+                                                phi_3914_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1126 = phi_3882_;
-                                            let _e1128 = phi_3911_;
-                                            if (bitcast<i32>(_e1128.member) != 0i) {
-                                                let _e1133 = (f64(1f) - _e1114);
-                                                let _e1146 = ((_e1096 * ((((_e469 * _e1133) + (_e492 * _e1114)) * (_e1133 * _e1133)) + (((_e515 * _e1133) + (_e526 * _e1114)) * (_e1114 * _e1114)))) - _e860);
-                                                if (_e1146 > f64(0f)) {
-                                                    phi_3938_ = _e1110;
-                                                    phi_3939_ = _e1114;
+                                            let _e1125 = phi_3885_;
+                                            let _e1127 = phi_3914_;
+                                            if (bitcast<i32>(_e1127.member) != 0i) {
+                                                let _e1132 = (f64(1f) - _e1113);
+                                                let _e1145 = ((_e1095 * ((((_e468 * _e1132) + (_e491 * _e1113)) * (_e1132 * _e1132)) + (((_e514 * _e1132) + (_e525 * _e1113)) * (_e1113 * _e1113)))) - _e859);
+                                                if (_e1145 > f64(0f)) {
+                                                    phi_3941_ = _e1109;
+                                                    phi_3942_ = _e1113;
                                                 } else {
-                                                    phi_3938_ = _e1114;
-                                                    phi_3939_ = _e1112;
+                                                    phi_3941_ = _e1113;
+                                                    phi_3942_ = _e1111;
                                                 }
-                                                let _e1150 = phi_3938_;
-                                                let _e1152 = phi_3939_;
-                                                let _e1154 = ((_e1150 - _e1152) > _e1097);
-                                                if _e1154 {
-                                                    let _e1156 = (f64(1f) - _e1114);
-                                                    let _e1168 = (-(_e1146) / (_e1096 * (((((_e492 - (_e1099 * _e469)) * _e1156) + (_e1102 * _e1114)) * _e1156) + (((_e1102 * _e1156) + (((_e1099 * _e526) - _e515) * _e1114)) * _e1114))));
-                                                    if (_e1146 > f64(0f)) {
-                                                        phi_3967_ = (_e1098 * _e1097);
+                                                let _e1149 = phi_3941_;
+                                                let _e1151 = phi_3942_;
+                                                let _e1153 = ((_e1149 - _e1151) > _e1096);
+                                                if _e1153 {
+                                                    let _e1155 = (f64(1f) - _e1113);
+                                                    let _e1167 = (-(_e1145) / (_e1095 * (((((_e491 - (_e1098 * _e468)) * _e1155) + (_e1101 * _e1113)) * _e1155) + (((_e1101 * _e1155) + (((_e1098 * _e525) - _e514) * _e1113)) * _e1113))));
+                                                    if (_e1145 > f64(0f)) {
+                                                        phi_3970_ = (_e1097 * _e1096);
                                                     } else {
-                                                        phi_3967_ = -((_e1098 * _e1097));
+                                                        phi_3970_ = -((_e1097 * _e1096));
                                                     }
-                                                    let _e1175 = phi_3967_;
-                                                    let _e1177 = ((_e1114 + _e1168) + _e1175);
-                                                    if (_e1177 > _e1152) {
-                                                        if (_e1177 < _e1150) {
-                                                            if (_e1168 < 0.0lf) {
-                                                                phi_3983_ = -(_e1168);
+                                                    let _e1174 = phi_3970_;
+                                                    let _e1176 = ((_e1113 + _e1167) + _e1174);
+                                                    if (_e1176 > _e1151) {
+                                                        if (_e1176 < _e1149) {
+                                                            if (_e1167 < 0.0lf) {
+                                                                phi_3986_ = -(_e1167);
                                                             } else {
-                                                                phi_3983_ = _e1168;
+                                                                phi_3986_ = _e1167;
                                                             }
-                                                            let _e1183 = phi_3983_;
-                                                            if (_e1183 < (_e1098 * (_e1150 - _e1152))) {
-                                                                phi_3990_ = false;
+                                                            let _e1182 = phi_3986_;
+                                                            if (_e1182 < (_e1097 * (_e1149 - _e1151))) {
+                                                                phi_3993_ = false;
                                                             } else {
-                                                                phi_3990_ = true;
+                                                                phi_3993_ = true;
                                                             }
-                                                            let _e1188 = phi_3990_;
-                                                            phi_3991_ = _e1188;
+                                                            let _e1187 = phi_3993_;
+                                                            phi_3994_ = _e1187;
                                                         } else {
-                                                            phi_3991_ = true;
+                                                            phi_3994_ = true;
                                                         }
-                                                        let _e1190 = phi_3991_;
-                                                        phi_3992_ = _e1190;
+                                                        let _e1189 = phi_3994_;
+                                                        phi_3995_ = _e1189;
                                                     } else {
-                                                        phi_3992_ = true;
+                                                        phi_3995_ = true;
                                                     }
-                                                    let _e1192 = phi_3992_;
-                                                    if _e1192 {
-                                                        phi_3998_ = (_e1098 * (_e1152 + _e1150));
+                                                    let _e1191 = phi_3995_;
+                                                    if _e1191 {
+                                                        phi_4001_ = (_e1097 * (_e1151 + _e1149));
                                                     } else {
-                                                        phi_3998_ = _e1177;
+                                                        phi_4001_ = _e1176;
                                                     }
-                                                    let _e1196 = phi_3998_;
-                                                    phi_3999_ = _e1196;
-                                                    phi_4000_ = false;
+                                                    let _e1195 = phi_4001_;
+                                                    phi_4002_ = _e1195;
+                                                    phi_4003_ = false;
                                                 } else {
-                                                    phi_3999_ = f64();
-                                                    phi_4000_ = true;
+                                                    phi_4002_ = f64();
+                                                    phi_4003_ = true;
                                                 }
-                                                let _e1198 = phi_3999_;
-                                                let _e1200 = phi_4000_;
-                                                phi_3885_ = _e1150;
-                                                phi_3887_ = _e1152;
-                                                phi_3889_ = _e1198;
-                                                phi_4001_ = _e1152;
-                                                phi_4002_ = _e1154;
-                                                phi_4003_ = _e1200;
+                                                let _e1197 = phi_4002_;
+                                                let _e1199 = phi_4003_;
+                                                phi_3888_ = _e1149;
+                                                phi_3890_ = _e1151;
+                                                phi_3892_ = _e1197;
+                                                phi_4004_ = _e1151;
+                                                phi_4005_ = _e1153;
+                                                phi_4006_ = _e1199;
                                             } else {
-                                                phi_3885_ = f64();
-                                                phi_3887_ = f64();
-                                                phi_3889_ = f64();
-                                                phi_4001_ = f64();
-                                                phi_4002_ = false;
-                                                phi_4003_ = false;
+                                                phi_3888_ = f64();
+                                                phi_3890_ = f64();
+                                                phi_3892_ = f64();
+                                                phi_4004_ = f64();
+                                                phi_4005_ = false;
+                                                phi_4006_ = false;
                                             }
-                                            let _e1202 = phi_3885_;
-                                            let _e1204 = phi_3887_;
-                                            let _e1206 = phi_3889_;
-                                            let _e1208 = phi_4001_;
-                                            let _e1210 = phi_4002_;
-                                            let _e1212 = phi_4003_;
-                                            local_14 = _e1212;
-                                            local_44 = _e1208;
+                                            let _e1201 = phi_3888_;
+                                            let _e1203 = phi_3890_;
+                                            let _e1205 = phi_3892_;
+                                            let _e1207 = phi_4004_;
+                                            let _e1209 = phi_4005_;
+                                            let _e1211 = phi_4006_;
+                                            local_14 = _e1211;
+                                            local_44 = _e1207;
                                             continue;
                                             continuing {
-                                                phi_3881_ = _e1126;
-                                                phi_3884_ = _e1202;
-                                                phi_3886_ = _e1204;
-                                                phi_3888_ = _e1206;
-                                                break if !(_e1210);
+                                                phi_3884_ = _e1125;
+                                                phi_3887_ = _e1201;
+                                                phi_3889_ = _e1203;
+                                                phi_3891_ = _e1205;
+                                                break if !(_e1209);
                                             }
                                         }
-                                        let _e1215 = local_14;
-                                        if _e1215 {
-                                            let _e4258 = local_44;
-                                            phi_4007_ = _e4258;
+                                        let _e1214 = local_14;
+                                        if _e1214 {
+                                            let _e4259 = local_44;
+                                            phi_4010_ = _e4259;
                                         } else {
-                                            let _e4260 = local_45;
-                                            phi_4007_ = _e4260;
+                                            let _e4261 = local_45;
+                                            phi_4010_ = _e4261;
                                         }
-                                        let _e1217 = phi_4007_;
-                                        phi_4008_ = _e1217;
+                                        let _e1216 = phi_4010_;
+                                        phi_4011_ = _e1216;
                                     } else {
-                                        phi_4008_ = _e1026;
+                                        phi_4011_ = _e1025;
                                     }
-                                    let _e1219 = phi_4008_;
-                                    if _e1065 {
-                                        phi_4016_ = type_19(0u, 64u);
-                                        phi_4019_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1218 = phi_4011_;
+                                    if _e1064 {
+                                        phi_4019_ = type_9(0u, 64u);
+                                        phi_4022_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1223 = phi_4016_;
-                                            let _e1225 = phi_4019_;
-                                            if (_e1223.member < _e1223.member_1) {
-                                                phi_4017_ = type_19((_e1223.member + 1u), _e1223.member_1);
-                                                phi_4042_ = type_19(1u, _e1223.member);
+                                            let _e1222 = phi_4019_;
+                                            let _e1224 = phi_4022_;
+                                            if (_e1222.member < _e1222.member_1) {
+                                                phi_4020_ = type_9((_e1222.member + 1u), _e1222.member_1);
+                                                phi_4045_ = type_9(1u, _e1222.member);
                                             } else {
-                                                phi_4017_ = _e1223;
-                                                phi_4042_ = type_19(0u, type_19().member_1);
+                                                phi_4020_ = _e1222;
+                                                phi_4045_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1237 = phi_4017_;
-                                            let _e1239 = phi_4042_;
-                                            if (bitcast<i32>(_e1239.member) != 0i) {
-                                                let _e1243 = (_e1219 + _e1225);
-                                                if (_e1243 < _e1029) {
-                                                    let _e1246 = (f64(1f) - _e1243);
-                                                    let _e1257 = ((((_e469 * _e1246) + (_e492 * _e1243)) * (_e1246 * _e1246)) + (((_e515 * _e1246) + (_e526 * _e1243)) * (_e1243 * _e1243)));
-                                                    let _e1259 = (f64(1f) - _e1219);
-                                                    let _e1270 = ((((_e469 * _e1259) + (_e492 * _e1219)) * (_e1259 * _e1259)) + (((_e515 * _e1259) + (_e526 * _e1219)) * (_e1219 * _e1219)));
-                                                    if (_e1257 < 0.0lf) {
-                                                        phi_4085_ = -(_e1257);
+                                            let _e1236 = phi_4020_;
+                                            let _e1238 = phi_4045_;
+                                            if (bitcast<i32>(_e1238.member) != 0i) {
+                                                let _e1242 = (_e1218 + _e1224);
+                                                if (_e1242 < _e1028) {
+                                                    let _e1245 = (f64(1f) - _e1242);
+                                                    let _e1256 = ((((_e468 * _e1245) + (_e491 * _e1242)) * (_e1245 * _e1245)) + (((_e514 * _e1245) + (_e525 * _e1242)) * (_e1242 * _e1242)));
+                                                    let _e1258 = (f64(1f) - _e1218);
+                                                    let _e1269 = ((((_e468 * _e1258) + (_e491 * _e1218)) * (_e1258 * _e1258)) + (((_e514 * _e1258) + (_e525 * _e1218)) * (_e1218 * _e1218)));
+                                                    if (_e1256 < 0.0lf) {
+                                                        phi_4088_ = -(_e1256);
                                                     } else {
-                                                        phi_4085_ = _e1257;
+                                                        phi_4088_ = _e1256;
                                                     }
-                                                    let _e1274 = phi_4085_;
-                                                    if (_e1274 > _e860) {
-                                                        if (_e1270 < 0.0lf) {
-                                                            phi_4095_ = -(_e1270);
+                                                    let _e1273 = phi_4088_;
+                                                    if (_e1273 > _e859) {
+                                                        if (_e1269 < 0.0lf) {
+                                                            phi_4098_ = -(_e1269);
                                                         } else {
-                                                            phi_4095_ = _e1270;
+                                                            phi_4098_ = _e1269;
                                                         }
-                                                        let _e1279 = phi_4095_;
-                                                        if (_e1279 > _e860) {
-                                                            phi_4105_ = ((_e1257 > f64(0f)) == (_e1270 > f64(0f)));
+                                                        let _e1278 = phi_4098_;
+                                                        if (_e1278 > _e859) {
+                                                            phi_4108_ = ((_e1256 > f64(0f)) == (_e1269 > f64(0f)));
                                                         } else {
-                                                            phi_4105_ = false;
+                                                            phi_4108_ = false;
                                                         }
-                                                        let _e1287 = phi_4105_;
-                                                        phi_4107_ = !(_e1287);
+                                                        let _e1286 = phi_4108_;
+                                                        phi_4110_ = !(_e1286);
                                                     } else {
-                                                        phi_4107_ = false;
+                                                        phi_4110_ = false;
                                                     }
-                                                    let _e1290 = phi_4107_;
-                                                    if _e1290 {
-                                                        phi_4112_ = f64();
-                                                        phi_4113_ = false;
+                                                    let _e1289 = phi_4110_;
+                                                    if _e1289 {
+                                                        phi_4115_ = f64();
+                                                        phi_4116_ = false;
                                                     } else {
-                                                        phi_4112_ = (_e1225 + _e1225);
-                                                        phi_4113_ = true;
+                                                        phi_4115_ = (_e1224 + _e1224);
+                                                        phi_4116_ = true;
                                                     }
-                                                    let _e1293 = phi_4112_;
-                                                    let _e1295 = phi_4113_;
-                                                    phi_4114_ = _e1293;
-                                                    phi_4115_ = _e1295;
-                                                    phi_4116_ = _e1290;
-                                                    phi_4117_ = false;
+                                                    let _e1292 = phi_4115_;
+                                                    let _e1294 = phi_4116_;
+                                                    phi_4117_ = _e1292;
+                                                    phi_4118_ = _e1294;
+                                                    phi_4119_ = _e1289;
+                                                    phi_4120_ = false;
                                                 } else {
-                                                    phi_4114_ = f64();
-                                                    phi_4115_ = false;
-                                                    phi_4116_ = false;
-                                                    phi_4117_ = true;
+                                                    phi_4117_ = f64();
+                                                    phi_4118_ = false;
+                                                    phi_4119_ = false;
+                                                    phi_4120_ = true;
                                                 }
-                                                let _e1297 = phi_4114_;
-                                                let _e1299 = phi_4115_;
-                                                let _e1301 = phi_4116_;
-                                                let _e1303 = phi_4117_;
-                                                phi_4118_ = _e1243;
-                                                phi_4020_ = _e1297;
-                                                phi_4119_ = _e1299;
-                                                phi_4120_ = _e1301;
-                                                phi_4121_ = _e1303;
+                                                let _e1296 = phi_4117_;
+                                                let _e1298 = phi_4118_;
+                                                let _e1300 = phi_4119_;
+                                                let _e1302 = phi_4120_;
+                                                phi_4121_ = _e1242;
+                                                phi_4023_ = _e1296;
+                                                phi_4122_ = _e1298;
+                                                phi_4123_ = _e1300;
+                                                phi_4124_ = _e1302;
+                                                phi_4125_ = false;
+                                            } else {
+                                                phi_4121_ = f64();
+                                                phi_4023_ = f64();
                                                 phi_4122_ = false;
-                                            } else {
-                                                phi_4118_ = f64();
-                                                phi_4020_ = f64();
-                                                phi_4119_ = false;
-                                                phi_4120_ = false;
-                                                phi_4121_ = false;
-                                                phi_4122_ = true;
+                                                phi_4123_ = false;
+                                                phi_4124_ = false;
+                                                phi_4125_ = true;
                                             }
-                                            let _e1305 = phi_4118_;
-                                            let _e1307 = phi_4020_;
-                                            let _e1309 = phi_4119_;
-                                            let _e1311 = phi_4120_;
-                                            let _e1313 = phi_4121_;
-                                            let _e1315 = phi_4122_;
-                                            local_15 = _e1311;
-                                            local_46 = _e1313;
-                                            local_47 = _e1315;
-                                            local_48 = _e1305;
+                                            let _e1304 = phi_4121_;
+                                            let _e1306 = phi_4023_;
+                                            let _e1308 = phi_4122_;
+                                            let _e1310 = phi_4123_;
+                                            let _e1312 = phi_4124_;
+                                            let _e1314 = phi_4125_;
+                                            local_15 = _e1310;
+                                            local_46 = _e1312;
+                                            local_47 = _e1314;
+                                            local_48 = _e1304;
                                             continue;
                                             continuing {
-                                                phi_4016_ = _e1237;
-                                                phi_4019_ = _e1307;
-                                                break if !(_e1309);
+                                                phi_4019_ = _e1236;
+                                                phi_4022_ = _e1306;
+                                                break if !(_e1308);
                                             }
                                         }
-                                        let _e1318 = local_15;
-                                        if _e1318 {
-                                            phi_4126_ = false;
-                                            phi_4127_ = false;
+                                        let _e1317 = local_15;
+                                        if _e1317 {
+                                            phi_4129_ = false;
+                                            phi_4130_ = false;
                                         } else {
-                                            let _e4285 = local_46;
-                                            phi_4126_ = _e4285;
-                                            let _e4288 = local_47;
-                                            phi_4127_ = _e4288;
+                                            let _e4286 = local_46;
+                                            phi_4129_ = _e4286;
+                                            let _e4289 = local_47;
+                                            phi_4130_ = _e4289;
                                         }
-                                        let _e1320 = phi_4126_;
-                                        let _e1322 = phi_4127_;
-                                        if _e1320 {
-                                            phi_4131_ = true;
+                                        let _e1319 = phi_4129_;
+                                        let _e1321 = phi_4130_;
+                                        if _e1319 {
+                                            phi_4134_ = true;
                                         } else {
-                                            phi_4131_ = _e1322;
+                                            phi_4134_ = _e1321;
                                         }
-                                        let _e1324 = phi_4131_;
-                                        if _e1324 {
-                                            phi_4135_ = _e1029;
+                                        let _e1323 = phi_4134_;
+                                        if _e1323 {
+                                            phi_4138_ = _e1028;
                                         } else {
-                                            let _e4292 = local_48;
-                                            phi_4135_ = _e4292;
+                                            let _e4293 = local_48;
+                                            phi_4138_ = _e4293;
                                         }
-                                        let _e1326 = phi_4135_;
-                                        phi_4136_ = _e1326;
+                                        let _e1325 = phi_4138_;
+                                        phi_4139_ = _e1325;
                                     } else {
-                                        phi_4136_ = _e1029;
+                                        phi_4139_ = _e1028;
                                     }
-                                    let _e1328 = phi_4136_;
-                                    phi_4138_ = type_41(_e1219, _e1328, _e1079);
+                                    let _e1327 = phi_4139_;
+                                    phi_4141_ = type_43(_e1218, _e1327, _e1078);
                                 } else {
-                                    phi_4138_ = _e1089;
+                                    phi_4141_ = _e1088;
                                 }
-                                let _e1331 = phi_4138_;
-                                if (_e1331.member > _e1331.member_1) {
-                                    phi_6283_ = f64();
-                                    phi_6284_ = true;
-                                    phi_6285_ = false;
-                                    phi_6286_ = false;
-                                    phi_6287_ = false;
+                                let _e1330 = phi_4141_;
+                                if (_e1330.member > _e1330.member_1) {
+                                    phi_6286_ = f64();
+                                    phi_6287_ = true;
+                                    phi_6288_ = false;
+                                    phi_6289_ = false;
+                                    phi_6290_ = false;
                                 } else {
-                                    let _e1339 = ((_e1331.member_1 - _e1331.member) * f64(0.5f));
-                                    let _e1340 = (_e1331.member + _e1339);
-                                    let _e1343 = (_e1339 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1345 = local_12.member_3;
-                                    let _e1348 = local_12.member[0u];
-                                    if (_e1348[0] < 0.0lf) {
-                                        phi_4169_ = -(_e1348[0]);
+                                    let _e1338 = ((_e1330.member_1 - _e1330.member) * f64(0.5f));
+                                    let _e1339 = (_e1330.member + _e1338);
+                                    let _e1342 = (_e1338 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1344 = local_12.member_3;
+                                    let _e1347 = local_12.member[0u];
+                                    if (_e1347[0] < 0.0lf) {
+                                        phi_4172_ = -(_e1347[0]);
                                     } else {
-                                        phi_4169_ = _e1348[0];
+                                        phi_4172_ = _e1347[0];
                                     }
-                                    let _e1355 = phi_4169_;
-                                    if (_e1348[1] < 0.0lf) {
-                                        phi_4176_ = -(_e1348[1]);
+                                    let _e1354 = phi_4172_;
+                                    if (_e1347[1] < 0.0lf) {
+                                        phi_4179_ = -(_e1347[1]);
                                     } else {
-                                        phi_4176_ = _e1348[1];
+                                        phi_4179_ = _e1347[1];
                                     }
-                                    let _e1359 = phi_4176_;
-                                    if (_e1355 > _e1359) {
-                                        phi_4181_ = _e1355;
+                                    let _e1358 = phi_4179_;
+                                    if (_e1354 > _e1358) {
+                                        phi_4184_ = _e1354;
                                     } else {
-                                        phi_4181_ = _e1359;
+                                        phi_4184_ = _e1358;
                                     }
-                                    let _e1362 = phi_4181_;
-                                    if (_e1348[2] < 0.0lf) {
-                                        phi_4188_ = -(_e1348[2]);
+                                    let _e1361 = phi_4184_;
+                                    if (_e1347[2] < 0.0lf) {
+                                        phi_4191_ = -(_e1347[2]);
                                     } else {
-                                        phi_4188_ = _e1348[2];
+                                        phi_4191_ = _e1347[2];
                                     }
-                                    let _e1366 = phi_4188_;
-                                    if (_e1362 > _e1366) {
-                                        phi_4193_ = _e1362;
+                                    let _e1365 = phi_4191_;
+                                    if (_e1361 > _e1365) {
+                                        phi_4196_ = _e1361;
                                     } else {
-                                        phi_4193_ = _e1366;
+                                        phi_4196_ = _e1365;
                                     }
-                                    let _e1369 = phi_4193_;
-                                    let _e1371 = local_12.member[1u];
-                                    if (_e1371[0] < 0.0lf) {
-                                        phi_4206_ = -(_e1371[0]);
+                                    let _e1368 = phi_4196_;
+                                    let _e1370 = local_12.member[1u];
+                                    if (_e1370[0] < 0.0lf) {
+                                        phi_4209_ = -(_e1370[0]);
                                     } else {
-                                        phi_4206_ = _e1371[0];
+                                        phi_4209_ = _e1370[0];
                                     }
-                                    let _e1378 = phi_4206_;
-                                    if (_e1371[1] < 0.0lf) {
-                                        phi_4213_ = -(_e1371[1]);
+                                    let _e1377 = phi_4209_;
+                                    if (_e1370[1] < 0.0lf) {
+                                        phi_4216_ = -(_e1370[1]);
                                     } else {
-                                        phi_4213_ = _e1371[1];
+                                        phi_4216_ = _e1370[1];
                                     }
-                                    let _e1382 = phi_4213_;
-                                    if (_e1378 > _e1382) {
-                                        phi_4218_ = _e1378;
+                                    let _e1381 = phi_4216_;
+                                    if (_e1377 > _e1381) {
+                                        phi_4221_ = _e1377;
                                     } else {
-                                        phi_4218_ = _e1382;
+                                        phi_4221_ = _e1381;
                                     }
-                                    let _e1385 = phi_4218_;
-                                    if (_e1371[2] < 0.0lf) {
-                                        phi_4225_ = -(_e1371[2]);
+                                    let _e1384 = phi_4221_;
+                                    if (_e1370[2] < 0.0lf) {
+                                        phi_4228_ = -(_e1370[2]);
                                     } else {
-                                        phi_4225_ = _e1371[2];
+                                        phi_4228_ = _e1370[2];
                                     }
-                                    let _e1389 = phi_4225_;
-                                    if (_e1385 > _e1389) {
-                                        phi_4230_ = _e1385;
+                                    let _e1388 = phi_4228_;
+                                    if (_e1384 > _e1388) {
+                                        phi_4233_ = _e1384;
                                     } else {
-                                        phi_4230_ = _e1389;
+                                        phi_4233_ = _e1388;
                                     }
-                                    let _e1392 = phi_4230_;
-                                    if (_e1369 > _e1392) {
-                                        phi_4235_ = _e1369;
+                                    let _e1391 = phi_4233_;
+                                    if (_e1368 > _e1391) {
+                                        phi_4238_ = _e1368;
                                     } else {
-                                        phi_4235_ = _e1392;
+                                        phi_4238_ = _e1391;
                                     }
-                                    let _e1395 = phi_4235_;
-                                    let _e1398 = local_12.member[0u];
-                                    let _e1403 = local_12.member[1u];
-                                    let _e1413 = (_e1398[0] + ((_e1403[0] - _e1398[0]) * _e1340));
-                                    let _e1414 = (_e1398[1] + ((_e1403[1] - _e1398[1]) * _e1340));
-                                    let _e1415 = (_e1398[2] + ((_e1403[2] - _e1398[2]) * _e1340));
-                                    let _e1417 = local_12.member[1u];
-                                    let _e1422 = local_12.member[0u];
-                                    let _e1426 = (_e1417[0] - _e1422[0]);
-                                    let _e1427 = (_e1417[1] - _e1422[1]);
-                                    let _e1428 = (_e1417[2] - _e1422[2]);
+                                    let _e1394 = phi_4238_;
+                                    let _e1397 = local_12.member[0u];
+                                    let _e1402 = local_12.member[1u];
+                                    let _e1412 = (_e1397[0] + ((_e1402[0] - _e1397[0]) * _e1339));
+                                    let _e1413 = (_e1397[1] + ((_e1402[1] - _e1397[1]) * _e1339));
+                                    let _e1414 = (_e1397[2] + ((_e1402[2] - _e1397[2]) * _e1339));
+                                    let _e1416 = local_12.member[1u];
+                                    let _e1421 = local_12.member[0u];
+                                    let _e1425 = (_e1416[0] - _e1421[0]);
+                                    let _e1426 = (_e1416[1] - _e1421[1]);
+                                    let _e1427 = (_e1416[2] - _e1421[2]);
+                                    if (_e1425 < 0.0lf) {
+                                        phi_4297_ = -(_e1425);
+                                    } else {
+                                        phi_4297_ = _e1425;
+                                    }
+                                    let _e1431 = phi_4297_;
                                     if (_e1426 < 0.0lf) {
-                                        phi_4294_ = -(_e1426);
+                                        phi_4303_ = -(_e1426);
                                     } else {
-                                        phi_4294_ = _e1426;
+                                        phi_4303_ = _e1426;
                                     }
-                                    let _e1432 = phi_4294_;
+                                    let _e1435 = phi_4303_;
+                                    if (_e1431 > _e1435) {
+                                        phi_4308_ = _e1431;
+                                    } else {
+                                        phi_4308_ = _e1435;
+                                    }
+                                    let _e1438 = phi_4308_;
                                     if (_e1427 < 0.0lf) {
-                                        phi_4300_ = -(_e1427);
+                                        phi_4314_ = -(_e1427);
                                     } else {
-                                        phi_4300_ = _e1427;
+                                        phi_4314_ = _e1427;
                                     }
-                                    let _e1436 = phi_4300_;
-                                    if (_e1432 > _e1436) {
-                                        phi_4305_ = _e1432;
+                                    let _e1442 = phi_4314_;
+                                    if (_e1438 > _e1442) {
+                                        phi_4319_ = _e1438;
                                     } else {
-                                        phi_4305_ = _e1436;
+                                        phi_4319_ = _e1442;
                                     }
-                                    let _e1439 = phi_4305_;
-                                    if (_e1428 < 0.0lf) {
-                                        phi_4311_ = -(_e1428);
+                                    let _e1445 = phi_4319_;
+                                    let _e1453 = ((((_e1342 * _e1445) * f64(1.01f)) + ((_e1394 + _e1344) * (1.1102230246251565e-16lf * f64(8f)))) + _e1344);
+                                    if (_e1412 < 0.0lf) {
+                                        phi_4333_ = -(_e1412);
                                     } else {
-                                        phi_4311_ = _e1428;
+                                        phi_4333_ = _e1412;
                                     }
-                                    let _e1443 = phi_4311_;
-                                    if (_e1439 > _e1443) {
-                                        phi_4316_ = _e1439;
-                                    } else {
-                                        phi_4316_ = _e1443;
-                                    }
-                                    let _e1446 = phi_4316_;
-                                    let _e1454 = ((((_e1343 * _e1446) * f64(1.01f)) + ((_e1395 + _e1345) * (1.1102230246251565e-16lf * f64(8f)))) + _e1345);
+                                    let _e1457 = phi_4333_;
                                     if (_e1413 < 0.0lf) {
-                                        phi_4330_ = -(_e1413);
+                                        phi_4339_ = -(_e1413);
                                     } else {
-                                        phi_4330_ = _e1413;
+                                        phi_4339_ = _e1413;
                                     }
-                                    let _e1458 = phi_4330_;
+                                    let _e1461 = phi_4339_;
+                                    if (_e1457 > _e1461) {
+                                        phi_4344_ = _e1457;
+                                    } else {
+                                        phi_4344_ = _e1461;
+                                    }
+                                    let _e1464 = phi_4344_;
                                     if (_e1414 < 0.0lf) {
-                                        phi_4336_ = -(_e1414);
+                                        phi_4350_ = -(_e1414);
                                     } else {
-                                        phi_4336_ = _e1414;
+                                        phi_4350_ = _e1414;
                                     }
-                                    let _e1462 = phi_4336_;
-                                    if (_e1458 > _e1462) {
-                                        phi_4341_ = _e1458;
+                                    let _e1468 = phi_4350_;
+                                    if (_e1464 > _e1468) {
+                                        phi_4355_ = _e1464;
                                     } else {
-                                        phi_4341_ = _e1462;
+                                        phi_4355_ = _e1468;
                                     }
-                                    let _e1465 = phi_4341_;
-                                    if (_e1415 < 0.0lf) {
-                                        phi_4347_ = -(_e1415);
+                                    let _e1471 = phi_4355_;
+                                    local_2 = type_34(array<f64, 3>(_e1412, _e1413, _e1414), _e1453, (_e1471 + _e1453));
+                                    let _e1477 = local_12.member_3;
+                                    let _e1479 = local_12.member_1[0u];
+                                    if (_e1479[0] < 0.0lf) {
+                                        phi_4381_ = -(_e1479[0]);
                                     } else {
-                                        phi_4347_ = _e1415;
+                                        phi_4381_ = _e1479[0];
                                     }
-                                    let _e1469 = phi_4347_;
-                                    if (_e1465 > _e1469) {
-                                        phi_4352_ = _e1465;
+                                    let _e1486 = phi_4381_;
+                                    if (_e1479[1] < 0.0lf) {
+                                        phi_4388_ = -(_e1479[1]);
                                     } else {
-                                        phi_4352_ = _e1469;
+                                        phi_4388_ = _e1479[1];
                                     }
-                                    let _e1472 = phi_4352_;
-                                    local_2 = type_32(array<f64, 3>(_e1413, _e1414, _e1415), _e1454, (_e1472 + _e1454));
-                                    let _e1478 = local_12.member_3;
-                                    let _e1480 = local_12.member_1[0u];
-                                    if (_e1480[0] < 0.0lf) {
-                                        phi_4378_ = -(_e1480[0]);
+                                    let _e1490 = phi_4388_;
+                                    if (_e1486 > _e1490) {
+                                        phi_4393_ = _e1486;
                                     } else {
-                                        phi_4378_ = _e1480[0];
+                                        phi_4393_ = _e1490;
                                     }
-                                    let _e1487 = phi_4378_;
-                                    if (_e1480[1] < 0.0lf) {
-                                        phi_4385_ = -(_e1480[1]);
+                                    let _e1493 = phi_4393_;
+                                    if (_e1479[2] < 0.0lf) {
+                                        phi_4400_ = -(_e1479[2]);
                                     } else {
-                                        phi_4385_ = _e1480[1];
+                                        phi_4400_ = _e1479[2];
                                     }
-                                    let _e1491 = phi_4385_;
-                                    if (_e1487 > _e1491) {
-                                        phi_4390_ = _e1487;
+                                    let _e1497 = phi_4400_;
+                                    if (_e1493 > _e1497) {
+                                        phi_4405_ = _e1493;
                                     } else {
-                                        phi_4390_ = _e1491;
+                                        phi_4405_ = _e1497;
                                     }
-                                    let _e1494 = phi_4390_;
-                                    if (_e1480[2] < 0.0lf) {
-                                        phi_4397_ = -(_e1480[2]);
+                                    let _e1500 = phi_4405_;
+                                    let _e1502 = local_12.member_1[1u];
+                                    if (_e1502[0] < 0.0lf) {
+                                        phi_4418_ = -(_e1502[0]);
                                     } else {
-                                        phi_4397_ = _e1480[2];
+                                        phi_4418_ = _e1502[0];
                                     }
-                                    let _e1498 = phi_4397_;
-                                    if (_e1494 > _e1498) {
-                                        phi_4402_ = _e1494;
+                                    let _e1509 = phi_4418_;
+                                    if (_e1502[1] < 0.0lf) {
+                                        phi_4425_ = -(_e1502[1]);
                                     } else {
-                                        phi_4402_ = _e1498;
+                                        phi_4425_ = _e1502[1];
                                     }
-                                    let _e1501 = phi_4402_;
-                                    let _e1503 = local_12.member_1[1u];
-                                    if (_e1503[0] < 0.0lf) {
-                                        phi_4415_ = -(_e1503[0]);
+                                    let _e1513 = phi_4425_;
+                                    if (_e1509 > _e1513) {
+                                        phi_4430_ = _e1509;
                                     } else {
-                                        phi_4415_ = _e1503[0];
+                                        phi_4430_ = _e1513;
                                     }
-                                    let _e1510 = phi_4415_;
-                                    if (_e1503[1] < 0.0lf) {
-                                        phi_4422_ = -(_e1503[1]);
+                                    let _e1516 = phi_4430_;
+                                    if (_e1502[2] < 0.0lf) {
+                                        phi_4437_ = -(_e1502[2]);
                                     } else {
-                                        phi_4422_ = _e1503[1];
+                                        phi_4437_ = _e1502[2];
                                     }
-                                    let _e1514 = phi_4422_;
-                                    if (_e1510 > _e1514) {
-                                        phi_4427_ = _e1510;
+                                    let _e1520 = phi_4437_;
+                                    if (_e1516 > _e1520) {
+                                        phi_4442_ = _e1516;
                                     } else {
-                                        phi_4427_ = _e1514;
+                                        phi_4442_ = _e1520;
                                     }
-                                    let _e1517 = phi_4427_;
-                                    if (_e1503[2] < 0.0lf) {
-                                        phi_4434_ = -(_e1503[2]);
+                                    let _e1523 = phi_4442_;
+                                    if (_e1500 > _e1523) {
+                                        phi_4447_ = _e1500;
                                     } else {
-                                        phi_4434_ = _e1503[2];
+                                        phi_4447_ = _e1523;
                                     }
-                                    let _e1521 = phi_4434_;
-                                    if (_e1517 > _e1521) {
-                                        phi_4439_ = _e1517;
+                                    let _e1526 = phi_4447_;
+                                    let _e1529 = local_12.member_1[0u];
+                                    let _e1534 = local_12.member_1[1u];
+                                    let _e1544 = (_e1529[0] + ((_e1534[0] - _e1529[0]) * _e1339));
+                                    let _e1545 = (_e1529[1] + ((_e1534[1] - _e1529[1]) * _e1339));
+                                    let _e1546 = (_e1529[2] + ((_e1534[2] - _e1529[2]) * _e1339));
+                                    let _e1548 = local_12.member_1[1u];
+                                    let _e1553 = local_12.member_1[0u];
+                                    let _e1557 = (_e1548[0] - _e1553[0]);
+                                    let _e1558 = (_e1548[1] - _e1553[1]);
+                                    let _e1559 = (_e1548[2] - _e1553[2]);
+                                    if (_e1557 < 0.0lf) {
+                                        phi_4506_ = -(_e1557);
                                     } else {
-                                        phi_4439_ = _e1521;
+                                        phi_4506_ = _e1557;
                                     }
-                                    let _e1524 = phi_4439_;
-                                    if (_e1501 > _e1524) {
-                                        phi_4444_ = _e1501;
-                                    } else {
-                                        phi_4444_ = _e1524;
-                                    }
-                                    let _e1527 = phi_4444_;
-                                    let _e1530 = local_12.member_1[0u];
-                                    let _e1535 = local_12.member_1[1u];
-                                    let _e1545 = (_e1530[0] + ((_e1535[0] - _e1530[0]) * _e1340));
-                                    let _e1546 = (_e1530[1] + ((_e1535[1] - _e1530[1]) * _e1340));
-                                    let _e1547 = (_e1530[2] + ((_e1535[2] - _e1530[2]) * _e1340));
-                                    let _e1549 = local_12.member_1[1u];
-                                    let _e1554 = local_12.member_1[0u];
-                                    let _e1558 = (_e1549[0] - _e1554[0]);
-                                    let _e1559 = (_e1549[1] - _e1554[1]);
-                                    let _e1560 = (_e1549[2] - _e1554[2]);
+                                    let _e1563 = phi_4506_;
                                     if (_e1558 < 0.0lf) {
-                                        phi_4503_ = -(_e1558);
+                                        phi_4512_ = -(_e1558);
                                     } else {
-                                        phi_4503_ = _e1558;
+                                        phi_4512_ = _e1558;
                                     }
-                                    let _e1564 = phi_4503_;
+                                    let _e1567 = phi_4512_;
+                                    if (_e1563 > _e1567) {
+                                        phi_4517_ = _e1563;
+                                    } else {
+                                        phi_4517_ = _e1567;
+                                    }
+                                    let _e1570 = phi_4517_;
                                     if (_e1559 < 0.0lf) {
-                                        phi_4509_ = -(_e1559);
+                                        phi_4523_ = -(_e1559);
                                     } else {
-                                        phi_4509_ = _e1559;
+                                        phi_4523_ = _e1559;
                                     }
-                                    let _e1568 = phi_4509_;
-                                    if (_e1564 > _e1568) {
-                                        phi_4514_ = _e1564;
+                                    let _e1574 = phi_4523_;
+                                    if (_e1570 > _e1574) {
+                                        phi_4528_ = _e1570;
                                     } else {
-                                        phi_4514_ = _e1568;
+                                        phi_4528_ = _e1574;
                                     }
-                                    let _e1571 = phi_4514_;
-                                    if (_e1560 < 0.0lf) {
-                                        phi_4520_ = -(_e1560);
+                                    let _e1577 = phi_4528_;
+                                    let _e1585 = ((((_e1342 * _e1577) * f64(1.01f)) + ((_e1526 + _e1477) * (1.1102230246251565e-16lf * f64(8f)))) + _e1477);
+                                    if (_e1544 < 0.0lf) {
+                                        phi_4542_ = -(_e1544);
                                     } else {
-                                        phi_4520_ = _e1560;
+                                        phi_4542_ = _e1544;
                                     }
-                                    let _e1575 = phi_4520_;
-                                    if (_e1571 > _e1575) {
-                                        phi_4525_ = _e1571;
-                                    } else {
-                                        phi_4525_ = _e1575;
-                                    }
-                                    let _e1578 = phi_4525_;
-                                    let _e1586 = ((((_e1343 * _e1578) * f64(1.01f)) + ((_e1527 + _e1478) * (1.1102230246251565e-16lf * f64(8f)))) + _e1478);
+                                    let _e1589 = phi_4542_;
                                     if (_e1545 < 0.0lf) {
-                                        phi_4539_ = -(_e1545);
+                                        phi_4548_ = -(_e1545);
                                     } else {
-                                        phi_4539_ = _e1545;
+                                        phi_4548_ = _e1545;
                                     }
-                                    let _e1590 = phi_4539_;
+                                    let _e1593 = phi_4548_;
+                                    if (_e1589 > _e1593) {
+                                        phi_4553_ = _e1589;
+                                    } else {
+                                        phi_4553_ = _e1593;
+                                    }
+                                    let _e1596 = phi_4553_;
                                     if (_e1546 < 0.0lf) {
-                                        phi_4545_ = -(_e1546);
+                                        phi_4559_ = -(_e1546);
                                     } else {
-                                        phi_4545_ = _e1546;
+                                        phi_4559_ = _e1546;
                                     }
-                                    let _e1594 = phi_4545_;
-                                    if (_e1590 > _e1594) {
-                                        phi_4550_ = _e1590;
+                                    let _e1600 = phi_4559_;
+                                    if (_e1596 > _e1600) {
+                                        phi_4564_ = _e1596;
                                     } else {
-                                        phi_4550_ = _e1594;
+                                        phi_4564_ = _e1600;
                                     }
-                                    let _e1597 = phi_4550_;
-                                    if (_e1547 < 0.0lf) {
-                                        phi_4556_ = -(_e1547);
+                                    let _e1603 = phi_4564_;
+                                    local_3 = type_34(array<f64, 3>(_e1544, _e1545, _e1546), _e1585, (_e1603 + _e1585));
+                                    let _e1609 = local_12.member_3;
+                                    let _e1611 = local_12.member_2[0u];
+                                    if (_e1611[0] < 0.0lf) {
+                                        phi_4590_ = -(_e1611[0]);
                                     } else {
-                                        phi_4556_ = _e1547;
+                                        phi_4590_ = _e1611[0];
                                     }
-                                    let _e1601 = phi_4556_;
-                                    if (_e1597 > _e1601) {
-                                        phi_4561_ = _e1597;
+                                    let _e1618 = phi_4590_;
+                                    if (_e1611[1] < 0.0lf) {
+                                        phi_4597_ = -(_e1611[1]);
                                     } else {
-                                        phi_4561_ = _e1601;
+                                        phi_4597_ = _e1611[1];
                                     }
-                                    let _e1604 = phi_4561_;
-                                    local_3 = type_32(array<f64, 3>(_e1545, _e1546, _e1547), _e1586, (_e1604 + _e1586));
-                                    let _e1610 = local_12.member_3;
-                                    let _e1612 = local_12.member_2[0u];
-                                    if (_e1612[0] < 0.0lf) {
-                                        phi_4587_ = -(_e1612[0]);
+                                    let _e1622 = phi_4597_;
+                                    if (_e1618 > _e1622) {
+                                        phi_4602_ = _e1618;
                                     } else {
-                                        phi_4587_ = _e1612[0];
+                                        phi_4602_ = _e1622;
                                     }
-                                    let _e1619 = phi_4587_;
-                                    if (_e1612[1] < 0.0lf) {
-                                        phi_4594_ = -(_e1612[1]);
+                                    let _e1625 = phi_4602_;
+                                    if (_e1611[2] < 0.0lf) {
+                                        phi_4609_ = -(_e1611[2]);
                                     } else {
-                                        phi_4594_ = _e1612[1];
+                                        phi_4609_ = _e1611[2];
                                     }
-                                    let _e1623 = phi_4594_;
-                                    if (_e1619 > _e1623) {
-                                        phi_4599_ = _e1619;
+                                    let _e1629 = phi_4609_;
+                                    if (_e1625 > _e1629) {
+                                        phi_4614_ = _e1625;
                                     } else {
-                                        phi_4599_ = _e1623;
+                                        phi_4614_ = _e1629;
                                     }
-                                    let _e1626 = phi_4599_;
-                                    if (_e1612[2] < 0.0lf) {
-                                        phi_4606_ = -(_e1612[2]);
+                                    let _e1632 = phi_4614_;
+                                    let _e1634 = local_12.member_2[1u];
+                                    if (_e1634[0] < 0.0lf) {
+                                        phi_4627_ = -(_e1634[0]);
                                     } else {
-                                        phi_4606_ = _e1612[2];
+                                        phi_4627_ = _e1634[0];
                                     }
-                                    let _e1630 = phi_4606_;
-                                    if (_e1626 > _e1630) {
-                                        phi_4611_ = _e1626;
+                                    let _e1641 = phi_4627_;
+                                    if (_e1634[1] < 0.0lf) {
+                                        phi_4634_ = -(_e1634[1]);
                                     } else {
-                                        phi_4611_ = _e1630;
+                                        phi_4634_ = _e1634[1];
                                     }
-                                    let _e1633 = phi_4611_;
-                                    let _e1635 = local_12.member_2[1u];
-                                    if (_e1635[0] < 0.0lf) {
-                                        phi_4624_ = -(_e1635[0]);
+                                    let _e1645 = phi_4634_;
+                                    if (_e1641 > _e1645) {
+                                        phi_4639_ = _e1641;
                                     } else {
-                                        phi_4624_ = _e1635[0];
+                                        phi_4639_ = _e1645;
                                     }
-                                    let _e1642 = phi_4624_;
-                                    if (_e1635[1] < 0.0lf) {
-                                        phi_4631_ = -(_e1635[1]);
+                                    let _e1648 = phi_4639_;
+                                    if (_e1634[2] < 0.0lf) {
+                                        phi_4646_ = -(_e1634[2]);
                                     } else {
-                                        phi_4631_ = _e1635[1];
+                                        phi_4646_ = _e1634[2];
                                     }
-                                    let _e1646 = phi_4631_;
-                                    if (_e1642 > _e1646) {
-                                        phi_4636_ = _e1642;
+                                    let _e1652 = phi_4646_;
+                                    if (_e1648 > _e1652) {
+                                        phi_4651_ = _e1648;
                                     } else {
-                                        phi_4636_ = _e1646;
+                                        phi_4651_ = _e1652;
                                     }
-                                    let _e1649 = phi_4636_;
-                                    if (_e1635[2] < 0.0lf) {
-                                        phi_4643_ = -(_e1635[2]);
+                                    let _e1655 = phi_4651_;
+                                    if (_e1632 > _e1655) {
+                                        phi_4656_ = _e1632;
                                     } else {
-                                        phi_4643_ = _e1635[2];
+                                        phi_4656_ = _e1655;
                                     }
-                                    let _e1653 = phi_4643_;
-                                    if (_e1649 > _e1653) {
-                                        phi_4648_ = _e1649;
+                                    let _e1658 = phi_4656_;
+                                    let _e1661 = local_12.member_2[0u];
+                                    let _e1666 = local_12.member_2[1u];
+                                    let _e1676 = (_e1661[0] + ((_e1666[0] - _e1661[0]) * _e1339));
+                                    let _e1677 = (_e1661[1] + ((_e1666[1] - _e1661[1]) * _e1339));
+                                    let _e1678 = (_e1661[2] + ((_e1666[2] - _e1661[2]) * _e1339));
+                                    let _e1680 = local_12.member_2[1u];
+                                    let _e1685 = local_12.member_2[0u];
+                                    let _e1689 = (_e1680[0] - _e1685[0]);
+                                    let _e1690 = (_e1680[1] - _e1685[1]);
+                                    let _e1691 = (_e1680[2] - _e1685[2]);
+                                    if (_e1689 < 0.0lf) {
+                                        phi_4715_ = -(_e1689);
                                     } else {
-                                        phi_4648_ = _e1653;
+                                        phi_4715_ = _e1689;
                                     }
-                                    let _e1656 = phi_4648_;
-                                    if (_e1633 > _e1656) {
-                                        phi_4653_ = _e1633;
-                                    } else {
-                                        phi_4653_ = _e1656;
-                                    }
-                                    let _e1659 = phi_4653_;
-                                    let _e1662 = local_12.member_2[0u];
-                                    let _e1667 = local_12.member_2[1u];
-                                    let _e1677 = (_e1662[0] + ((_e1667[0] - _e1662[0]) * _e1340));
-                                    let _e1678 = (_e1662[1] + ((_e1667[1] - _e1662[1]) * _e1340));
-                                    let _e1679 = (_e1662[2] + ((_e1667[2] - _e1662[2]) * _e1340));
-                                    let _e1681 = local_12.member_2[1u];
-                                    let _e1686 = local_12.member_2[0u];
-                                    let _e1690 = (_e1681[0] - _e1686[0]);
-                                    let _e1691 = (_e1681[1] - _e1686[1]);
-                                    let _e1692 = (_e1681[2] - _e1686[2]);
+                                    let _e1695 = phi_4715_;
                                     if (_e1690 < 0.0lf) {
-                                        phi_4712_ = -(_e1690);
+                                        phi_4721_ = -(_e1690);
                                     } else {
-                                        phi_4712_ = _e1690;
+                                        phi_4721_ = _e1690;
                                     }
-                                    let _e1696 = phi_4712_;
+                                    let _e1699 = phi_4721_;
+                                    if (_e1695 > _e1699) {
+                                        phi_4726_ = _e1695;
+                                    } else {
+                                        phi_4726_ = _e1699;
+                                    }
+                                    let _e1702 = phi_4726_;
                                     if (_e1691 < 0.0lf) {
-                                        phi_4718_ = -(_e1691);
+                                        phi_4732_ = -(_e1691);
                                     } else {
-                                        phi_4718_ = _e1691;
+                                        phi_4732_ = _e1691;
                                     }
-                                    let _e1700 = phi_4718_;
-                                    if (_e1696 > _e1700) {
-                                        phi_4723_ = _e1696;
+                                    let _e1706 = phi_4732_;
+                                    if (_e1702 > _e1706) {
+                                        phi_4737_ = _e1702;
                                     } else {
-                                        phi_4723_ = _e1700;
+                                        phi_4737_ = _e1706;
                                     }
-                                    let _e1703 = phi_4723_;
-                                    if (_e1692 < 0.0lf) {
-                                        phi_4729_ = -(_e1692);
+                                    let _e1709 = phi_4737_;
+                                    let _e1717 = ((((_e1342 * _e1709) * f64(1.01f)) + ((_e1658 + _e1609) * (1.1102230246251565e-16lf * f64(8f)))) + _e1609);
+                                    if (_e1676 < 0.0lf) {
+                                        phi_4751_ = -(_e1676);
                                     } else {
-                                        phi_4729_ = _e1692;
+                                        phi_4751_ = _e1676;
                                     }
-                                    let _e1707 = phi_4729_;
-                                    if (_e1703 > _e1707) {
-                                        phi_4734_ = _e1703;
-                                    } else {
-                                        phi_4734_ = _e1707;
-                                    }
-                                    let _e1710 = phi_4734_;
-                                    let _e1718 = ((((_e1343 * _e1710) * f64(1.01f)) + ((_e1659 + _e1610) * (1.1102230246251565e-16lf * f64(8f)))) + _e1610);
+                                    let _e1721 = phi_4751_;
                                     if (_e1677 < 0.0lf) {
-                                        phi_4748_ = -(_e1677);
+                                        phi_4757_ = -(_e1677);
                                     } else {
-                                        phi_4748_ = _e1677;
+                                        phi_4757_ = _e1677;
                                     }
-                                    let _e1722 = phi_4748_;
+                                    let _e1725 = phi_4757_;
+                                    if (_e1721 > _e1725) {
+                                        phi_4762_ = _e1721;
+                                    } else {
+                                        phi_4762_ = _e1725;
+                                    }
+                                    let _e1728 = phi_4762_;
                                     if (_e1678 < 0.0lf) {
-                                        phi_4754_ = -(_e1678);
+                                        phi_4768_ = -(_e1678);
                                     } else {
-                                        phi_4754_ = _e1678;
+                                        phi_4768_ = _e1678;
                                     }
-                                    let _e1726 = phi_4754_;
-                                    if (_e1722 > _e1726) {
-                                        phi_4759_ = _e1722;
+                                    let _e1732 = phi_4768_;
+                                    if (_e1728 > _e1732) {
+                                        phi_4773_ = _e1728;
                                     } else {
-                                        phi_4759_ = _e1726;
+                                        phi_4773_ = _e1732;
                                     }
-                                    let _e1729 = phi_4759_;
-                                    if (_e1679 < 0.0lf) {
-                                        phi_4765_ = -(_e1679);
+                                    let _e1735 = phi_4773_;
+                                    local_4 = type_34(array<f64, 3>(_e1676, _e1677, _e1678), _e1717, (_e1735 + _e1717));
+                                    let _e1740 = local_3.member;
+                                    let _e1745 = local_4.member;
+                                    let _e1751 = ((_e1740[1] * _e1745[2]) - (_e1740[2] * _e1745[1]));
+                                    let _e1754 = ((_e1740[2] * _e1745[0]) - (_e1740[0] * _e1745[2]));
+                                    let _e1757 = ((_e1740[0] * _e1745[1]) - (_e1740[1] * _e1745[0]));
+                                    if (_e1751 < 0.0lf) {
+                                        phi_4822_ = -(_e1751);
                                     } else {
-                                        phi_4765_ = _e1679;
+                                        phi_4822_ = _e1751;
                                     }
-                                    let _e1733 = phi_4765_;
-                                    if (_e1729 > _e1733) {
-                                        phi_4770_ = _e1729;
+                                    let _e1761 = phi_4822_;
+                                    if (_e1754 < 0.0lf) {
+                                        phi_4828_ = -(_e1754);
                                     } else {
-                                        phi_4770_ = _e1733;
+                                        phi_4828_ = _e1754;
                                     }
-                                    let _e1736 = phi_4770_;
-                                    local_4 = type_32(array<f64, 3>(_e1677, _e1678, _e1679), _e1718, (_e1736 + _e1718));
-                                    let _e1741 = local_3.member;
-                                    let _e1746 = local_4.member;
-                                    let _e1752 = ((_e1741[1] * _e1746[2]) - (_e1741[2] * _e1746[1]));
-                                    let _e1755 = ((_e1741[2] * _e1746[0]) - (_e1741[0] * _e1746[2]));
-                                    let _e1758 = ((_e1741[0] * _e1746[1]) - (_e1741[1] * _e1746[0]));
-                                    if (_e1752 < 0.0lf) {
-                                        phi_4819_ = -(_e1752);
-                                    } else {
-                                        phi_4819_ = _e1752;
-                                    }
-                                    let _e1762 = phi_4819_;
-                                    if (_e1755 < 0.0lf) {
-                                        phi_4825_ = -(_e1755);
-                                    } else {
-                                        phi_4825_ = _e1755;
-                                    }
-                                    let _e1766 = phi_4825_;
-                                    if (_e1762 > _e1766) {
-                                        if (_e1752 < 0.0lf) {
-                                            phi_4835_ = -(_e1752);
+                                    let _e1765 = phi_4828_;
+                                    if (_e1761 > _e1765) {
+                                        if (_e1751 < 0.0lf) {
+                                            phi_4838_ = -(_e1751);
                                         } else {
-                                            phi_4835_ = _e1752;
+                                            phi_4838_ = _e1751;
                                         }
-                                        let _e1784 = phi_4835_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4841_ = -(_e1758);
+                                        let _e1783 = phi_4838_;
+                                        if (_e1757 < 0.0lf) {
+                                            phi_4844_ = -(_e1757);
                                         } else {
-                                            phi_4841_ = _e1758;
+                                            phi_4844_ = _e1757;
                                         }
-                                        let _e1788 = phi_4841_;
-                                        if (_e1784 > _e1788) {
-                                            phi_4846_ = 2u;
-                                            phi_4847_ = 1u;
+                                        let _e1787 = phi_4844_;
+                                        if (_e1783 > _e1787) {
+                                            phi_4849_ = 2u;
+                                            phi_4850_ = 1u;
                                         } else {
-                                            phi_4846_ = 1u;
-                                            phi_4847_ = 0u;
+                                            phi_4849_ = 1u;
+                                            phi_4850_ = 0u;
                                         }
-                                        let _e1791 = phi_4846_;
-                                        let _e1793 = phi_4847_;
-                                        phi_4866_ = _e1791;
-                                        phi_4867_ = _e1793;
+                                        let _e1790 = phi_4849_;
+                                        let _e1792 = phi_4850_;
+                                        phi_4869_ = _e1790;
+                                        phi_4870_ = _e1792;
                                     } else {
-                                        if (_e1755 < 0.0lf) {
-                                            phi_4853_ = -(_e1755);
+                                        if (_e1754 < 0.0lf) {
+                                            phi_4856_ = -(_e1754);
                                         } else {
-                                            phi_4853_ = _e1755;
+                                            phi_4856_ = _e1754;
                                         }
-                                        let _e1771 = phi_4853_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4859_ = -(_e1758);
+                                        let _e1770 = phi_4856_;
+                                        if (_e1757 < 0.0lf) {
+                                            phi_4862_ = -(_e1757);
                                         } else {
-                                            phi_4859_ = _e1758;
+                                            phi_4862_ = _e1757;
                                         }
-                                        let _e1775 = phi_4859_;
-                                        if (_e1771 > _e1775) {
-                                            phi_4864_ = 0u;
-                                            phi_4865_ = 2u;
+                                        let _e1774 = phi_4862_;
+                                        if (_e1770 > _e1774) {
+                                            phi_4867_ = 0u;
+                                            phi_4868_ = 2u;
                                         } else {
-                                            phi_4864_ = 1u;
-                                            phi_4865_ = 0u;
+                                            phi_4867_ = 1u;
+                                            phi_4868_ = 0u;
                                         }
-                                        let _e1778 = phi_4864_;
-                                        let _e1780 = phi_4865_;
-                                        phi_4866_ = _e1778;
-                                        phi_4867_ = _e1780;
+                                        let _e1777 = phi_4867_;
+                                        let _e1779 = phi_4868_;
+                                        phi_4869_ = _e1777;
+                                        phi_4870_ = _e1779;
                                     }
-                                    let _e1795 = phi_4866_;
-                                    let _e1797 = phi_4867_;
-                                    let _e1800 = local_3.member[_e1797];
-                                    let _e1803 = local_4.member[_e1795];
-                                    let _e1807 = local_3.member[_e1795];
-                                    let _e1810 = local_4.member[_e1797];
-                                    let _e1812 = ((_e1800 * _e1803) - (_e1807 * _e1810));
-                                    let _e1813 = f64(1f);
-                                    let _e1815 = local_3.member_1;
-                                    let _e1817 = local_4.member_2;
-                                    let _e1820 = local_3.member_2;
-                                    let _e1822 = local_4.member_1;
-                                    let _e1828 = local_3.member_2;
-                                    let _e1830 = local_4.member_2;
-                                    let _e1839 = local_3.member_2;
-                                    let _e1842 = local_4.member_2;
-                                    let _e1846 = (((((_e1815 * _e1817) + (_e1820 * _e1822)) * f64(2.01f)) + ((_e1828 * _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1813 + _e1839) * (_e1813 + _e1842))));
-                                    if (_e1812 < 0.0lf) {
-                                        phi_4938_ = -(_e1812);
+                                    let _e1794 = phi_4869_;
+                                    let _e1796 = phi_4870_;
+                                    let _e1799 = local_3.member[_e1796];
+                                    let _e1802 = local_4.member[_e1794];
+                                    let _e1806 = local_3.member[_e1794];
+                                    let _e1809 = local_4.member[_e1796];
+                                    let _e1811 = ((_e1799 * _e1802) - (_e1806 * _e1809));
+                                    let _e1812 = f64(1f);
+                                    let _e1814 = local_3.member_1;
+                                    let _e1816 = local_4.member_2;
+                                    let _e1819 = local_3.member_2;
+                                    let _e1821 = local_4.member_1;
+                                    let _e1827 = local_3.member_2;
+                                    let _e1829 = local_4.member_2;
+                                    let _e1838 = local_3.member_2;
+                                    let _e1841 = local_4.member_2;
+                                    let _e1845 = (((((_e1814 * _e1816) + (_e1819 * _e1821)) * f64(2.01f)) + ((_e1827 * _e1829) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1812 + _e1838) * (_e1812 + _e1841))));
+                                    if (_e1811 < 0.0lf) {
+                                        phi_4941_ = -(_e1811);
                                     } else {
-                                        phi_4938_ = _e1812;
+                                        phi_4941_ = _e1811;
                                     }
-                                    let _e1850 = phi_4938_;
-                                    if (_e1850 > _e1846) {
-                                        if (_e1812 < f64(0f)) {
-                                            phi_4950_ = f64(-1f);
+                                    let _e1849 = phi_4941_;
+                                    if (_e1849 > _e1845) {
+                                        if (_e1811 < f64(0f)) {
+                                            phi_4953_ = f64(-1f);
                                         } else {
-                                            phi_4950_ = f64(1f);
+                                            phi_4953_ = f64(1f);
                                         }
-                                        let _e1857 = phi_4950_;
-                                        let _e1860 = local_2.member[_e1797];
-                                        let _e1863 = local_4.member[_e1795];
-                                        let _e1867 = local_2.member[_e1795];
-                                        let _e1870 = local_4.member[_e1797];
-                                        let _e1873 = f64(1f);
-                                        let _e1875 = local_2.member_1;
-                                        let _e1877 = local_4.member_2;
-                                        let _e1880 = local_2.member_2;
-                                        let _e1882 = local_4.member_1;
-                                        let _e1888 = local_2.member_2;
-                                        let _e1890 = local_4.member_2;
-                                        let _e1899 = local_2.member_2;
-                                        let _e1902 = local_4.member_2;
-                                        let _e1906 = (((((_e1875 * _e1877) + (_e1880 * _e1882)) * f64(2.01f)) + ((_e1888 * _e1890) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1873 + _e1899) * (_e1873 + _e1902))));
-                                        let _e1909 = local_3.member[_e1797];
-                                        let _e1912 = local_2.member[_e1795];
-                                        let _e1916 = local_3.member[_e1795];
-                                        let _e1919 = local_2.member[_e1797];
-                                        let _e1922 = f64(1f);
-                                        let _e1924 = local_3.member_1;
-                                        let _e1926 = local_2.member_2;
-                                        let _e1929 = local_3.member_2;
-                                        let _e1931 = local_2.member_1;
-                                        let _e1937 = local_3.member_2;
-                                        let _e1939 = local_2.member_2;
-                                        let _e1948 = local_3.member_2;
-                                        let _e1951 = local_2.member_2;
-                                        let _e1955 = (((((_e1924 * _e1926) + (_e1929 * _e1931)) * f64(2.01f)) + ((_e1937 * _e1939) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1922 + _e1948) * (_e1922 + _e1951))));
-                                        let _e1956 = (_e1812 * _e1857);
-                                        let _e1957 = (((_e1860 * _e1863) - (_e1867 * _e1870)) * _e1857);
-                                        let _e1958 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1857);
+                                        let _e1856 = phi_4953_;
+                                        let _e1859 = local_2.member[_e1796];
+                                        let _e1862 = local_4.member[_e1794];
+                                        let _e1866 = local_2.member[_e1794];
+                                        let _e1869 = local_4.member[_e1796];
+                                        let _e1872 = f64(1f);
+                                        let _e1874 = local_2.member_1;
+                                        let _e1876 = local_4.member_2;
+                                        let _e1879 = local_2.member_2;
+                                        let _e1881 = local_4.member_1;
+                                        let _e1887 = local_2.member_2;
+                                        let _e1889 = local_4.member_2;
+                                        let _e1898 = local_2.member_2;
+                                        let _e1901 = local_4.member_2;
+                                        let _e1905 = (((((_e1874 * _e1876) + (_e1879 * _e1881)) * f64(2.01f)) + ((_e1887 * _e1889) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1872 + _e1898) * (_e1872 + _e1901))));
+                                        let _e1908 = local_3.member[_e1796];
+                                        let _e1911 = local_2.member[_e1794];
+                                        let _e1915 = local_3.member[_e1794];
+                                        let _e1918 = local_2.member[_e1796];
+                                        let _e1921 = f64(1f);
+                                        let _e1923 = local_3.member_1;
+                                        let _e1925 = local_2.member_2;
+                                        let _e1928 = local_3.member_2;
+                                        let _e1930 = local_2.member_1;
+                                        let _e1936 = local_3.member_2;
+                                        let _e1938 = local_2.member_2;
+                                        let _e1947 = local_3.member_2;
+                                        let _e1950 = local_2.member_2;
+                                        let _e1954 = (((((_e1923 * _e1925) + (_e1928 * _e1930)) * f64(2.01f)) + ((_e1936 * _e1938) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1921 + _e1947) * (_e1921 + _e1950))));
+                                        let _e1955 = (_e1811 * _e1856);
+                                        let _e1956 = (((_e1859 * _e1862) - (_e1866 * _e1869)) * _e1856);
+                                        let _e1957 = (((_e1908 * _e1911) - (_e1915 * _e1918)) * _e1856);
+                                        if (_e1955 < 0.0lf) {
+                                            phi_5092_ = -(_e1955);
+                                        } else {
+                                            phi_5092_ = _e1955;
+                                        }
+                                        let _e1961 = phi_5092_;
                                         if (_e1956 < 0.0lf) {
-                                            phi_5089_ = -(_e1956);
+                                            phi_5098_ = -(_e1956);
                                         } else {
-                                            phi_5089_ = _e1956;
+                                            phi_5098_ = _e1956;
                                         }
-                                        let _e1962 = phi_5089_;
+                                        let _e1965 = phi_5098_;
                                         if (_e1957 < 0.0lf) {
-                                            phi_5095_ = -(_e1957);
+                                            phi_5105_ = -(_e1957);
                                         } else {
-                                            phi_5095_ = _e1957;
+                                            phi_5105_ = _e1957;
                                         }
-                                        let _e1966 = phi_5095_;
-                                        if (_e1958 < 0.0lf) {
-                                            phi_5102_ = -(_e1958);
-                                        } else {
-                                            phi_5102_ = _e1958;
-                                        }
-                                        let _e1971 = phi_5102_;
-                                        let _e1977 = ((_e1956 - _e1957) - _e1958);
-                                        let _e1980 = (((_e1846 + _e1906) + _e1955) + (((_e1962 + _e1966) + _e1971) * (1.1102230246251565e-16lf * f64(4f))));
-                                        local_5[0u].member = _e1957;
-                                        local_5[0u].member_1 = _e1906;
-                                        local_5[1u].member = _e1958;
-                                        local_5[1u].member_1 = _e1955;
-                                        local_5[2u].member = _e1977;
-                                        local_5[2u].member_1 = _e1980;
-                                        local_5[3u].member = _e1977;
-                                        local_5[3u].member_1 = _e1980;
-                                        phi_5146_ = type_19(0u, 4u);
-                                        phi_5149_ = true;
+                                        let _e1970 = phi_5105_;
+                                        let _e1976 = ((_e1955 - _e1956) - _e1957);
+                                        let _e1979 = (((_e1845 + _e1905) + _e1954) + (((_e1961 + _e1965) + _e1970) * (1.1102230246251565e-16lf * f64(4f))));
+                                        local_5[0u].member = _e1956;
+                                        local_5[0u].member_1 = _e1905;
+                                        local_5[1u].member = _e1957;
+                                        local_5[1u].member_1 = _e1954;
+                                        local_5[2u].member = _e1976;
+                                        local_5[2u].member_1 = _e1979;
+                                        local_5[3u].member = _e1976;
+                                        local_5[3u].member_1 = _e1979;
+                                        phi_5149_ = type_9(0u, 4u);
+                                        phi_5152_ = true;
                                         loop {
-                                            let _e1995 = phi_5146_;
-                                            let _e1997 = phi_5149_;
-                                            local_17 = _e1997;
-                                            if (_e1995.member < _e1995.member_1) {
-                                                phi_5147_ = type_19((_e1995.member + 1u), _e1995.member_1);
-                                                phi_5172_ = type_19(1u, _e1995.member);
+                                            let _e1994 = phi_5149_;
+                                            let _e1996 = phi_5152_;
+                                            local_17 = _e1996;
+                                            if (_e1994.member < _e1994.member_1) {
+                                                phi_5150_ = type_9((_e1994.member + 1u), _e1994.member_1);
+                                                phi_5175_ = type_9(1u, _e1994.member);
                                             } else {
-                                                phi_5147_ = _e1995;
-                                                phi_5172_ = type_19(0u, type_19().member_1);
+                                                phi_5150_ = _e1994;
+                                                phi_5175_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2009 = phi_5147_;
-                                            let _e2011 = phi_5172_;
-                                            if (bitcast<i32>(_e2011.member) != 0i) {
-                                                let _e2018 = local_5[_e2011.member_1].member;
-                                                let _e2021 = local_5[_e2011.member_1].member_1;
-                                                let _e2023 = (_e2018 < -(_e2021));
-                                                if _e2023 {
-                                                    phi_5199_ = bool();
-                                                    phi_5200_ = false;
+                                            let _e2008 = phi_5150_;
+                                            let _e2010 = phi_5175_;
+                                            if (bitcast<i32>(_e2010.member) != 0i) {
+                                                let _e2017 = local_5[_e2010.member_1].member;
+                                                let _e2020 = local_5[_e2010.member_1].member_1;
+                                                let _e2022 = (_e2017 < -(_e2020));
+                                                if _e2022 {
+                                                    phi_5202_ = bool();
+                                                    phi_5203_ = false;
                                                 } else {
-                                                    phi_5199_ = (_e1997 && (_e2018 > _e2021));
-                                                    phi_5200_ = true;
+                                                    phi_5202_ = (_e1996 && (_e2017 > _e2020));
+                                                    phi_5203_ = true;
                                                 }
-                                                let _e2027 = phi_5199_;
-                                                let _e2029 = phi_5200_;
-                                                phi_5150_ = _e2027;
-                                                phi_5201_ = _e2029;
-                                                phi_5202_ = _e2023;
+                                                let _e2026 = phi_5202_;
+                                                let _e2028 = phi_5203_;
+                                                phi_5153_ = _e2026;
+                                                phi_5204_ = _e2028;
+                                                phi_5205_ = _e2022;
                                             } else {
-                                                phi_5150_ = bool();
-                                                phi_5201_ = false;
-                                                phi_5202_ = false;
+                                                phi_5153_ = bool();
+                                                phi_5204_ = false;
+                                                phi_5205_ = false;
                                             }
-                                            let _e2031 = phi_5150_;
-                                            let _e2033 = phi_5201_;
-                                            let _e2035 = phi_5202_;
-                                            local_16 = _e2035;
+                                            let _e2030 = phi_5153_;
+                                            let _e2032 = phi_5204_;
+                                            let _e2034 = phi_5205_;
+                                            local_16 = _e2034;
                                             continue;
                                             continuing {
-                                                phi_5146_ = _e2009;
-                                                phi_5149_ = _e2031;
-                                                break if !(_e2033);
+                                                phi_5149_ = _e2008;
+                                                phi_5152_ = _e2030;
+                                                break if !(_e2032);
                                             }
                                         }
-                                        let _e2038 = local_16;
-                                        if _e2038 {
-                                            phi_5206_ = false;
+                                        let _e2037 = local_16;
+                                        if _e2037 {
+                                            phi_5209_ = false;
                                         } else {
-                                            phi_5206_ = true;
+                                            phi_5209_ = true;
                                         }
-                                        let _e2040 = phi_5206_;
-                                        if _e2040 {
-                                            let _e2042 = local_17;
-                                            if _e2042 {
-                                                phi_5213_ = 1u;
+                                        let _e2039 = phi_5209_;
+                                        if _e2039 {
+                                            let _e2041 = local_17;
+                                            if _e2041 {
+                                                phi_5216_ = 1u;
                                             } else {
-                                                phi_5213_ = 2u;
+                                                phi_5216_ = 2u;
                                             }
-                                            let _e2044 = phi_5213_;
-                                            phi_5214_ = _e2044;
-                                            phi_5215_ = false;
+                                            let _e2043 = phi_5216_;
+                                            phi_5217_ = _e2043;
+                                            phi_5218_ = false;
                                         } else {
-                                            phi_5214_ = u32();
-                                            phi_5215_ = true;
+                                            phi_5217_ = u32();
+                                            phi_5218_ = true;
                                         }
-                                        let _e2046 = phi_5214_;
-                                        let _e2048 = phi_5215_;
-                                        phi_5216_ = _e2046;
-                                        phi_5217_ = 0u;
-                                        phi_5218_ = _e2048;
+                                        let _e2045 = phi_5217_;
+                                        let _e2047 = phi_5218_;
+                                        phi_5219_ = _e2045;
+                                        phi_5220_ = 0u;
+                                        phi_5221_ = _e2047;
                                     } else {
-                                        phi_5216_ = u32();
-                                        phi_5217_ = 2u;
-                                        phi_5218_ = true;
+                                        phi_5219_ = u32();
+                                        phi_5220_ = 2u;
+                                        phi_5221_ = true;
                                     }
-                                    let _e2050 = phi_5216_;
-                                    let _e2052 = phi_5217_;
-                                    let _e2054 = phi_5218_;
-                                    if _e2054 {
-                                        phi_5222_ = _e2052;
+                                    let _e2049 = phi_5219_;
+                                    let _e2051 = phi_5220_;
+                                    let _e2053 = phi_5221_;
+                                    if _e2053 {
+                                        phi_5225_ = _e2051;
                                     } else {
-                                        phi_5222_ = _e2050;
+                                        phi_5225_ = _e2049;
                                     }
-                                    let _e2056 = phi_5222_;
-                                    let _e2057 = (_e2056 == 0u);
-                                    if _e2057 {
-                                        phi_6279_ = f64();
-                                        phi_6280_ = false;
-                                        phi_6281_ = false;
-                                        phi_6282_ = false;
+                                    let _e2055 = phi_5225_;
+                                    let _e2056 = (_e2055 == 0u);
+                                    if _e2056 {
+                                        phi_6282_ = f64();
+                                        phi_6283_ = false;
+                                        phi_6284_ = false;
+                                        phi_6285_ = false;
                                     } else {
-                                        if (_e2056 == 1u) {
-                                            if _e1331.member_2 {
-                                                if ((_e1331.member_1 - _e1331.member) <= f64(0.0000005f)) {
-                                                    phi_5243_ = false;
+                                        if (_e2055 == 1u) {
+                                            if _e1330.member_2 {
+                                                if ((_e1330.member_1 - _e1330.member) <= f64(0.0000005f)) {
+                                                    phi_5246_ = false;
                                                 } else {
-                                                    phi_5243_ = true;
+                                                    phi_5246_ = true;
                                                 }
-                                                let _e2066 = phi_5243_;
-                                                phi_5244_ = _e2066;
+                                                let _e2065 = phi_5246_;
+                                                phi_5247_ = _e2065;
                                             } else {
-                                                phi_5244_ = true;
+                                                phi_5247_ = true;
                                             }
-                                            let _e2068 = phi_5244_;
-                                            phi_5245_ = _e2068;
+                                            let _e2067 = phi_5247_;
+                                            phi_5248_ = _e2067;
                                         } else {
-                                            phi_5245_ = true;
+                                            phi_5248_ = true;
                                         }
-                                        let _e2070 = phi_5245_;
-                                        if _e2070 {
-                                            let _e2076 = local_12.member[0u];
-                                            let _e2082 = local_12.member_1[0u];
-                                            let _e2088 = local_12.member_2[0u];
-                                            local = array<array<f64, 3>, 4>(_e2076, array<f64, 3>((_e2076[0] - _e2082[0]), (_e2076[1] - _e2082[1]), (_e2076[2] - _e2082[2])), array<f64, 3>((_e2076[0] - _e2088[0]), (_e2076[1] - _e2088[1]), (_e2076[2] - _e2088[2])), _e2076);
-                                            let _e2103 = local_12.member[1u];
-                                            let _e2109 = local_12.member_1[1u];
-                                            let _e2115 = local_12.member_2[1u];
-                                            local_1 = array<array<f64, 3>, 4>(_e2103, array<f64, 3>((_e2103[0] - _e2109[0]), (_e2103[1] - _e2109[1]), (_e2103[2] - _e2109[2])), array<f64, 3>((_e2103[0] - _e2115[0]), (_e2103[1] - _e2115[1]), (_e2103[2] - _e2115[2])), _e2103);
-                                            let _e2130 = local_12.member[0u];
-                                            if (_e2130[0] < 0.0lf) {
-                                                phi_5442_ = -(_e2130[0]);
+                                        let _e2069 = phi_5248_;
+                                        if _e2069 {
+                                            let _e2075 = local_12.member[0u];
+                                            let _e2081 = local_12.member_1[0u];
+                                            let _e2087 = local_12.member_2[0u];
+                                            local = array<array<f64, 3>, 4>(_e2075, array<f64, 3>((_e2075[0] - _e2081[0]), (_e2075[1] - _e2081[1]), (_e2075[2] - _e2081[2])), array<f64, 3>((_e2075[0] - _e2087[0]), (_e2075[1] - _e2087[1]), (_e2075[2] - _e2087[2])), _e2075);
+                                            let _e2102 = local_12.member[1u];
+                                            let _e2108 = local_12.member_1[1u];
+                                            let _e2114 = local_12.member_2[1u];
+                                            local_1 = array<array<f64, 3>, 4>(_e2102, array<f64, 3>((_e2102[0] - _e2108[0]), (_e2102[1] - _e2108[1]), (_e2102[2] - _e2108[2])), array<f64, 3>((_e2102[0] - _e2114[0]), (_e2102[1] - _e2114[1]), (_e2102[2] - _e2114[2])), _e2102);
+                                            let _e2129 = local_12.member[0u];
+                                            if (_e2129[0] < 0.0lf) {
+                                                phi_5445_ = -(_e2129[0]);
                                             } else {
-                                                phi_5442_ = _e2130[0];
+                                                phi_5445_ = _e2129[0];
                                             }
-                                            let _e2137 = phi_5442_;
-                                            if (_e2130[1] < 0.0lf) {
-                                                phi_5449_ = -(_e2130[1]);
+                                            let _e2136 = phi_5445_;
+                                            if (_e2129[1] < 0.0lf) {
+                                                phi_5452_ = -(_e2129[1]);
                                             } else {
-                                                phi_5449_ = _e2130[1];
+                                                phi_5452_ = _e2129[1];
                                             }
-                                            let _e2141 = phi_5449_;
-                                            if (_e2137 > _e2141) {
-                                                phi_5454_ = _e2137;
+                                            let _e2140 = phi_5452_;
+                                            if (_e2136 > _e2140) {
+                                                phi_5457_ = _e2136;
                                             } else {
-                                                phi_5454_ = _e2141;
+                                                phi_5457_ = _e2140;
                                             }
-                                            let _e2144 = phi_5454_;
-                                            if (_e2130[2] < 0.0lf) {
-                                                phi_5461_ = -(_e2130[2]);
+                                            let _e2143 = phi_5457_;
+                                            if (_e2129[2] < 0.0lf) {
+                                                phi_5464_ = -(_e2129[2]);
                                             } else {
-                                                phi_5461_ = _e2130[2];
+                                                phi_5464_ = _e2129[2];
                                             }
-                                            let _e2148 = phi_5461_;
-                                            if (_e2144 > _e2148) {
-                                                phi_5466_ = _e2144;
+                                            let _e2147 = phi_5464_;
+                                            if (_e2143 > _e2147) {
+                                                phi_5469_ = _e2143;
                                             } else {
-                                                phi_5466_ = _e2148;
+                                                phi_5469_ = _e2147;
                                             }
-                                            let _e2151 = phi_5466_;
-                                            let _e2154 = local_12.member[1u];
-                                            if (_e2154[0] < 0.0lf) {
-                                                phi_5479_ = -(_e2154[0]);
+                                            let _e2150 = phi_5469_;
+                                            let _e2153 = local_12.member[1u];
+                                            if (_e2153[0] < 0.0lf) {
+                                                phi_5482_ = -(_e2153[0]);
                                             } else {
-                                                phi_5479_ = _e2154[0];
+                                                phi_5482_ = _e2153[0];
                                             }
-                                            let _e2161 = phi_5479_;
-                                            if (_e2154[1] < 0.0lf) {
-                                                phi_5486_ = -(_e2154[1]);
+                                            let _e2160 = phi_5482_;
+                                            if (_e2153[1] < 0.0lf) {
+                                                phi_5489_ = -(_e2153[1]);
                                             } else {
-                                                phi_5486_ = _e2154[1];
+                                                phi_5489_ = _e2153[1];
                                             }
-                                            let _e2165 = phi_5486_;
-                                            if (_e2161 > _e2165) {
-                                                phi_5491_ = _e2161;
+                                            let _e2164 = phi_5489_;
+                                            if (_e2160 > _e2164) {
+                                                phi_5494_ = _e2160;
                                             } else {
-                                                phi_5491_ = _e2165;
+                                                phi_5494_ = _e2164;
                                             }
-                                            let _e2168 = phi_5491_;
-                                            if (_e2154[2] < 0.0lf) {
-                                                phi_5498_ = -(_e2154[2]);
+                                            let _e2167 = phi_5494_;
+                                            if (_e2153[2] < 0.0lf) {
+                                                phi_5501_ = -(_e2153[2]);
                                             } else {
-                                                phi_5498_ = _e2154[2];
+                                                phi_5501_ = _e2153[2];
                                             }
-                                            let _e2172 = phi_5498_;
-                                            if (_e2168 > _e2172) {
-                                                phi_5503_ = _e2168;
+                                            let _e2171 = phi_5501_;
+                                            if (_e2167 > _e2171) {
+                                                phi_5506_ = _e2167;
                                             } else {
-                                                phi_5503_ = _e2172;
+                                                phi_5506_ = _e2171;
                                             }
-                                            let _e2175 = phi_5503_;
-                                            if (_e2151 > _e2175) {
-                                                phi_5508_ = _e2151;
+                                            let _e2174 = phi_5506_;
+                                            if (_e2150 > _e2174) {
+                                                phi_5511_ = _e2150;
                                             } else {
-                                                phi_5508_ = _e2175;
+                                                phi_5511_ = _e2174;
                                             }
-                                            let _e2178 = phi_5508_;
-                                            let _e2180 = local_12.member_3;
-                                            let _e2184 = local_12.member_1[0u];
-                                            if (_e2184[0] < 0.0lf) {
-                                                phi_5525_ = -(_e2184[0]);
+                                            let _e2177 = phi_5511_;
+                                            let _e2179 = local_12.member_3;
+                                            let _e2183 = local_12.member_1[0u];
+                                            if (_e2183[0] < 0.0lf) {
+                                                phi_5528_ = -(_e2183[0]);
                                             } else {
-                                                phi_5525_ = _e2184[0];
+                                                phi_5528_ = _e2183[0];
                                             }
-                                            let _e2191 = phi_5525_;
-                                            if (_e2184[1] < 0.0lf) {
-                                                phi_5532_ = -(_e2184[1]);
+                                            let _e2190 = phi_5528_;
+                                            if (_e2183[1] < 0.0lf) {
+                                                phi_5535_ = -(_e2183[1]);
                                             } else {
-                                                phi_5532_ = _e2184[1];
+                                                phi_5535_ = _e2183[1];
                                             }
-                                            let _e2195 = phi_5532_;
-                                            if (_e2191 > _e2195) {
-                                                phi_5537_ = _e2191;
+                                            let _e2194 = phi_5535_;
+                                            if (_e2190 > _e2194) {
+                                                phi_5540_ = _e2190;
                                             } else {
-                                                phi_5537_ = _e2195;
+                                                phi_5540_ = _e2194;
                                             }
-                                            let _e2198 = phi_5537_;
-                                            if (_e2184[2] < 0.0lf) {
-                                                phi_5544_ = -(_e2184[2]);
+                                            let _e2197 = phi_5540_;
+                                            if (_e2183[2] < 0.0lf) {
+                                                phi_5547_ = -(_e2183[2]);
                                             } else {
-                                                phi_5544_ = _e2184[2];
+                                                phi_5547_ = _e2183[2];
                                             }
-                                            let _e2202 = phi_5544_;
-                                            if (_e2198 > _e2202) {
-                                                phi_5549_ = _e2198;
+                                            let _e2201 = phi_5547_;
+                                            if (_e2197 > _e2201) {
+                                                phi_5552_ = _e2197;
                                             } else {
-                                                phi_5549_ = _e2202;
+                                                phi_5552_ = _e2201;
                                             }
-                                            let _e2205 = phi_5549_;
-                                            let _e2208 = local_12.member_1[1u];
-                                            if (_e2208[0] < 0.0lf) {
-                                                phi_5563_ = -(_e2208[0]);
+                                            let _e2204 = phi_5552_;
+                                            let _e2207 = local_12.member_1[1u];
+                                            if (_e2207[0] < 0.0lf) {
+                                                phi_5566_ = -(_e2207[0]);
                                             } else {
-                                                phi_5563_ = _e2208[0];
+                                                phi_5566_ = _e2207[0];
                                             }
-                                            let _e2215 = phi_5563_;
-                                            if (_e2208[1] < 0.0lf) {
-                                                phi_5570_ = -(_e2208[1]);
+                                            let _e2214 = phi_5566_;
+                                            if (_e2207[1] < 0.0lf) {
+                                                phi_5573_ = -(_e2207[1]);
                                             } else {
-                                                phi_5570_ = _e2208[1];
+                                                phi_5573_ = _e2207[1];
                                             }
-                                            let _e2219 = phi_5570_;
-                                            if (_e2215 > _e2219) {
-                                                phi_5575_ = _e2215;
+                                            let _e2218 = phi_5573_;
+                                            if (_e2214 > _e2218) {
+                                                phi_5578_ = _e2214;
                                             } else {
-                                                phi_5575_ = _e2219;
+                                                phi_5578_ = _e2218;
                                             }
-                                            let _e2222 = phi_5575_;
-                                            if (_e2208[2] < 0.0lf) {
-                                                phi_5582_ = -(_e2208[2]);
+                                            let _e2221 = phi_5578_;
+                                            if (_e2207[2] < 0.0lf) {
+                                                phi_5585_ = -(_e2207[2]);
                                             } else {
-                                                phi_5582_ = _e2208[2];
+                                                phi_5585_ = _e2207[2];
                                             }
-                                            let _e2226 = phi_5582_;
-                                            if (_e2222 > _e2226) {
-                                                phi_5587_ = _e2222;
+                                            let _e2225 = phi_5585_;
+                                            if (_e2221 > _e2225) {
+                                                phi_5590_ = _e2221;
                                             } else {
-                                                phi_5587_ = _e2226;
+                                                phi_5590_ = _e2225;
                                             }
-                                            let _e2229 = phi_5587_;
-                                            if (_e2205 > _e2229) {
-                                                phi_5592_ = _e2205;
+                                            let _e2228 = phi_5590_;
+                                            if (_e2204 > _e2228) {
+                                                phi_5595_ = _e2204;
                                             } else {
-                                                phi_5592_ = _e2229;
+                                                phi_5595_ = _e2228;
                                             }
-                                            let _e2232 = phi_5592_;
-                                            let _e2234 = local_12.member_3;
-                                            let _e2238 = local_12.member_2[0u];
-                                            if (_e2238[0] < 0.0lf) {
-                                                phi_5609_ = -(_e2238[0]);
+                                            let _e2231 = phi_5595_;
+                                            let _e2233 = local_12.member_3;
+                                            let _e2237 = local_12.member_2[0u];
+                                            if (_e2237[0] < 0.0lf) {
+                                                phi_5612_ = -(_e2237[0]);
                                             } else {
-                                                phi_5609_ = _e2238[0];
+                                                phi_5612_ = _e2237[0];
                                             }
-                                            let _e2245 = phi_5609_;
-                                            if (_e2238[1] < 0.0lf) {
-                                                phi_5616_ = -(_e2238[1]);
+                                            let _e2244 = phi_5612_;
+                                            if (_e2237[1] < 0.0lf) {
+                                                phi_5619_ = -(_e2237[1]);
                                             } else {
-                                                phi_5616_ = _e2238[1];
+                                                phi_5619_ = _e2237[1];
                                             }
-                                            let _e2249 = phi_5616_;
-                                            if (_e2245 > _e2249) {
-                                                phi_5621_ = _e2245;
+                                            let _e2248 = phi_5619_;
+                                            if (_e2244 > _e2248) {
+                                                phi_5624_ = _e2244;
                                             } else {
-                                                phi_5621_ = _e2249;
+                                                phi_5624_ = _e2248;
                                             }
-                                            let _e2252 = phi_5621_;
-                                            if (_e2238[2] < 0.0lf) {
-                                                phi_5628_ = -(_e2238[2]);
+                                            let _e2251 = phi_5624_;
+                                            if (_e2237[2] < 0.0lf) {
+                                                phi_5631_ = -(_e2237[2]);
                                             } else {
-                                                phi_5628_ = _e2238[2];
+                                                phi_5631_ = _e2237[2];
                                             }
-                                            let _e2256 = phi_5628_;
-                                            if (_e2252 > _e2256) {
-                                                phi_5633_ = _e2252;
+                                            let _e2255 = phi_5631_;
+                                            if (_e2251 > _e2255) {
+                                                phi_5636_ = _e2251;
                                             } else {
-                                                phi_5633_ = _e2256;
+                                                phi_5636_ = _e2255;
                                             }
-                                            let _e2259 = phi_5633_;
-                                            let _e2262 = local_12.member_2[1u];
-                                            if (_e2262[0] < 0.0lf) {
-                                                phi_5647_ = -(_e2262[0]);
+                                            let _e2258 = phi_5636_;
+                                            let _e2261 = local_12.member_2[1u];
+                                            if (_e2261[0] < 0.0lf) {
+                                                phi_5650_ = -(_e2261[0]);
                                             } else {
-                                                phi_5647_ = _e2262[0];
+                                                phi_5650_ = _e2261[0];
                                             }
-                                            let _e2269 = phi_5647_;
-                                            if (_e2262[1] < 0.0lf) {
-                                                phi_5654_ = -(_e2262[1]);
+                                            let _e2268 = phi_5650_;
+                                            if (_e2261[1] < 0.0lf) {
+                                                phi_5657_ = -(_e2261[1]);
                                             } else {
-                                                phi_5654_ = _e2262[1];
+                                                phi_5657_ = _e2261[1];
                                             }
-                                            let _e2273 = phi_5654_;
-                                            if (_e2269 > _e2273) {
-                                                phi_5659_ = _e2269;
+                                            let _e2272 = phi_5657_;
+                                            if (_e2268 > _e2272) {
+                                                phi_5662_ = _e2268;
                                             } else {
-                                                phi_5659_ = _e2273;
+                                                phi_5662_ = _e2272;
                                             }
-                                            let _e2276 = phi_5659_;
-                                            if (_e2262[2] < 0.0lf) {
-                                                phi_5666_ = -(_e2262[2]);
+                                            let _e2275 = phi_5662_;
+                                            if (_e2261[2] < 0.0lf) {
+                                                phi_5669_ = -(_e2261[2]);
                                             } else {
-                                                phi_5666_ = _e2262[2];
+                                                phi_5669_ = _e2261[2];
                                             }
-                                            let _e2280 = phi_5666_;
-                                            if (_e2276 > _e2280) {
-                                                phi_5671_ = _e2276;
+                                            let _e2279 = phi_5669_;
+                                            if (_e2275 > _e2279) {
+                                                phi_5674_ = _e2275;
                                             } else {
-                                                phi_5671_ = _e2280;
+                                                phi_5674_ = _e2279;
                                             }
-                                            let _e2283 = phi_5671_;
-                                            if (_e2259 > _e2283) {
-                                                phi_5676_ = _e2259;
+                                            let _e2282 = phi_5674_;
+                                            if (_e2258 > _e2282) {
+                                                phi_5679_ = _e2258;
                                             } else {
-                                                phi_5676_ = _e2283;
+                                                phi_5679_ = _e2282;
                                             }
-                                            let _e2286 = phi_5676_;
-                                            let _e2288 = local_12.member_3;
-                                            let _e2296 = local_12.member_3;
-                                            phi_5696_ = type_19(0u, 48u);
-                                            phi_5699_ = _e1331.member;
+                                            let _e2285 = phi_5679_;
+                                            let _e2287 = local_12.member_3;
+                                            let _e2295 = local_12.member_3;
+                                            phi_5699_ = type_9(0u, 48u);
+                                            phi_5702_ = _e1330.member;
                                             loop {
-                                                let _e2305 = phi_5696_;
-                                                let _e2307 = phi_5699_;
-                                                local_61 = _e2307;
-                                                local_24 = _e2307;
-                                                local_25 = _e2307;
-                                                local_26 = _e2307;
-                                                local_27 = _e2307;
-                                                if (_e2305.member < _e2305.member_1) {
-                                                    phi_5697_ = type_19((_e2305.member + 1u), _e2305.member_1);
-                                                    phi_5722_ = type_19(1u, _e2305.member);
+                                                let _e2304 = phi_5699_;
+                                                let _e2306 = phi_5702_;
+                                                local_61 = _e2306;
+                                                local_24 = _e2306;
+                                                local_25 = _e2306;
+                                                local_26 = _e2306;
+                                                local_27 = _e2306;
+                                                if (_e2304.member < _e2304.member_1) {
+                                                    phi_5700_ = type_9((_e2304.member + 1u), _e2304.member_1);
+                                                    phi_5725_ = type_9(1u, _e2304.member);
                                                 } else {
-                                                    phi_5697_ = _e2305;
-                                                    phi_5722_ = type_19(0u, type_19().member_1);
+                                                    phi_5700_ = _e2304;
+                                                    phi_5725_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2319 = phi_5697_;
-                                                let _e2321 = phi_5722_;
-                                                if (bitcast<i32>(_e2321.member) != 0i) {
-                                                    let _e2327 = local_12.member[0u];
-                                                    let _e2333 = local_12.member[1u];
-                                                    let _e2349 = local_12.member_1[0u];
-                                                    let _e2355 = local_12.member_1[1u];
-                                                    let _e2371 = local_12.member_2[0u];
-                                                    let _e2377 = local_12.member_2[1u];
-                                                    let _e2391 = function_2(array<f64, 3>((_e2327[0] + ((_e2333[0] - _e2327[0]) * _e2307)), (_e2327[1] + ((_e2333[1] - _e2327[1]) * _e2307)), (_e2327[2] + ((_e2333[2] - _e2327[2]) * _e2307))), array<f64, 3>((_e2349[0] + ((_e2355[0] - _e2349[0]) * _e2307)), (_e2349[1] + ((_e2355[1] - _e2349[1]) * _e2307)), (_e2349[2] + ((_e2355[2] - _e2349[2]) * _e2307))), array<f64, 3>((_e2371[0] + ((_e2377[0] - _e2371[0]) * _e2307)), (_e2371[1] + ((_e2377[1] - _e2371[1]) * _e2307)), (_e2371[2] + ((_e2377[2] - _e2371[2]) * _e2307))), 0u);
-                                                    if (_e2391[0] < 0.0lf) {
-                                                        phi_5833_ = -(_e2391[0]);
+                                                let _e2318 = phi_5700_;
+                                                let _e2320 = phi_5725_;
+                                                if (bitcast<i32>(_e2320.member) != 0i) {
+                                                    let _e2326 = local_12.member[0u];
+                                                    let _e2332 = local_12.member[1u];
+                                                    let _e2348 = local_12.member_1[0u];
+                                                    let _e2354 = local_12.member_1[1u];
+                                                    let _e2370 = local_12.member_2[0u];
+                                                    let _e2376 = local_12.member_2[1u];
+                                                    let _e2390 = function_2(array<f64, 3>((_e2326[0] + ((_e2332[0] - _e2326[0]) * _e2306)), (_e2326[1] + ((_e2332[1] - _e2326[1]) * _e2306)), (_e2326[2] + ((_e2332[2] - _e2326[2]) * _e2306))), array<f64, 3>((_e2348[0] + ((_e2354[0] - _e2348[0]) * _e2306)), (_e2348[1] + ((_e2354[1] - _e2348[1]) * _e2306)), (_e2348[2] + ((_e2354[2] - _e2348[2]) * _e2306))), array<f64, 3>((_e2370[0] + ((_e2376[0] - _e2370[0]) * _e2306)), (_e2370[1] + ((_e2376[1] - _e2370[1]) * _e2306)), (_e2370[2] + ((_e2376[2] - _e2370[2]) * _e2306))), 0u);
+                                                    if (_e2390[0] < 0.0lf) {
+                                                        phi_5836_ = -(_e2390[0]);
                                                     } else {
-                                                        phi_5833_ = _e2391[0];
+                                                        phi_5836_ = _e2390[0];
                                                     }
-                                                    let _e2396 = phi_5833_;
-                                                    if (_e2391[1] < 0.0lf) {
-                                                        phi_5840_ = -(_e2391[1]);
+                                                    let _e2395 = phi_5836_;
+                                                    if (_e2390[1] < 0.0lf) {
+                                                        phi_5843_ = -(_e2390[1]);
                                                     } else {
-                                                        phi_5840_ = _e2391[1];
+                                                        phi_5843_ = _e2390[1];
                                                     }
-                                                    let _e2401 = phi_5840_;
-                                                    if (_e2391[2] < 0.0lf) {
-                                                        phi_5848_ = -(_e2391[2]);
+                                                    let _e2400 = phi_5843_;
+                                                    if (_e2390[2] < 0.0lf) {
+                                                        phi_5851_ = -(_e2390[2]);
                                                     } else {
-                                                        phi_5848_ = _e2391[2];
+                                                        phi_5851_ = _e2390[2];
                                                     }
-                                                    let _e2407 = phi_5848_;
-                                                    let _e2408 = ((_e2396 + _e2401) + _e2407);
-                                                    if (_e2408 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2408) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2414 = (f64(1f) / _e2408);
-                                                            let _e2416 = (_e2391[0] * _e2414);
-                                                            let _e2418 = (_e2391[1] * _e2414);
-                                                            let _e2420 = (_e2391[2] * _e2414);
-                                                            let _e2425 = (((_e2416 * _e2416) + (_e2418 * _e2418)) + (_e2420 * _e2420));
-                                                            if (_e2425 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2425 > 0.0lf) {
-                                                                    phi_5886_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2406 = phi_5851_;
+                                                    let _e2407 = ((_e2395 + _e2400) + _e2406);
+                                                    if (_e2407 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2407) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2413 = (f64(1f) / _e2407);
+                                                            let _e2415 = (_e2390[0] * _e2413);
+                                                            let _e2417 = (_e2390[1] * _e2413);
+                                                            let _e2419 = (_e2390[2] * _e2413);
+                                                            let _e2424 = (((_e2415 * _e2415) + (_e2417 * _e2417)) + (_e2419 * _e2419));
+                                                            if (_e2424 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2424 > 0.0lf) {
+                                                                    phi_5889_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_5886_ = 0.0lf;
+                                                                    phi_5889_ = 0.0lf;
                                                                 }
-                                                                let _e2477 = phi_5886_;
-                                                                phi_5950_ = _e2477;
+                                                                let _e2476 = phi_5889_;
+                                                                phi_5953_ = _e2476;
                                                             } else {
-                                                                phi_5893_ = type_17(0i, 5i);
-                                                                phi_5896_ = bitcast<f64>(((bitcast<u64>(_e2425) / 2lu) + 2303426169912950784lu));
+                                                                phi_5896_ = type_16(0i, 5i);
+                                                                phi_5899_ = bitcast<f64>(((bitcast<u64>(_e2424) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2432 = phi_5893_;
-                                                                    let _e2434 = phi_5896_;
-                                                                    local_18 = _e2434;
-                                                                    if (_e2432.member < _e2432.member_1) {
-                                                                        let _e2441 = (_e2432.member + 1i);
-                                                                        if ((false == (_e2441 > _e2432.member)) != false) {
-                                                                            phi_5917_ = true;
+                                                                    let _e2431 = phi_5896_;
+                                                                    let _e2433 = phi_5899_;
+                                                                    local_18 = _e2433;
+                                                                    if (_e2431.member < _e2431.member_1) {
+                                                                        let _e2440 = (_e2431.member + 1i);
+                                                                        if ((false == (_e2440 > _e2431.member)) != false) {
+                                                                            phi_5920_ = true;
                                                                         } else {
-                                                                            phi_5917_ = false;
+                                                                            phi_5920_ = false;
                                                                         }
-                                                                        let _e2446 = phi_5917_;
-                                                                        if _e2446 {
-                                                                            phi_5923_ = type_18(0u, type_18().member_1);
+                                                                        let _e2445 = phi_5920_;
+                                                                        if _e2445 {
+                                                                            phi_5926_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_5923_ = type_18(1u, _e2441);
+                                                                            phi_5926_ = type_17(1u, _e2440);
                                                                         }
-                                                                        let _e2451 = phi_5923_;
-                                                                        phi_5894_ = type_17(_e2451.member_1, _e2432.member_1);
-                                                                        phi_5937_ = type_18(1u, _e2432.member);
+                                                                        let _e2450 = phi_5926_;
+                                                                        phi_5897_ = type_16(_e2450.member_1, _e2431.member_1);
+                                                                        phi_5940_ = type_17(1u, _e2431.member);
                                                                     } else {
-                                                                        phi_5894_ = _e2432;
-                                                                        phi_5937_ = type_18(0u, type_18().member_1);
+                                                                        phi_5897_ = _e2431;
+                                                                        phi_5940_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2457 = phi_5894_;
-                                                                    let _e2459 = phi_5937_;
-                                                                    let _e2462 = (bitcast<i32>(_e2459.member) != 0i);
-                                                                    if _e2462 {
-                                                                        phi_5897_ = (0.5lf * (_e2434 + (_e2425 / _e2434)));
+                                                                    let _e2456 = phi_5897_;
+                                                                    let _e2458 = phi_5940_;
+                                                                    let _e2461 = (bitcast<i32>(_e2458.member) != 0i);
+                                                                    if _e2461 {
+                                                                        phi_5900_ = (0.5lf * (_e2433 + (_e2424 / _e2433)));
                                                                     } else {
-                                                                        phi_5897_ = f64();
+                                                                        phi_5900_ = f64();
                                                                     }
-                                                                    let _e2467 = phi_5897_;
+                                                                    let _e2466 = phi_5900_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5893_ = _e2457;
-                                                                        phi_5896_ = _e2467;
-                                                                        break if !(_e2462);
+                                                                        phi_5896_ = _e2456;
+                                                                        phi_5899_ = _e2466;
+                                                                        break if !(_e2461);
                                                                     }
                                                                 }
-                                                                let _e2472 = local_18;
-                                                                phi_5950_ = (_e2472 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2471 = local_18;
+                                                                phi_5953_ = (_e2471 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2479 = phi_5950_;
-                                                            phi_5963_ = type_19(0u, 4u);
-                                                            phi_5966_ = f64(2f);
+                                                            let _e2478 = phi_5953_;
+                                                            phi_5966_ = type_9(0u, 4u);
+                                                            phi_5969_ = f64(2f);
                                                             loop {
-                                                                let _e2491 = phi_5963_;
-                                                                let _e2493 = phi_5966_;
-                                                                local_20 = _e2493;
-                                                                local_21 = _e2493;
-                                                                local_22 = _e2493;
-                                                                local_51 = _e2493;
-                                                                local_52 = _e2493;
-                                                                if (_e2491.member < _e2491.member_1) {
-                                                                    phi_5964_ = type_19((_e2491.member + 1u), _e2491.member_1);
-                                                                    phi_5989_ = type_19(1u, _e2491.member);
+                                                                let _e2490 = phi_5966_;
+                                                                let _e2492 = phi_5969_;
+                                                                local_20 = _e2492;
+                                                                local_21 = _e2492;
+                                                                local_22 = _e2492;
+                                                                local_51 = _e2492;
+                                                                local_52 = _e2492;
+                                                                if (_e2490.member < _e2490.member_1) {
+                                                                    phi_5967_ = type_9((_e2490.member + 1u), _e2490.member_1);
+                                                                    phi_5992_ = type_9(1u, _e2490.member);
                                                                 } else {
-                                                                    phi_5964_ = _e2491;
-                                                                    phi_5989_ = type_19(0u, type_19().member_1);
+                                                                    phi_5967_ = _e2490;
+                                                                    phi_5992_ = type_9(0u, type_9().member_1);
                                                                 }
-                                                                let _e2505 = phi_5964_;
-                                                                let _e2507 = phi_5989_;
-                                                                if (bitcast<i32>(_e2507.member) != 0i) {
-                                                                    let _e2513 = local[_e2507.member_1];
-                                                                    let _e2521 = (((_e2416 * _e2513[0]) + (_e2418 * _e2513[1])) + (_e2420 * _e2513[2]));
-                                                                    let _e2523 = local_1[_e2507.member_1];
-                                                                    let _e2531 = (((_e2416 * _e2523[0]) + (_e2418 * _e2523[1])) + (_e2420 * _e2523[2]));
-                                                                    if (_e2521 < 0.0lf) {
-                                                                        phi_6040_ = -(_e2521);
+                                                                let _e2504 = phi_5967_;
+                                                                let _e2506 = phi_5992_;
+                                                                if (bitcast<i32>(_e2506.member) != 0i) {
+                                                                    let _e2512 = local[_e2506.member_1];
+                                                                    let _e2520 = (((_e2415 * _e2512[0]) + (_e2417 * _e2512[1])) + (_e2419 * _e2512[2]));
+                                                                    let _e2522 = local_1[_e2506.member_1];
+                                                                    let _e2530 = (((_e2415 * _e2522[0]) + (_e2417 * _e2522[1])) + (_e2419 * _e2522[2]));
+                                                                    if (_e2520 < 0.0lf) {
+                                                                        phi_6043_ = -(_e2520);
                                                                     } else {
-                                                                        phi_6040_ = _e2521;
+                                                                        phi_6043_ = _e2520;
                                                                     }
-                                                                    let _e2535 = phi_6040_;
-                                                                    if (_e2531 < 0.0lf) {
-                                                                        phi_6046_ = -(_e2531);
+                                                                    let _e2534 = phi_6043_;
+                                                                    if (_e2530 < 0.0lf) {
+                                                                        phi_6049_ = -(_e2530);
                                                                     } else {
-                                                                        phi_6046_ = _e2531;
+                                                                        phi_6049_ = _e2530;
                                                                     }
-                                                                    let _e2539 = phi_6046_;
-                                                                    let _e2544 = (((((((((_e2178 + _e2180) + (_e2232 + _e2234)) + (_e2286 + _e2288)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2296 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2479) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2535 + _e2539) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2521 > _e2544) {
-                                                                        if (_e2531 > _e2544) {
-                                                                            phi_6060_ = false;
+                                                                    let _e2538 = phi_6049_;
+                                                                    let _e2543 = (((((((((_e2177 + _e2179) + (_e2231 + _e2233)) + (_e2285 + _e2287)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2295 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2478) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2534 + _e2538) * (1.1102230246251565e-16lf * f64(8f))));
+                                                                    if (_e2520 > _e2543) {
+                                                                        if (_e2530 > _e2543) {
+                                                                            phi_6063_ = false;
                                                                         } else {
-                                                                            phi_6060_ = true;
+                                                                            phi_6063_ = true;
                                                                         }
-                                                                        let _e2548 = phi_6060_;
-                                                                        phi_6061_ = _e2548;
+                                                                        let _e2547 = phi_6063_;
+                                                                        phi_6064_ = _e2547;
                                                                     } else {
-                                                                        phi_6061_ = true;
+                                                                        phi_6064_ = true;
                                                                     }
-                                                                    let _e2550 = phi_6061_;
-                                                                    if _e2550 {
-                                                                        if ((_e2521 + ((_e2531 - _e2521) * _e2307)) > _e2544) {
-                                                                            if (_e2531 < _e2521) {
-                                                                                let _e2559 = ((_e2521 - _e2531) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2559 {
-                                                                                    let _e2567 = (((_e2521 - _e2544) / (_e2521 - _e2531)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2493 < _e2567) {
-                                                                                        phi_6095_ = _e2493;
+                                                                    let _e2549 = phi_6064_;
+                                                                    if _e2549 {
+                                                                        if ((_e2520 + ((_e2530 - _e2520) * _e2306)) > _e2543) {
+                                                                            if (_e2530 < _e2520) {
+                                                                                let _e2558 = ((_e2520 - _e2530) <= (f64(0.25f) / 2.2250738585072014e-308lf));
+                                                                                if _e2558 {
+                                                                                    let _e2566 = (((_e2520 - _e2543) / (_e2520 - _e2530)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                                    if (_e2492 < _e2566) {
+                                                                                        phi_6098_ = _e2492;
                                                                                     } else {
-                                                                                        phi_6095_ = _e2567;
+                                                                                        phi_6098_ = _e2566;
                                                                                     }
-                                                                                    let _e2570 = phi_6095_;
-                                                                                    phi_6096_ = _e2570;
+                                                                                    let _e2569 = phi_6098_;
+                                                                                    phi_6099_ = _e2569;
                                                                                 } else {
-                                                                                    phi_6096_ = f64();
+                                                                                    phi_6099_ = f64();
                                                                                 }
-                                                                                let _e2572 = phi_6096_;
-                                                                                phi_6097_ = _e2572;
-                                                                                phi_6098_ = _e2559;
+                                                                                let _e2571 = phi_6099_;
+                                                                                phi_6100_ = _e2571;
+                                                                                phi_6101_ = _e2558;
                                                                             } else {
-                                                                                phi_6097_ = _e2493;
-                                                                                phi_6098_ = true;
+                                                                                phi_6100_ = _e2492;
+                                                                                phi_6101_ = true;
                                                                             }
-                                                                            let _e2574 = phi_6097_;
-                                                                            let _e2576 = phi_6098_;
-                                                                            if _e2576 {
-                                                                                phi_6102_ = false;
+                                                                            let _e2573 = phi_6100_;
+                                                                            let _e2575 = phi_6101_;
+                                                                            if _e2575 {
+                                                                                phi_6105_ = false;
                                                                             } else {
-                                                                                phi_6102_ = true;
+                                                                                phi_6105_ = true;
                                                                             }
-                                                                            let _e2578 = phi_6102_;
-                                                                            phi_6103_ = _e2574;
-                                                                            phi_6104_ = _e2576;
-                                                                            phi_6105_ = _e2578;
-                                                                            phi_6106_ = false;
+                                                                            let _e2577 = phi_6105_;
+                                                                            phi_6106_ = _e2573;
+                                                                            phi_6107_ = _e2575;
+                                                                            phi_6108_ = _e2577;
+                                                                            phi_6109_ = false;
                                                                         } else {
-                                                                            phi_6103_ = f64();
-                                                                            phi_6104_ = false;
-                                                                            phi_6105_ = false;
-                                                                            phi_6106_ = true;
+                                                                            phi_6106_ = f64();
+                                                                            phi_6107_ = false;
+                                                                            phi_6108_ = false;
+                                                                            phi_6109_ = true;
                                                                         }
-                                                                        let _e2580 = phi_6103_;
-                                                                        let _e2582 = phi_6104_;
-                                                                        let _e2584 = phi_6105_;
-                                                                        let _e2586 = phi_6106_;
-                                                                        phi_6107_ = _e2580;
-                                                                        phi_6108_ = _e2582;
-                                                                        phi_6109_ = _e2584;
-                                                                        phi_6110_ = _e2586;
+                                                                        let _e2579 = phi_6106_;
+                                                                        let _e2581 = phi_6107_;
+                                                                        let _e2583 = phi_6108_;
+                                                                        let _e2585 = phi_6109_;
+                                                                        phi_6110_ = _e2579;
+                                                                        phi_6111_ = _e2581;
+                                                                        phi_6112_ = _e2583;
+                                                                        phi_6113_ = _e2585;
                                                                     } else {
-                                                                        phi_6107_ = _e2493;
-                                                                        phi_6108_ = true;
-                                                                        phi_6109_ = false;
-                                                                        phi_6110_ = false;
+                                                                        phi_6110_ = _e2492;
+                                                                        phi_6111_ = true;
+                                                                        phi_6112_ = false;
+                                                                        phi_6113_ = false;
                                                                     }
-                                                                    let _e2588 = phi_6107_;
-                                                                    let _e2590 = phi_6108_;
-                                                                    let _e2592 = phi_6109_;
-                                                                    let _e2594 = phi_6110_;
-                                                                    phi_5967_ = _e2588;
-                                                                    phi_6111_ = _e2590;
-                                                                    phi_6112_ = false;
-                                                                    phi_6113_ = _e2592;
-                                                                    phi_6114_ = _e2594;
+                                                                    let _e2587 = phi_6110_;
+                                                                    let _e2589 = phi_6111_;
+                                                                    let _e2591 = phi_6112_;
+                                                                    let _e2593 = phi_6113_;
+                                                                    phi_5970_ = _e2587;
+                                                                    phi_6114_ = _e2589;
+                                                                    phi_6115_ = false;
+                                                                    phi_6116_ = _e2591;
+                                                                    phi_6117_ = _e2593;
                                                                 } else {
-                                                                    phi_5967_ = f64();
-                                                                    phi_6111_ = false;
-                                                                    phi_6112_ = true;
-                                                                    phi_6113_ = false;
+                                                                    phi_5970_ = f64();
                                                                     phi_6114_ = false;
+                                                                    phi_6115_ = true;
+                                                                    phi_6116_ = false;
+                                                                    phi_6117_ = false;
                                                                 }
-                                                                let _e2596 = phi_5967_;
-                                                                let _e2598 = phi_6111_;
-                                                                let _e2600 = phi_6112_;
-                                                                let _e2602 = phi_6113_;
-                                                                let _e2604 = phi_6114_;
-                                                                local_19 = _e2600;
-                                                                local_49 = _e2602;
-                                                                local_50 = _e2604;
+                                                                let _e2595 = phi_5970_;
+                                                                let _e2597 = phi_6114_;
+                                                                let _e2599 = phi_6115_;
+                                                                let _e2601 = phi_6116_;
+                                                                let _e2603 = phi_6117_;
+                                                                local_19 = _e2599;
+                                                                local_49 = _e2601;
+                                                                local_50 = _e2603;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_5963_ = _e2505;
-                                                                    phi_5966_ = _e2596;
-                                                                    break if !(_e2598);
+                                                                    phi_5966_ = _e2504;
+                                                                    phi_5969_ = _e2595;
+                                                                    break if !(_e2597);
                                                                 }
                                                             }
-                                                            let _e2607 = local_19;
-                                                            if _e2607 {
-                                                                let _e2609 = local_20;
-                                                                let _e2610 = (_e2609 > _e1331.member_1);
-                                                                if _e2610 {
-                                                                    phi_6136_ = false;
-                                                                    phi_6137_ = false;
-                                                                    phi_6138_ = false;
+                                                            let _e2606 = local_19;
+                                                            if _e2606 {
+                                                                let _e2608 = local_20;
+                                                                let _e2609 = (_e2608 > _e1330.member_1);
+                                                                if _e2609 {
+                                                                    phi_6139_ = false;
+                                                                    phi_6140_ = false;
+                                                                    phi_6141_ = false;
                                                                 } else {
-                                                                    let _e2612 = local_21;
-                                                                    if (_e2612 > _e2307) {
-                                                                        let _e2615 = local_22;
-                                                                        let _e2618 = ((_e2615 - _e2307) < f64(0.00000000023283064f));
-                                                                        if _e2618 {
-                                                                            phi_6132_ = false;
+                                                                    let _e2611 = local_21;
+                                                                    if (_e2611 > _e2306) {
+                                                                        let _e2614 = local_22;
+                                                                        let _e2617 = ((_e2614 - _e2306) < f64(0.00000000023283064f));
+                                                                        if _e2617 {
+                                                                            phi_6135_ = false;
                                                                         } else {
-                                                                            phi_6132_ = true;
+                                                                            phi_6135_ = true;
                                                                         }
-                                                                        let _e2620 = phi_6132_;
-                                                                        phi_6133_ = _e2620;
-                                                                        phi_6134_ = _e2618;
-                                                                        phi_6135_ = false;
+                                                                        let _e2619 = phi_6135_;
+                                                                        phi_6136_ = _e2619;
+                                                                        phi_6137_ = _e2617;
+                                                                        phi_6138_ = false;
                                                                     } else {
-                                                                        phi_6133_ = false;
-                                                                        phi_6134_ = false;
-                                                                        phi_6135_ = true;
+                                                                        phi_6136_ = false;
+                                                                        phi_6137_ = false;
+                                                                        phi_6138_ = true;
                                                                     }
-                                                                    let _e2622 = phi_6133_;
-                                                                    let _e2624 = phi_6134_;
-                                                                    let _e2626 = phi_6135_;
-                                                                    phi_6136_ = _e2622;
-                                                                    phi_6137_ = _e2624;
-                                                                    phi_6138_ = _e2626;
+                                                                    let _e2621 = phi_6136_;
+                                                                    let _e2623 = phi_6137_;
+                                                                    let _e2625 = phi_6138_;
+                                                                    phi_6139_ = _e2621;
+                                                                    phi_6140_ = _e2623;
+                                                                    phi_6141_ = _e2625;
                                                                 }
-                                                                let _e2628 = phi_6136_;
-                                                                let _e2630 = phi_6137_;
-                                                                let _e2632 = phi_6138_;
-                                                                phi_6139_ = _e2628;
-                                                                phi_6140_ = _e2610;
-                                                                phi_6141_ = _e2630;
-                                                                phi_6142_ = _e2632;
+                                                                let _e2627 = phi_6139_;
+                                                                let _e2629 = phi_6140_;
+                                                                let _e2631 = phi_6141_;
+                                                                phi_6142_ = _e2627;
+                                                                phi_6143_ = _e2609;
+                                                                phi_6144_ = _e2629;
+                                                                phi_6145_ = _e2631;
+                                                                phi_6146_ = false;
+                                                                phi_6147_ = false;
+                                                            } else {
+                                                                phi_6142_ = false;
                                                                 phi_6143_ = false;
                                                                 phi_6144_ = false;
-                                                            } else {
-                                                                phi_6139_ = false;
-                                                                phi_6140_ = false;
-                                                                phi_6141_ = false;
-                                                                phi_6142_ = false;
-                                                                let _e4490 = local_49;
-                                                                phi_6143_ = _e4490;
-                                                                let _e4493 = local_50;
-                                                                phi_6144_ = _e4493;
+                                                                phi_6145_ = false;
+                                                                let _e4491 = local_49;
+                                                                phi_6146_ = _e4491;
+                                                                let _e4494 = local_50;
+                                                                phi_6147_ = _e4494;
                                                             }
-                                                            let _e2634 = phi_6139_;
-                                                            let _e2636 = phi_6140_;
-                                                            let _e2638 = phi_6141_;
-                                                            let _e2640 = phi_6142_;
-                                                            let _e2642 = phi_6143_;
-                                                            let _e2644 = phi_6144_;
-                                                            let _e4496 = local_51;
-                                                            phi_6145_ = _e4496;
-                                                            let _e4499 = local_52;
-                                                            phi_6146_ = _e4499;
-                                                            phi_6147_ = _e2634;
-                                                            phi_6148_ = _e2636;
-                                                            phi_6149_ = _e2638;
-                                                            phi_6150_ = _e2640;
-                                                            phi_6151_ = _e2642;
-                                                            phi_6152_ = _e2644;
-                                                            phi_6153_ = false;
+                                                            let _e2633 = phi_6142_;
+                                                            let _e2635 = phi_6143_;
+                                                            let _e2637 = phi_6144_;
+                                                            let _e2639 = phi_6145_;
+                                                            let _e2641 = phi_6146_;
+                                                            let _e2643 = phi_6147_;
+                                                            let _e4497 = local_51;
+                                                            phi_6148_ = _e4497;
+                                                            let _e4500 = local_52;
+                                                            phi_6149_ = _e4500;
+                                                            phi_6150_ = _e2633;
+                                                            phi_6151_ = _e2635;
+                                                            phi_6152_ = _e2637;
+                                                            phi_6153_ = _e2639;
+                                                            phi_6154_ = _e2641;
+                                                            phi_6155_ = _e2643;
+                                                            phi_6156_ = false;
                                                         } else {
-                                                            phi_6145_ = f64();
-                                                            phi_6146_ = f64();
-                                                            phi_6147_ = false;
-                                                            phi_6148_ = false;
-                                                            phi_6149_ = false;
+                                                            phi_6148_ = f64();
+                                                            phi_6149_ = f64();
                                                             phi_6150_ = false;
                                                             phi_6151_ = false;
                                                             phi_6152_ = false;
-                                                            phi_6153_ = true;
+                                                            phi_6153_ = false;
+                                                            phi_6154_ = false;
+                                                            phi_6155_ = false;
+                                                            phi_6156_ = true;
                                                         }
-                                                        let _e2646 = phi_6145_;
-                                                        let _e2648 = phi_6146_;
-                                                        let _e2650 = phi_6147_;
-                                                        let _e2652 = phi_6148_;
-                                                        let _e2654 = phi_6149_;
-                                                        let _e2656 = phi_6150_;
-                                                        let _e2658 = phi_6151_;
-                                                        let _e2660 = phi_6152_;
-                                                        let _e2662 = phi_6153_;
-                                                        phi_6154_ = _e2646;
-                                                        phi_6155_ = _e2648;
-                                                        phi_6156_ = _e2650;
-                                                        phi_6157_ = _e2652;
-                                                        phi_6158_ = _e2654;
-                                                        phi_6159_ = _e2656;
-                                                        phi_6160_ = _e2658;
-                                                        phi_6161_ = _e2660;
-                                                        phi_6162_ = _e2662;
-                                                        phi_6163_ = false;
+                                                        let _e2645 = phi_6148_;
+                                                        let _e2647 = phi_6149_;
+                                                        let _e2649 = phi_6150_;
+                                                        let _e2651 = phi_6151_;
+                                                        let _e2653 = phi_6152_;
+                                                        let _e2655 = phi_6153_;
+                                                        let _e2657 = phi_6154_;
+                                                        let _e2659 = phi_6155_;
+                                                        let _e2661 = phi_6156_;
+                                                        phi_6157_ = _e2645;
+                                                        phi_6158_ = _e2647;
+                                                        phi_6159_ = _e2649;
+                                                        phi_6160_ = _e2651;
+                                                        phi_6161_ = _e2653;
+                                                        phi_6162_ = _e2655;
+                                                        phi_6163_ = _e2657;
+                                                        phi_6164_ = _e2659;
+                                                        phi_6165_ = _e2661;
+                                                        phi_6166_ = false;
                                                     } else {
-                                                        phi_6154_ = f64();
-                                                        phi_6155_ = f64();
-                                                        phi_6156_ = false;
-                                                        phi_6157_ = false;
-                                                        phi_6158_ = false;
+                                                        phi_6157_ = f64();
+                                                        phi_6158_ = f64();
                                                         phi_6159_ = false;
                                                         phi_6160_ = false;
                                                         phi_6161_ = false;
                                                         phi_6162_ = false;
-                                                        phi_6163_ = true;
+                                                        phi_6163_ = false;
+                                                        phi_6164_ = false;
+                                                        phi_6165_ = false;
+                                                        phi_6166_ = true;
                                                     }
-                                                    let _e2664 = phi_6154_;
-                                                    let _e2666 = phi_6155_;
-                                                    let _e2668 = phi_6156_;
-                                                    let _e2670 = phi_6157_;
-                                                    let _e2672 = phi_6158_;
-                                                    let _e2674 = phi_6159_;
-                                                    let _e2676 = phi_6160_;
-                                                    let _e2678 = phi_6161_;
-                                                    let _e2680 = phi_6162_;
-                                                    let _e2682 = phi_6163_;
-                                                    phi_6164_ = _e2664;
-                                                    phi_5700_ = _e2666;
-                                                    phi_6165_ = _e2668;
-                                                    phi_6166_ = _e2670;
-                                                    phi_6167_ = _e2672;
-                                                    phi_6168_ = false;
-                                                    phi_6169_ = _e2674;
-                                                    phi_6170_ = _e2676;
-                                                    phi_6171_ = _e2678;
-                                                    phi_6172_ = _e2680;
-                                                    phi_6173_ = _e2682;
+                                                    let _e2663 = phi_6157_;
+                                                    let _e2665 = phi_6158_;
+                                                    let _e2667 = phi_6159_;
+                                                    let _e2669 = phi_6160_;
+                                                    let _e2671 = phi_6161_;
+                                                    let _e2673 = phi_6162_;
+                                                    let _e2675 = phi_6163_;
+                                                    let _e2677 = phi_6164_;
+                                                    let _e2679 = phi_6165_;
+                                                    let _e2681 = phi_6166_;
+                                                    phi_6167_ = _e2663;
+                                                    phi_5703_ = _e2665;
+                                                    phi_6168_ = _e2667;
+                                                    phi_6169_ = _e2669;
+                                                    phi_6170_ = _e2671;
+                                                    phi_6171_ = false;
+                                                    phi_6172_ = _e2673;
+                                                    phi_6173_ = _e2675;
+                                                    phi_6174_ = _e2677;
+                                                    phi_6175_ = _e2679;
+                                                    phi_6176_ = _e2681;
                                                 } else {
-                                                    phi_6164_ = f64();
-                                                    phi_5700_ = f64();
-                                                    phi_6165_ = false;
-                                                    phi_6166_ = false;
-                                                    phi_6167_ = false;
-                                                    phi_6168_ = true;
+                                                    phi_6167_ = f64();
+                                                    phi_5703_ = f64();
+                                                    phi_6168_ = false;
                                                     phi_6169_ = false;
                                                     phi_6170_ = false;
-                                                    phi_6171_ = false;
+                                                    phi_6171_ = true;
                                                     phi_6172_ = false;
                                                     phi_6173_ = false;
+                                                    phi_6174_ = false;
+                                                    phi_6175_ = false;
+                                                    phi_6176_ = false;
                                                 }
-                                                let _e2684 = phi_6164_;
-                                                let _e2686 = phi_5700_;
-                                                let _e2688 = phi_6165_;
-                                                let _e2690 = phi_6166_;
-                                                let _e2692 = phi_6167_;
-                                                let _e2694 = phi_6168_;
-                                                let _e2696 = phi_6169_;
-                                                let _e2698 = phi_6170_;
-                                                let _e2700 = phi_6171_;
-                                                let _e2702 = phi_6172_;
-                                                let _e2704 = phi_6173_;
-                                                local_23 = _e2690;
-                                                local_53 = _e2692;
-                                                local_54 = _e2694;
-                                                local_55 = _e2696;
-                                                local_56 = _e2698;
-                                                local_57 = _e2700;
-                                                local_58 = _e2702;
-                                                local_59 = _e2704;
-                                                local_60 = _e2684;
-                                                local_62 = _e2690;
+                                                let _e2683 = phi_6167_;
+                                                let _e2685 = phi_5703_;
+                                                let _e2687 = phi_6168_;
+                                                let _e2689 = phi_6169_;
+                                                let _e2691 = phi_6170_;
+                                                let _e2693 = phi_6171_;
+                                                let _e2695 = phi_6172_;
+                                                let _e2697 = phi_6173_;
+                                                let _e2699 = phi_6174_;
+                                                let _e2701 = phi_6175_;
+                                                let _e2703 = phi_6176_;
+                                                local_23 = _e2689;
+                                                local_53 = _e2691;
+                                                local_54 = _e2693;
+                                                local_55 = _e2695;
+                                                local_56 = _e2697;
+                                                local_57 = _e2699;
+                                                local_58 = _e2701;
+                                                local_59 = _e2703;
+                                                local_60 = _e2683;
+                                                local_62 = _e2689;
                                                 continue;
                                                 continuing {
-                                                    phi_5696_ = _e2319;
-                                                    phi_5699_ = _e2686;
-                                                    break if !(_e2688);
+                                                    phi_5699_ = _e2318;
+                                                    phi_5702_ = _e2685;
+                                                    break if !(_e2687);
                                                 }
                                             }
-                                            let _e2707 = local_23;
-                                            if _e2707 {
-                                                phi_6178_ = type_40(0u, type_40().member_1);
-                                                phi_6179_ = false;
-                                                phi_6180_ = false;
-                                                phi_6181_ = false;
+                                            let _e2706 = local_23;
+                                            if _e2706 {
+                                                phi_6181_ = type_42(0u, type_42().member_1);
                                                 phi_6182_ = false;
                                                 phi_6183_ = false;
                                                 phi_6184_ = false;
                                                 phi_6185_ = false;
+                                                phi_6186_ = false;
+                                                phi_6187_ = false;
+                                                phi_6188_ = false;
                                             } else {
-                                                phi_6178_ = type_40();
-                                                let _e4532 = local_53;
-                                                phi_6179_ = _e4532;
-                                                let _e4535 = local_54;
-                                                phi_6180_ = _e4535;
-                                                let _e4538 = local_55;
-                                                phi_6181_ = _e4538;
-                                                let _e4541 = local_56;
-                                                phi_6182_ = _e4541;
-                                                let _e4544 = local_57;
-                                                phi_6183_ = _e4544;
-                                                let _e4547 = local_58;
-                                                phi_6184_ = _e4547;
-                                                let _e4550 = local_59;
-                                                phi_6185_ = _e4550;
+                                                phi_6181_ = type_42();
+                                                let _e4533 = local_53;
+                                                phi_6182_ = _e4533;
+                                                let _e4536 = local_54;
+                                                phi_6183_ = _e4536;
+                                                let _e4539 = local_55;
+                                                phi_6184_ = _e4539;
+                                                let _e4542 = local_56;
+                                                phi_6185_ = _e4542;
+                                                let _e4545 = local_57;
+                                                phi_6186_ = _e4545;
+                                                let _e4548 = local_58;
+                                                phi_6187_ = _e4548;
+                                                let _e4551 = local_59;
+                                                phi_6188_ = _e4551;
                                             }
-                                            let _e2711 = phi_6178_;
-                                            let _e2713 = phi_6179_;
-                                            let _e2715 = phi_6180_;
-                                            let _e2717 = phi_6181_;
-                                            let _e2719 = phi_6182_;
-                                            let _e2721 = phi_6183_;
-                                            let _e2723 = phi_6184_;
-                                            let _e2725 = phi_6185_;
-                                            if _e2713 {
-                                                let _e4553 = local_60;
-                                                phi_6189_ = _e4553;
-                                                phi_6190_ = true;
-                                                phi_6191_ = false;
-                                                phi_6192_ = false;
-                                                phi_6193_ = false;
+                                            let _e2710 = phi_6181_;
+                                            let _e2712 = phi_6182_;
+                                            let _e2714 = phi_6183_;
+                                            let _e2716 = phi_6184_;
+                                            let _e2718 = phi_6185_;
+                                            let _e2720 = phi_6186_;
+                                            let _e2722 = phi_6187_;
+                                            let _e2724 = phi_6188_;
+                                            if _e2712 {
+                                                let _e4554 = local_60;
+                                                phi_6192_ = _e4554;
+                                                phi_6193_ = true;
                                                 phi_6194_ = false;
                                                 phi_6195_ = false;
                                                 phi_6196_ = false;
+                                                phi_6197_ = false;
+                                                phi_6198_ = false;
+                                                phi_6199_ = false;
                                             } else {
-                                                let _e4555 = local_61;
-                                                phi_6189_ = _e4555;
-                                                phi_6190_ = _e2715;
-                                                phi_6191_ = _e2717;
-                                                phi_6192_ = _e2719;
-                                                phi_6193_ = _e2721;
-                                                let _e4562 = local_62;
-                                                phi_6194_ = _e4562;
-                                                phi_6195_ = _e2723;
-                                                phi_6196_ = _e2725;
+                                                let _e4556 = local_61;
+                                                phi_6192_ = _e4556;
+                                                phi_6193_ = _e2714;
+                                                phi_6194_ = _e2716;
+                                                phi_6195_ = _e2718;
+                                                phi_6196_ = _e2720;
+                                                let _e4563 = local_62;
+                                                phi_6197_ = _e4563;
+                                                phi_6198_ = _e2722;
+                                                phi_6199_ = _e2724;
                                             }
-                                            let _e2727 = phi_6189_;
-                                            let _e2729 = phi_6190_;
-                                            let _e2731 = phi_6191_;
-                                            let _e2733 = phi_6192_;
-                                            let _e2735 = phi_6193_;
-                                            let _e2737 = phi_6194_;
-                                            let _e2739 = phi_6195_;
-                                            let _e2741 = phi_6196_;
-                                            if _e2729 {
-                                                phi_6201_ = type_40(1u, _e2727);
-                                                phi_6202_ = false;
-                                                phi_6203_ = false;
-                                                phi_6204_ = false;
+                                            let _e2726 = phi_6192_;
+                                            let _e2728 = phi_6193_;
+                                            let _e2730 = phi_6194_;
+                                            let _e2732 = phi_6195_;
+                                            let _e2734 = phi_6196_;
+                                            let _e2736 = phi_6197_;
+                                            let _e2738 = phi_6198_;
+                                            let _e2740 = phi_6199_;
+                                            if _e2728 {
+                                                phi_6204_ = type_42(1u, _e2726);
                                                 phi_6205_ = false;
                                                 phi_6206_ = false;
                                                 phi_6207_ = false;
+                                                phi_6208_ = false;
+                                                phi_6209_ = false;
+                                                phi_6210_ = false;
                                             } else {
-                                                phi_6201_ = type_40();
-                                                phi_6202_ = _e2731;
-                                                phi_6203_ = _e2733;
-                                                phi_6204_ = _e2735;
-                                                phi_6205_ = _e2737;
-                                                phi_6206_ = _e2739;
-                                                phi_6207_ = _e2741;
+                                                phi_6204_ = type_42();
+                                                phi_6205_ = _e2730;
+                                                phi_6206_ = _e2732;
+                                                phi_6207_ = _e2734;
+                                                phi_6208_ = _e2736;
+                                                phi_6209_ = _e2738;
+                                                phi_6210_ = _e2740;
                                             }
-                                            let _e2744 = phi_6201_;
-                                            let _e2746 = phi_6202_;
-                                            let _e2748 = phi_6203_;
-                                            let _e2750 = phi_6204_;
-                                            let _e2752 = phi_6205_;
-                                            let _e2754 = phi_6206_;
-                                            let _e2756 = phi_6207_;
-                                            if _e2746 {
-                                                let _e2758 = local_24;
-                                                phi_6212_ = type_40(1u, _e2758);
-                                                phi_6213_ = false;
-                                                phi_6214_ = false;
-                                                phi_6215_ = true;
+                                            let _e2743 = phi_6204_;
+                                            let _e2745 = phi_6205_;
+                                            let _e2747 = phi_6206_;
+                                            let _e2749 = phi_6207_;
+                                            let _e2751 = phi_6208_;
+                                            let _e2753 = phi_6209_;
+                                            let _e2755 = phi_6210_;
+                                            if _e2745 {
+                                                let _e2757 = local_24;
+                                                phi_6215_ = type_42(1u, _e2757);
                                                 phi_6216_ = false;
                                                 phi_6217_ = false;
+                                                phi_6218_ = true;
+                                                phi_6219_ = false;
+                                                phi_6220_ = false;
                                             } else {
-                                                phi_6212_ = _e2711;
-                                                phi_6213_ = _e2748;
-                                                phi_6214_ = _e2750;
-                                                phi_6215_ = _e2752;
-                                                phi_6216_ = _e2754;
-                                                phi_6217_ = _e2756;
+                                                phi_6215_ = _e2710;
+                                                phi_6216_ = _e2747;
+                                                phi_6217_ = _e2749;
+                                                phi_6218_ = _e2751;
+                                                phi_6219_ = _e2753;
+                                                phi_6220_ = _e2755;
                                             }
-                                            let _e2761 = phi_6212_;
-                                            let _e2763 = phi_6213_;
-                                            let _e2765 = phi_6214_;
-                                            let _e2767 = phi_6215_;
-                                            let _e2769 = phi_6216_;
-                                            let _e2771 = phi_6217_;
-                                            if _e2763 {
-                                                let _e2773 = local_25;
-                                                phi_6222_ = type_40(1u, _e2773);
-                                                phi_6223_ = false;
-                                                phi_6224_ = false;
-                                                phi_6225_ = false;
+                                            let _e2760 = phi_6215_;
+                                            let _e2762 = phi_6216_;
+                                            let _e2764 = phi_6217_;
+                                            let _e2766 = phi_6218_;
+                                            let _e2768 = phi_6219_;
+                                            let _e2770 = phi_6220_;
+                                            if _e2762 {
+                                                let _e2772 = local_25;
+                                                phi_6225_ = type_42(1u, _e2772);
                                                 phi_6226_ = false;
+                                                phi_6227_ = false;
+                                                phi_6228_ = false;
+                                                phi_6229_ = false;
                                             } else {
-                                                phi_6222_ = type_40();
-                                                phi_6223_ = _e2765;
-                                                phi_6224_ = _e2767;
-                                                phi_6225_ = _e2769;
-                                                phi_6226_ = _e2771;
+                                                phi_6225_ = type_42();
+                                                phi_6226_ = _e2764;
+                                                phi_6227_ = _e2766;
+                                                phi_6228_ = _e2768;
+                                                phi_6229_ = _e2770;
                                             }
-                                            let _e2776 = phi_6222_;
-                                            let _e2778 = phi_6223_;
-                                            let _e2780 = phi_6224_;
-                                            let _e2782 = phi_6225_;
-                                            let _e2784 = phi_6226_;
-                                            if _e2778 {
-                                                let _e2786 = local_26;
-                                                phi_6231_ = type_40(1u, _e2786);
-                                                phi_6232_ = true;
-                                                phi_6233_ = false;
-                                                phi_6234_ = false;
-                                                phi_6235_ = false;
+                                            let _e2775 = phi_6225_;
+                                            let _e2777 = phi_6226_;
+                                            let _e2779 = phi_6227_;
+                                            let _e2781 = phi_6228_;
+                                            let _e2783 = phi_6229_;
+                                            if _e2777 {
+                                                let _e2785 = local_26;
+                                                phi_6234_ = type_42(1u, _e2785);
+                                                phi_6235_ = true;
+                                                phi_6236_ = false;
+                                                phi_6237_ = false;
+                                                phi_6238_ = false;
                                             } else {
-                                                phi_6231_ = _e2776;
-                                                phi_6232_ = _e2763;
-                                                phi_6233_ = _e2780;
-                                                phi_6234_ = _e2782;
-                                                phi_6235_ = _e2784;
+                                                phi_6234_ = _e2775;
+                                                phi_6235_ = _e2762;
+                                                phi_6236_ = _e2779;
+                                                phi_6237_ = _e2781;
+                                                phi_6238_ = _e2783;
                                             }
-                                            let _e2789 = phi_6231_;
-                                            let _e2791 = phi_6232_;
-                                            let _e2793 = phi_6233_;
-                                            let _e2795 = phi_6234_;
-                                            let _e2797 = phi_6235_;
-                                            if _e2791 {
-                                                phi_6239_ = _e2789;
-                                                phi_6240_ = true;
-                                                phi_6241_ = false;
-                                                phi_6242_ = false;
+                                            let _e2788 = phi_6234_;
+                                            let _e2790 = phi_6235_;
+                                            let _e2792 = phi_6236_;
+                                            let _e2794 = phi_6237_;
+                                            let _e2796 = phi_6238_;
+                                            if _e2790 {
+                                                phi_6242_ = _e2788;
+                                                phi_6243_ = true;
+                                                phi_6244_ = false;
+                                                phi_6245_ = false;
                                             } else {
-                                                phi_6239_ = _e2761;
-                                                phi_6240_ = _e2793;
-                                                phi_6241_ = _e2795;
-                                                phi_6242_ = _e2797;
+                                                phi_6242_ = _e2760;
+                                                phi_6243_ = _e2792;
+                                                phi_6244_ = _e2794;
+                                                phi_6245_ = _e2796;
                                             }
-                                            let _e2799 = phi_6239_;
-                                            let _e2801 = phi_6240_;
-                                            let _e2803 = phi_6241_;
-                                            let _e2805 = phi_6242_;
-                                            if _e2801 {
-                                                phi_6246_ = false;
-                                                phi_6247_ = false;
+                                            let _e2798 = phi_6242_;
+                                            let _e2800 = phi_6243_;
+                                            let _e2802 = phi_6244_;
+                                            let _e2804 = phi_6245_;
+                                            if _e2800 {
+                                                phi_6249_ = false;
+                                                phi_6250_ = false;
                                             } else {
-                                                phi_6246_ = _e2803;
-                                                phi_6247_ = _e2805;
+                                                phi_6249_ = _e2802;
+                                                phi_6250_ = _e2804;
                                             }
-                                            let _e2807 = phi_6246_;
-                                            let _e2809 = phi_6247_;
-                                            if _e2807 {
-                                                phi_6251_ = false;
-                                                phi_6252_ = false;
+                                            let _e2806 = phi_6249_;
+                                            let _e2808 = phi_6250_;
+                                            if _e2806 {
+                                                phi_6254_ = false;
+                                                phi_6255_ = false;
                                             } else {
-                                                phi_6251_ = _e2809;
-                                                phi_6252_ = _e2801;
+                                                phi_6254_ = _e2808;
+                                                phi_6255_ = _e2800;
                                             }
-                                            let _e2811 = phi_6251_;
-                                            let _e2813 = phi_6252_;
-                                            if _e2811 {
-                                                phi_6256_ = true;
-                                                phi_6257_ = false;
+                                            let _e2810 = phi_6254_;
+                                            let _e2812 = phi_6255_;
+                                            if _e2810 {
+                                                phi_6259_ = true;
+                                                phi_6260_ = false;
                                             } else {
-                                                phi_6256_ = _e2807;
-                                                phi_6257_ = _e2813;
+                                                phi_6259_ = _e2806;
+                                                phi_6260_ = _e2812;
                                             }
-                                            let _e2815 = phi_6256_;
-                                            let _e2817 = phi_6257_;
-                                            if _e2815 {
-                                                let _e2819 = local_27;
-                                                phi_6262_ = type_40(1u, _e2819);
-                                                phi_6263_ = true;
+                                            let _e2814 = phi_6259_;
+                                            let _e2816 = phi_6260_;
+                                            if _e2814 {
+                                                let _e2818 = local_27;
+                                                phi_6265_ = type_42(1u, _e2818);
+                                                phi_6266_ = true;
                                             } else {
-                                                phi_6262_ = _e2799;
-                                                phi_6263_ = _e2817;
+                                                phi_6265_ = _e2798;
+                                                phi_6266_ = _e2816;
                                             }
-                                            let _e2822 = phi_6262_;
-                                            let _e2824 = phi_6263_;
-                                            if _e2824 {
-                                                phi_6267_ = _e2822;
+                                            let _e2821 = phi_6265_;
+                                            let _e2823 = phi_6266_;
+                                            if _e2823 {
+                                                phi_6270_ = _e2821;
                                             } else {
-                                                phi_6267_ = _e2744;
+                                                phi_6270_ = _e2743;
                                             }
-                                            let _e2826 = phi_6267_;
-                                            let _e2829 = (_e2826.member != 0u);
-                                            if _e2829 {
-                                                phi_6274_ = false;
+                                            let _e2825 = phi_6270_;
+                                            let _e2828 = (_e2825.member != 0u);
+                                            if _e2828 {
+                                                phi_6277_ = false;
                                             } else {
-                                                phi_6274_ = true;
+                                                phi_6277_ = true;
                                             }
-                                            let _e2831 = phi_6274_;
-                                            phi_6275_ = _e2826.member_1;
-                                            phi_6276_ = _e2831;
-                                            phi_6277_ = _e2829;
-                                            phi_6278_ = false;
+                                            let _e2830 = phi_6277_;
+                                            phi_6278_ = _e2825.member_1;
+                                            phi_6279_ = _e2830;
+                                            phi_6280_ = _e2828;
+                                            phi_6281_ = false;
                                         } else {
-                                            phi_6275_ = f64();
-                                            phi_6276_ = false;
-                                            phi_6277_ = false;
-                                            phi_6278_ = true;
+                                            phi_6278_ = f64();
+                                            phi_6279_ = false;
+                                            phi_6280_ = false;
+                                            phi_6281_ = true;
                                         }
-                                        let _e2833 = phi_6275_;
-                                        let _e2835 = phi_6276_;
-                                        let _e2837 = phi_6277_;
-                                        let _e2839 = phi_6278_;
-                                        phi_6279_ = _e2833;
-                                        phi_6280_ = _e2835;
-                                        phi_6281_ = _e2837;
-                                        phi_6282_ = _e2839;
+                                        let _e2832 = phi_6278_;
+                                        let _e2834 = phi_6279_;
+                                        let _e2836 = phi_6280_;
+                                        let _e2838 = phi_6281_;
+                                        phi_6282_ = _e2832;
+                                        phi_6283_ = _e2834;
+                                        phi_6284_ = _e2836;
+                                        phi_6285_ = _e2838;
                                     }
-                                    let _e2841 = phi_6279_;
-                                    let _e2843 = phi_6280_;
-                                    let _e2845 = phi_6281_;
-                                    let _e2847 = phi_6282_;
-                                    phi_6283_ = _e2841;
-                                    phi_6284_ = _e2057;
-                                    phi_6285_ = _e2843;
-                                    phi_6286_ = _e2845;
-                                    phi_6287_ = _e2847;
+                                    let _e2840 = phi_6282_;
+                                    let _e2842 = phi_6283_;
+                                    let _e2844 = phi_6284_;
+                                    let _e2846 = phi_6285_;
+                                    phi_6286_ = _e2840;
+                                    phi_6287_ = _e2056;
+                                    phi_6288_ = _e2842;
+                                    phi_6289_ = _e2844;
+                                    phi_6290_ = _e2846;
                                 }
-                                let _e2849 = phi_6283_;
-                                let _e2851 = phi_6284_;
-                                let _e2853 = phi_6285_;
-                                let _e2855 = phi_6286_;
-                                let _e2857 = phi_6287_;
-                                if _e2851 {
-                                    phi_6291_ = true;
-                                    phi_6292_ = false;
-                                    phi_6293_ = false;
+                                let _e2848 = phi_6286_;
+                                let _e2850 = phi_6287_;
+                                let _e2852 = phi_6288_;
+                                let _e2854 = phi_6289_;
+                                let _e2856 = phi_6290_;
+                                if _e2850 {
+                                    phi_6294_ = true;
+                                    phi_6295_ = false;
+                                    phi_6296_ = false;
                                 } else {
-                                    phi_6291_ = _e2853;
-                                    phi_6292_ = _e2855;
-                                    phi_6293_ = _e2857;
+                                    phi_6294_ = _e2852;
+                                    phi_6295_ = _e2854;
+                                    phi_6296_ = _e2856;
                                 }
-                                let _e2859 = phi_6291_;
-                                let _e2861 = phi_6292_;
-                                let _e2863 = phi_6293_;
-                                phi_6294_ = _e2849;
-                                phi_6295_ = _e1331;
-                                phi_6296_ = _e2859;
-                                phi_6297_ = false;
-                                phi_6298_ = _e2861;
-                                phi_6299_ = _e2863;
+                                let _e2858 = phi_6294_;
+                                let _e2860 = phi_6295_;
+                                let _e2862 = phi_6296_;
+                                phi_6297_ = _e2848;
+                                phi_6298_ = _e1330;
+                                phi_6299_ = _e2858;
+                                phi_6300_ = false;
+                                phi_6301_ = _e2860;
+                                phi_6302_ = _e2862;
                             } else {
-                                phi_6294_ = f64();
-                                phi_6295_ = type_41();
-                                phi_6296_ = false;
-                                phi_6297_ = true;
-                                phi_6298_ = false;
+                                phi_6297_ = f64();
+                                phi_6298_ = type_43();
                                 phi_6299_ = false;
+                                phi_6300_ = true;
+                                phi_6301_ = false;
+                                phi_6302_ = false;
                             }
-                            let _e2865 = phi_6294_;
-                            let _e2867 = phi_6295_;
-                            let _e2869 = phi_6296_;
-                            let _e2871 = phi_6297_;
-                            let _e2873 = phi_6298_;
-                            let _e2875 = phi_6299_;
-                            local_28 = _e2871;
-                            local_63 = _e2873;
-                            local_64 = _e2875;
-                            local_29 = _e2865;
-                            local_30 = _e2867;
+                            let _e2864 = phi_6297_;
+                            let _e2866 = phi_6298_;
+                            let _e2868 = phi_6299_;
+                            let _e2870 = phi_6300_;
+                            let _e2872 = phi_6301_;
+                            let _e2874 = phi_6302_;
+                            local_28 = _e2870;
+                            local_63 = _e2872;
+                            local_64 = _e2874;
+                            local_29 = _e2864;
+                            local_30 = _e2866;
                             continue;
                             continuing {
-                                phi_3735_ = _e1018;
-                                break if !(_e2869);
+                                phi_3738_ = _e1017;
+                                break if !(_e2868);
                             }
                         }
-                        let _e2878 = local_28;
-                        if _e2878 {
-                            phi_6304_ = type_40(0u, type_40().member_1);
-                            phi_6305_ = false;
-                            phi_6306_ = false;
+                        let _e2877 = local_28;
+                        if _e2877 {
+                            phi_6307_ = type_42(0u, type_42().member_1);
+                            phi_6308_ = false;
+                            phi_6309_ = false;
                         } else {
-                            phi_6304_ = type_40();
-                            let _e4632 = local_63;
-                            phi_6305_ = _e4632;
-                            let _e4635 = local_64;
-                            phi_6306_ = _e4635;
+                            phi_6307_ = type_42();
+                            let _e4633 = local_63;
+                            phi_6308_ = _e4633;
+                            let _e4636 = local_64;
+                            phi_6309_ = _e4636;
                         }
-                        let _e2882 = phi_6304_;
-                        let _e2884 = phi_6305_;
-                        let _e2886 = phi_6306_;
-                        if _e2884 {
-                            let _e2888 = local_29;
-                            phi_6311_ = type_40(2u, _e2888);
-                            phi_6312_ = false;
+                        let _e2881 = phi_6307_;
+                        let _e2883 = phi_6308_;
+                        let _e2885 = phi_6309_;
+                        if _e2883 {
+                            let _e2887 = local_29;
+                            phi_6314_ = type_42(2u, _e2887);
+                            phi_6315_ = false;
                         } else {
-                            phi_6311_ = type_40();
-                            phi_6312_ = _e2886;
+                            phi_6314_ = type_42();
+                            phi_6315_ = _e2885;
                         }
-                        let _e2891 = phi_6311_;
-                        let _e2893 = phi_6312_;
-                        if _e2893 {
-                            let _e2895 = local_30;
-                            phi_6318_ = type_40(1u, _e2895.member);
-                            phi_6319_ = true;
+                        let _e2890 = phi_6314_;
+                        let _e2892 = phi_6315_;
+                        if _e2892 {
+                            let _e2894 = local_30;
+                            phi_6321_ = type_42(1u, _e2894.member);
+                            phi_6322_ = true;
                         } else {
-                            phi_6318_ = _e2891;
-                            phi_6319_ = _e2884;
+                            phi_6321_ = _e2890;
+                            phi_6322_ = _e2883;
                         }
-                        let _e2899 = phi_6318_;
-                        let _e2901 = phi_6319_;
-                        if _e2901 {
-                            phi_6323_ = _e2899;
+                        let _e2898 = phi_6321_;
+                        let _e2900 = phi_6322_;
+                        if _e2900 {
+                            phi_6326_ = _e2898;
                         } else {
-                            phi_6323_ = _e2882;
+                            phi_6326_ = _e2881;
                         }
-                        let _e2903 = phi_6323_;
-                        phi_6327_ = _e2903;
+                        let _e2902 = phi_6326_;
+                        phi_6330_ = _e2902;
                     }
-                    let _e4040 = phi_6327_;
-                    phi_6328_ = _e4040;
+                    let _e4039 = phi_6330_;
+                    phi_6331_ = _e4039;
                 }
-                let _e4044 = phi_6328_;
-                switch bitcast<i32>(_e4044.member) {
+                let _e4043 = phi_6331_;
+                switch bitcast<i32>(_e4043.member) {
                     case 0: {
-                        phi_6341_ = type_30(0u, array<u32, 2>(0u, 0u), false);
+                        phi_6344_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4050 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(0u, _e4050, true);
+                        let _e4049 = function_3(_e4043.member_1);
+                        phi_6344_ = type_32(0u, _e4049, true);
                         break;
                     }
                     case 2: {
-                        let _e4048 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(1u, _e4048, true);
+                        let _e4047 = function_3(_e4043.member_1);
+                        phi_6344_ = type_32(1u, _e4047, true);
                         break;
                     }
                     default: {
-                        phi_6341_ = type_30();
+                        phi_6344_ = type_32();
                         break;
                     }
                 }
-                let _e4053 = phi_6341_;
-                if _e4053.member_2 {
-                    let _e4060 = (_e4053.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4060 <= 896u) {
-                        phi_6364_ = 0u;
+                let _e4052 = phi_6344_;
+                if _e4052.member_2 {
+                    let _e4059 = (_e4052.member_1[1] >> bitcast<u32>(20i));
+                    if (_e4059 <= 896u) {
+                        phi_6367_ = 0u;
                     } else {
-                        phi_6364_ = ((((_e4060 - 896u) << bitcast<u32>(23i)) | ((_e4053.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4053.member_1[0] >> bitcast<u32>(29i)));
+                        phi_6367_ = ((((_e4059 - 896u) << bitcast<u32>(23i)) | ((_e4052.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4052.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4075 = phi_6364_;
-                    let _e4077 = atomicMin((&earliest.member[0u]), _e4075);
+                    let _e4074 = phi_6367_;
+                    let _e4076 = atomicMin((&earliest.member[0u]), _e4074);
                 }
-                phi_6368_ = type_29(_e168, _e4053.member, _e174, _e177, _e4053.member_1);
-                phi_6369_ = _e4053.member_2;
+                phi_6371_ = type_22(0u, _e4052.member, _e172, _e175, _e4052.member_1);
+                phi_6372_ = _e4052.member_2;
             } else {
-                phi_6368_ = type_29(_e168, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6369_ = false;
+                phi_6371_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_6372_ = false;
             }
-            let _e4079 = phi_6368_;
-            let _e4081 = phi_6369_;
-            let _e4083 = params.member.member_1;
+            let _e4078 = phi_6371_;
+            let _e4080 = phi_6372_;
+            let _e4083 = params.member.member.member_1;
             if ((_e4083 & 16u) != 0u) {
                 if (_e101 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4081 {
+                if _e4080 {
                     let _e4089 = atomicAdd((&counters[0u]), 1u);
-                    phi_6387_ = _e4089;
+                    phi_6391_ = _e4089;
                 } else {
-                    phi_6387_ = 0u;
+                    phi_6391_ = 0u;
                 }
-                let _e4091 = phi_6387_;
+                let _e4091 = phi_6391_;
                 workgroupBarrier();
                 if (_e101 == 0u) {
                     let _e4094 = atomicLoad((&counters[0u]));
@@ -5116,24 +5122,24 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 workgroupBarrier();
                 let _e4100 = atomicLoad((&counters[1u]));
                 let _e4101 = (_e4100 + _e4091);
-                if _e4081 {
-                    let _e4103 = params.member.member_16;
-                    if (_e4101 < _e4103) {
-                        let _e4105 = (6u * _e4101);
-                        atomicStore((&contacts.member[(4u + _e4105)]), _e4079.member);
-                        atomicStore((&contacts.member[(_e4105 + 5u)]), _e4079.member_1);
-                        atomicStore((&contacts.member[(_e4105 + 6u)]), _e4079.member_2);
-                        atomicStore((&contacts.member[(_e4105 + 7u)]), _e4079.member_3);
-                        atomicStore((&contacts.member[(_e4105 + 8u)]), _e4079.member_4[0]);
-                        atomicStore((&contacts.member[(_e4105 + 9u)]), _e4079.member_4[1]);
+                if _e4080 {
+                    let _e4104 = params.member.member_1.member_3;
+                    if (_e4101 < _e4104) {
+                        let _e4106 = (6u * _e4101);
+                        atomicStore((&contacts.member[(4u + _e4106)]), _e4078.member);
+                        atomicStore((&contacts.member[(_e4106 + 5u)]), _e4078.member_1);
+                        atomicStore((&contacts.member[(_e4106 + 6u)]), _e4078.member_2);
+                        atomicStore((&contacts.member[(_e4106 + 7u)]), _e4078.member_3);
+                        atomicStore((&contacts.member[(_e4106 + 8u)]), _e4078.member_4[0]);
+                        atomicStore((&contacts.member[(_e4106 + 9u)]), _e4078.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_830_ = _e156;
-            break if !(_e162);
+            phi_834_ = _e157;
+            break if !(_e163);
         }
     }
     return;

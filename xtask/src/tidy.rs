@@ -13,7 +13,7 @@ const UNSAFE_FILES: [&str; 7] = [
     "ccd-core/src/slice.rs",
     "ccd-cpu/src/simd.rs",
     "ccd-gpu/src/device.rs",
-    "ccd-shaders/src/share.rs",
+    "ccd-shaders/src/workgroup.rs",
     "examples/engine.rs",
     "tests/allocations.rs",
 ];
