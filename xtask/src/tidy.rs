@@ -24,7 +24,7 @@ const UNSAFE_FILES: [&str; 11] = [
     "ccd-cpu/src/simd/neon.rs",
     "ccd-cpu/src/simd/tests.rs",
     "ccd-gpu/src/device.rs",
-    "ccd-shaders/src/share.rs",
+    "ccd-shaders/src/workgroup.rs",
     "examples/engine.rs",
     "tests/allocations.rs",
 ];

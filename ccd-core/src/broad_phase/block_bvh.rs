@@ -5,7 +5,7 @@
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
 
 use crate::kernel::memory::at;
-use crate::layout::{Leaf, MAX_LEVELS, Params, split};
+use crate::layout::{Blocks, Frame, Leaf, MAX_LEVELS, split};
 use crate::math::aabb::Aabb;
 
 /// Children of a node.
@@ -27,8 +27,8 @@ pub fn sets(kind: u32) -> [usize; 2] {
 
 /// Number of node `i` of `set` on `level` among all nodes.
 #[inline(always)]
-pub fn slot(params: &Params, level: u32, set: usize, i: u32) -> usize {
-    (params.slots[level as usize][set] + i) as usize
+pub fn slot(tree: &Blocks, level: u32, set: usize, i: u32) -> usize {
+    (tree.slots[level as usize][set] + i) as usize
 }
 
 /// The set of node `i` of a level, from the first nodes of its sets.
@@ -43,22 +43,22 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
     }
 }
 
-/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `params.level`.
+/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `tree.level`.
 ///
 /// At most 62 nodes a level, and all of that level's.
 #[inline(always)]
-pub fn range_box(params: &Params, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
+pub fn range_box(tree: &Blocks, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     let (mut from, mut to) = (first, last + 1);
     for level in 0..MAX_LEVELS as u32 {
         let (up, down) = (from.next_multiple_of(WIDTH), to / WIDTH * WIDTH);
-        let goes_on = up < down && level < params.level;
+        let goes_on = up < down && level < tree.level;
         let (end, begin) = if goes_on { (up, down) } else { (to, to) };
         for i in from..end {
-            out = out.union(&at(nodes, slot(params, level, set, i)));
+            out = out.union(&at(nodes, slot(tree, level, set, i)));
         }
         for i in begin..to {
-            out = out.union(&at(nodes, slot(params, level, set, i)));
+            out = out.union(&at(nodes, slot(tree, level, set, i)));
         }
         from = if goes_on { up / WIDTH } else { 0 };
         to = if goes_on { down / WIDTH } else { 0 };
@@ -99,10 +99,10 @@ const KEPT: u32 = 1 << 31;
 ///
 /// `bodies`: per vertex `2 body + fixed`. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
 #[inline(always)]
-pub fn wanted(params: &Params, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
+pub fn wanted(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
-    if params.has(Params::FLAG_TOPOLOGY) {
-        let shared = if params.kind == 0 {
+    if frame.has(Frame::FLAG_TOPOLOGY) {
+        let shared = if kind == 0 {
             p[0] == q[0] || p[0] == q[1] || p[0] == q[2]
         } else {
             p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]
@@ -111,14 +111,14 @@ pub fn wanted(params: &Params, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodie
             return false;
         }
     }
-    if params.has(Params::FLAG_BODIES) {
+    if frame.has(Frame::FLAG_BODIES) {
         let (m, n) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
-        let unwanted = m / 2 == n / 2 && !params.has(Params::FLAG_SELF_CONTACT);
+        let unwanted = m / 2 == n / 2 && !frame.has(Frame::FLAG_SELF_CONTACT);
         if unwanted || m & n & 1 != 0 {
             return false;
         }
     }
-    if params.has(Params::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], params.slack) {
+    if frame.has(Frame::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], frame.slack) {
         return overlap_exactly(p, q, keys);
     }
     true

@@ -1,4 +1,5 @@
-//! Lists that kernels append to: a header that counts what was wanted, then the entries for which there was room.
+//! Lists that kernels append to: a header that counts what was wanted, then the entries for which
+//! there was room.
 
 use crate::device::Device;
 use crate::error::Error;
@@ -9,15 +10,24 @@ use wgpu::BufferUsages as U;
 /// Bytes of a header.
 pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
 
-/// What the header of a list says: the number of entries wanted, and the number of candidates looked at.
-pub fn read_header(bytes: &[u8]) -> Result<[u32; 2], Error> {
+/// What the header of a list says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Header {
+    /// Entries wanted, which may exceed the room.
+    pub wanted: u32,
+    /// Candidates looked at.
+    pub looked_at: u32,
+}
+
+/// The header of a list that was read; a count that ran over is refused.
+pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
     for i in [0, 1] {
         if word(bytes, i + 2) > 0 {
             let count = (word(bytes, i + 2) as u64) << 32 | word(bytes, i) as u64;
             return Err(ccd_core::Error::TooMany { element: "overlapping pairs", count, limit: u32::MAX as u64 }.into());
         }
     }
-    Ok([word(bytes, 0), word(bytes, 1)])
+    Ok(Header { wanted: word(bytes, 0), looked_at: word(bytes, 1) })
 }
 
 /// The pairs of a list that was read.
@@ -53,7 +63,8 @@ impl List {
         Ok(list)
     }
 
-    /// The buffer: a header of four words, of which the first is the number of entries wanted and the third is 0 unless that exceeds 32 bits, then the entries.
+    /// The buffer: a header of four words, of which the first is the number of entries wanted and
+    /// the third is 0 unless that exceeds 32 bits, then the entries.
     pub fn buffer(&self) -> &wgpu::Buffer {
         &self.buffer
     }
@@ -73,12 +84,14 @@ impl List {
         Self::new(device, self.what, self.words, room)
     }
 
-    /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns whether it did.
+    /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns
+    /// whether it did.
     pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
         if wanted <= self.room {
             return Ok(false);
         }
-        // Some more, as the next frame may want more; without it where the device has too little for that.
+        // Some more, as the next frame may want more; without it where the device has too little
+        // for that.
         let larger = wanted.saturating_add(wanted / 4);
         *self = match Self::new(device, self.what, self.words, larger) {
             Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => Self::new(device, self.what, self.words, wanted)?,
@@ -95,7 +108,7 @@ mod tests {
     #[test]
     fn counts_that_ran_over_are_refused() {
         let header = |words: [u32; 4]| read_header(bytemuck::cast_slice(&words));
-        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), [7, u32::MAX]);
+        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), Header { wanted: 7, looked_at: u32::MAX });
         for (words, count) in [([5, 0, 1, 0], "4294967301"), ([5, 6, 0, 2], "8589934598")] {
             let error = header(words).unwrap_err().to_string();
             assert!(error.contains(count) && error.contains("4294967295"), "{error}");

@@ -1,6 +1,7 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 
-use ccd_core::kernel::memory::at;
+use ccd_core::layout::{LIST_HEADER, Pair};
+use ccd_core::kernel::memory::{at, put};
 use spirv_std::arch::{IndexUnchecked, atomic_i_add, atomic_or, atomic_u_max, atomic_u_min};
 use spirv_std::glam::UVec3;
 use spirv_std::memory::{Scope, Semantics};
@@ -22,7 +23,8 @@ pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
     unsafe { atomic_i_add::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) }
 }
 
-/// Adds to word 0 or 1 of a list's header and returns what it was; two words behind it is counted how often it ran over.
+/// Adds to word 0 or 1 of a list's header and returns what it was; two words behind it is counted
+/// how often it ran over.
 #[inline(always)]
 pub fn count(list: &mut [u32], i: usize, value: u32) -> u32 {
     let old = add(list, i, value);
@@ -84,4 +86,28 @@ pub fn barrier() {
 #[inline(always)]
 pub fn length(list: &[u32], room: u32) -> u32 {
     at(list, 0).min(room)
+}
+
+/// Pair `i` of a list.
+#[inline(always)]
+pub fn read_pair(list: &[u32], i: u32) -> Pair {
+    let from = LIST_HEADER + 2 * i as usize;
+    Pair { a: at(list, from), b: at(list, from + 1) }
+}
+
+/// Writes pair `i` of a list; one for which there is no room is only counted.
+#[inline(always)]
+pub fn write_pair(list: &mut [u32], room: u32, i: u32, pair: Pair) {
+    if i < room {
+        let to = LIST_HEADER + 2 * i as usize;
+        put(list, to, pair.a);
+        put(list, to + 1, pair.b);
+    }
+}
+
+/// Counts and writes one pair.
+#[inline(always)]
+pub fn append(list: &mut [u32], room: u32, pair: Pair) {
+    let i = count(list, 0, 1);
+    write_pair(list, room, i, pair);
 }

@@ -1,18 +1,22 @@
 //! Boxes in, overlapping pairs out, on a device.
 
+pub mod block_bvh;
+mod block_levels;
+mod radix_tree;
+
+use crate::bind::ListCandidates;
 use crate::device::Device;
 use crate::error::Error;
-use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
-use crate::radix_tree::RadixTree;
-use crate::readback::Readback;
+use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
+use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, Recorder, Timing, submit};
-use crate::tree::Tree;
+use block_bvh::{Pass, Tree};
 use ccd_core::Aabb;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Pair, Params};
+use ccd_core::layout::Pair;
 use ccd_core::math::aabb::GREATEST;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
+use radix_tree::RadixTree;
 use wgpu::BufferUsages as U;
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
@@ -49,7 +53,7 @@ impl BroadPhase {
         Ok(Self {
             method,
             bench: Bench::new(device)?,
-            readback: Readback::new(),
+            readback: Readback::default(),
             buffers: None,
             pairs: List::new(device, "pairs", 2, 1 << 16)?,
             none: device.buffer("nothing", 0, U::STORAGE)?,
@@ -63,7 +67,8 @@ impl BroadPhase {
         self.bench.set_timing(timing)
     }
 
-    /// Milliseconds on the device, from the first kernel to the last: of each stage or of all together.
+    /// Milliseconds on the device, from the first kernel to the last: of each stage or of all
+    /// together.
     pub fn stages(&self) -> &[(&'static str, f64)] {
         &self.stages
     }
@@ -80,7 +85,8 @@ impl BroadPhase {
         self.read(n)
     }
 
-    /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and the list that holds them until the next call.
+    /// As [`BroadPhase::self_pairs`], but leaves the pairs on the device: returns their number, and
+    /// the list that holds them until the next call.
     pub fn self_pairs_on_device(&mut self, boxes: &[Aabb<f32>]) -> Result<(u32, &List), Error> {
         let n = self.find([&[], boxes, &[]])?;
         Ok((n, &self.pairs))
@@ -119,32 +125,38 @@ impl BroadPhase {
         self.again()
     }
 
-    /// The last call once more, with the boxes as they are on the device; returns the number of pairs.
+    /// The last call once more, with the boxes as they are on the device; returns the number of
+    /// pairs.
     pub fn again(&mut self) -> Result<u32, Error> {
         let Self { device, bench, readback, buffers, pairs, none, .. } = self;
         let Some(buffers) = buffers else { return Ok(0) };
         loop {
-            let heads: Vec<List> = buffers.blocks.lists().chain([&*pairs]).cloned().collect();
-            let parts = readback.plan(device, &vec![HEADER_BYTES; heads.len()])?;
+            let mut plan = Plan::default();
+            let of_descent: Vec<_> = buffers.blocks.lists().map(|_| plan.part(HEADER_BYTES)).collect();
+            let of_pairs = plan.part(HEADER_BYTES);
+            let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
-                for list in &heads {
+                for list in buffers.blocks.lists().chain([&*pairs]) {
                     recorder.clear(list.buffer(), HEADER_BYTES);
                 }
                 buffers.record(recorder, pairs, none);
                 recorder.end_of_work();
-                for (part, list) in parts.iter().zip(&heads) {
-                    readback.copy(recorder, *part, list.buffer(), 0);
+                for (part, list) in of_descent.iter().zip(buffers.blocks.lists()) {
+                    recorder.read(&reading, *part, list.buffer(), 0);
                 }
+                recorder.read(&reading, of_pairs, pairs.buffer(), 0);
             })?;
-            let read = readback.read(device, &parts)?;
+            let (of_descent, found) = reading.with(device, |bytes| -> Result<(Vec<Header>, Header), Error> {
+                let of_descent = of_descent.iter().map(|part| read_header(part.of(bytes))).collect::<Result<_, _>>()?;
+                Ok((of_descent, read_header(of_pairs.of(bytes))?))
+            })??;
             self.stages = bench.times(&stages)?;
-            let wanted = read.iter().map(|header| read_header(header).map(|h| h[0])).collect::<Result<Vec<u32>, Error>>()?;
-            let mut grown = false;
-            for (list, &wanted) in buffers.blocks.pairs.iter_mut().flatten().chain([&mut *pairs]).zip(&wanted) {
-                grown |= list.grow(device, wanted)?;
+            let mut grown = pairs.grow(device, found.wanted)?;
+            for (list, header) in buffers.blocks.pairs.iter_mut().flatten().zip(&of_descent) {
+                grown |= list.grow(device, header.wanted)?;
             }
             if !grown {
-                return Ok(wanted.last().copied().unwrap_or(0));
+                return Ok(found.wanted);
             }
             bench.forget();
         }
@@ -152,10 +164,11 @@ impl BroadPhase {
 
     fn read(&mut self, n: u32) -> Result<Vec<Pair>, Error> {
         let Self { device, bench, readback, pairs, .. } = self;
-        let parts = readback.plan(device, &[pairs.bytes(n)])?;
-        submit(device, bench, |recorder| readback.copy(recorder, parts[0], pairs.buffer(), 0))?;
-        let bytes = readback.read(device, &parts)?.into_iter().next().unwrap_or_default();
-        Ok(read_pairs(&bytes))
+        let mut plan = Plan::default();
+        let part = plan.part(pairs.bytes(n));
+        let reading = readback.prepare(device, plan)?;
+        submit(device, bench, |recorder| recorder.read(&reading, part, pairs.buffer(), 0))?;
+        reading.with(device, |bytes| read_pairs(part.of(bytes)))
     }
 }
 
@@ -176,28 +189,35 @@ impl Buffers {
     fn record(&self, recorder: &mut Recorder, pairs: &List, none: &wgpu::Buffer) {
         let Self { count, blocks, tree } = self;
         let kind = if count[1] > 0 { 1 } else { 0 };
-        let params = Params { kind, ..blocks.params() };
+        let frame = blocks.frame();
         blocks.clear_bounds(recorder);
         recorder.stage("codes");
-        blocks.sort(recorder, &params, params.start[3]);
+        blocks.sort(recorder, &frame, frame.start[3]);
         recorder.stage("build");
-        blocks.fit(recorder, &params, none, none);
+        blocks.fit(recorder, &frame, none, none);
         if let Some(Binary { tree, loose }) = tree {
-            tree.build(recorder, &params, blocks);
+            tree.build(recorder, &frame, blocks);
             recorder.stage("pairs");
             match loose {
-                None => tree.self_pairs(recorder, &params, pairs),
-                Some(loose) => tree.pairs_with(recorder, &params, loose, count[0], pairs),
+                None => tree.self_pairs(recorder, &frame, pairs),
+                Some(loose) => tree.pairs_with(recorder, &frame, loose, count[0], pairs),
             }
             return;
         }
         recorder.stage("block pairs");
-        blocks.descend(recorder, &params, &[kind]);
+        blocks.descend(recorder, &frame, &[kind]);
         recorder.stage("pairs");
         let input = blocks.block_pairs(kind as usize);
-        blocks.each_part(&params, 1, input, pairs.room(), 1, |p| {
-            let buffers = [&blocks.nodes, &blocks.leaves, none, none, input.buffer(), pairs.buffer()];
-            recorder.dispatch(Id::ListCandidates, p, &buffers, blocks.groups.min(input.room()));
+        let kernel = ListCandidates {
+            nodes: &blocks.nodes,
+            leaves: &blocks.leaves,
+            bodies: none,
+            keys: none,
+            input: input.buffer(),
+            output: pairs.buffer(),
+        };
+        blocks.each_part(&frame, Pass { kind, level: 1, step: 1 }, input, pairs, |p| {
+            recorder.dispatch(&kernel, p, blocks.groups.min(input.room()));
         });
     }
 }

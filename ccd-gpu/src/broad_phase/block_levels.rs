@@ -1,4 +1,5 @@
-//! Where the nodes of block trees are: every level of every set in one buffer, padded so that a workgroup never meets two sets.
+//! Where the nodes of block trees are: every level of every set in one buffer, padded so that a
+//! workgroup never meets two sets.
 
 use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH, sets};
 use ccd_core::layout::MAX_LEVELS;
@@ -10,7 +11,7 @@ const MAX_START_PAIRS: u64 = 1 << 14;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Levels {
     count: [u32; 3],
-    /// First node of each set on each level, then the first of the next level; as in `Params`.
+    /// First node of each set on each level, then the first of the next level; as in `Blocks`.
     pub slots: [[u32; 4]; MAX_LEVELS],
 }
 

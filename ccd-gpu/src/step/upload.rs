@@ -1,10 +1,11 @@
-//! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are rounded, the exact numbers besides.
+//! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are
+//! rounded, the exact numbers besides.
 
 use crate::device::Device;
 use crate::error::Error;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{placement, swept_box};
-use ccd_core::layout::{Params, Path, split};
+use ccd_core::layout::{Frame, Path, split};
 use ccd_core::math::real::Real;
 use ccd_core::model::error;
 use ccd_core::model::quantization::{Scan, margin};
@@ -63,7 +64,8 @@ impl Positions {
         })
     }
 
-    /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices go if kernels cannot make them.
+    /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
+    /// go if kernels cannot make them.
     pub fn upload<T: Real>(
         &mut self,
         device: &Device,
@@ -136,16 +138,16 @@ impl Positions {
     }
 
     /// Sets what kernels must know of the positions.
-    pub fn params(&self, params: &mut Params, min_distance: f64) {
-        params.path_error = self.path_error;
-        params.slack = self.slack;
-        params.margin = margin(min_distance);
-        params.min_distance = min_distance.round_up();
-        params.distance_bits = split(min_distance);
-        params.origin = self.origin.map(split);
-        params.margin_bits = split(margin(min_distance));
-        params.flags |= if self.exact { Params::FLAG_EXACT } else { 0 };
-        params.flags |= if self.slack > 0.0 { Params::FLAG_CONFIRM } else { 0 };
+    pub fn describe(&self, frame: &mut Frame, min_distance: f64) {
+        frame.path_error = self.path_error;
+        frame.slack = self.slack;
+        frame.margin = margin(min_distance);
+        frame.min_distance = min_distance.round_up();
+        frame.distance_bits = split(min_distance);
+        frame.origin = self.origin.map(split);
+        frame.margin_bits = split(margin(min_distance));
+        frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
+        frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
     }
 }
 

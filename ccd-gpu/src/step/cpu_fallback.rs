@@ -1,4 +1,5 @@
-//! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their canonical order.
+//! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their
+//! canonical order.
 
 use ccd_core::Real;
 use ccd_core::layout::{Pair, Touch};
