@@ -86,29 +86,40 @@ struct type_29 {
     member_2: f32,
 }
 
+struct type_30 {
+    member: array<f32, 4>,
+    member_1: array<f32, 4>,
+    member_2: array<f32, 4>,
+}
+
 struct type_31 {
     member: f32,
     member_1: f32,
 }
 
 struct type_34 {
-    member: u32,
+    member: type_28,
     member_1: f32,
 }
 
 struct type_35 {
+    member: u32,
+    member_1: f32,
+}
+
+struct type_37 {
     member: f32,
     member_1: f32,
     member_2: bool,
 }
 
-struct type_36 {
+struct type_38 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<atomic<u32>>,
 }
 
@@ -121,91 +132,91 @@ var<storage> elements: type_22;
 @group(0) @binding(3) 
 var<storage> input: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> contacts: type_39;
+var<storage, read_write> contacts: type_41;
 @group(0) @binding(5) 
-var<storage, read_write> undecided: type_39;
+var<storage, read_write> undecided: type_41;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_39;
+var<storage, read_write> earliest: type_41;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(param: f32) -> array<u32, 2> {
-    var phi_6187_: array<u32, 2>;
-    var phi_6188_: array<u32, 2>;
-    var phi_6189_: bool;
-    var phi_6193_: array<u32, 2>;
+    var phi_8633_: array<u32, 2>;
+    var phi_8634_: array<u32, 2>;
+    var phi_8635_: bool;
+    var phi_8639_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param);
     if (_e13 < 8388608u) {
-        phi_6188_ = array<u32, 2>();
-        phi_6189_ = true;
+        phi_8634_ = array<u32, 2>();
+        phi_8635_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_6187_ = array<u32, 2>();
+            phi_8633_ = array<u32, 2>();
         } else {
-            phi_6187_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_8633_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_6187_;
-        phi_6188_ = _e31;
-        phi_6189_ = _e17;
+        let _e31 = phi_8633_;
+        phi_8634_ = _e31;
+        phi_8635_ = _e17;
     }
-    let _e33 = phi_6188_;
-    let _e35 = phi_6189_;
+    let _e33 = phi_8634_;
+    let _e35 = phi_8635_;
     if _e35 {
-        phi_6193_ = array<u32, 2>(0u, 0u);
+        phi_8639_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_6193_ = _e33;
+        phi_8639_ = _e33;
     }
-    let _e37 = phi_6193_;
+    let _e37 = phi_8639_;
     return _e37;
 }
 
 fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
-    var phi_6166_: array<f32, 3>;
+    var phi_8612_: array<f32, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_6166_ = param_2;
+        phi_8612_ = param_2;
     } else {
-        phi_6166_ = param_1;
+        phi_8612_ = param_1;
     }
-    let _e26 = phi_6166_;
+    let _e26 = phi_8612_;
     return _e26;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_5758_: bool;
-    var phi_5759_: bool;
-    var phi_5760_: bool;
-    var phi_5761_: bool;
-    var phi_5765_: bool;
-    var phi_5738_: bool;
-    var phi_5739_: bool;
-    var phi_5740_: bool;
-    var phi_5741_: bool;
-    var phi_5742_: bool;
-    var phi_5743_: bool;
-    var phi_5747_: bool;
-    var phi_5766_: bool;
-    var phi_5796_: array<f32, 3>;
-    var phi_5797_: bool;
-    var phi_5798_: array<f32, 3>;
-    var phi_5799_: bool;
-    var phi_6026_: f32;
-    var phi_6027_: f32;
-    var phi_6066_: f32;
-    var phi_6067_: f32;
-    var phi_6112_: f32;
-    var phi_6113_: f32;
-    var phi_5847_: f32;
-    var phi_5848_: f32;
-    var phi_5893_: f32;
-    var phi_5894_: f32;
-    var phi_5936_: f32;
-    var phi_5937_: f32;
-    var phi_5985_: f32;
-    var phi_5986_: f32;
-    var phi_6128_: array<array<f32, 3>, 4>;
-    var phi_6136_: array<f32, 3>;
+    var phi_8204_: bool;
+    var phi_8205_: bool;
+    var phi_8206_: bool;
+    var phi_8207_: bool;
+    var phi_8211_: bool;
+    var phi_8184_: bool;
+    var phi_8185_: bool;
+    var phi_8186_: bool;
+    var phi_8187_: bool;
+    var phi_8188_: bool;
+    var phi_8189_: bool;
+    var phi_8193_: bool;
+    var phi_8212_: bool;
+    var phi_8242_: array<f32, 3>;
+    var phi_8243_: bool;
+    var phi_8244_: array<f32, 3>;
+    var phi_8245_: bool;
+    var phi_8472_: f32;
+    var phi_8473_: f32;
+    var phi_8512_: f32;
+    var phi_8513_: f32;
+    var phi_8558_: f32;
+    var phi_8559_: f32;
+    var phi_8293_: f32;
+    var phi_8294_: f32;
+    var phi_8339_: f32;
+    var phi_8340_: f32;
+    var phi_8382_: f32;
+    var phi_8383_: f32;
+    var phi_8431_: f32;
+    var phi_8432_: f32;
+    var phi_8574_: array<array<f32, 3>, 4>;
+    var phi_8582_: array<f32, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -219,83 +230,83 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
                 if (_e72 <= 1f) {
-                    phi_5738_ = (_e76 <= 1f);
-                    phi_5739_ = false;
+                    phi_8184_ = (_e76 <= 1f);
+                    phi_8185_ = false;
                 } else {
-                    phi_5738_ = bool();
-                    phi_5739_ = true;
+                    phi_8184_ = bool();
+                    phi_8185_ = true;
                 }
-                let _e97 = phi_5738_;
-                let _e99 = phi_5739_;
-                phi_5740_ = _e97;
-                phi_5741_ = _e99;
+                let _e97 = phi_8184_;
+                let _e99 = phi_8185_;
+                phi_8186_ = _e97;
+                phi_8187_ = _e99;
             } else {
-                phi_5740_ = bool();
-                phi_5741_ = true;
+                phi_8186_ = bool();
+                phi_8187_ = true;
             }
-            let _e101 = phi_5740_;
-            let _e103 = phi_5741_;
-            phi_5742_ = _e101;
-            phi_5743_ = _e103;
+            let _e101 = phi_8186_;
+            let _e103 = phi_8187_;
+            phi_8188_ = _e101;
+            phi_8189_ = _e103;
         } else {
-            phi_5742_ = bool();
-            phi_5743_ = true;
+            phi_8188_ = bool();
+            phi_8189_ = true;
         }
-        let _e105 = phi_5742_;
-        let _e107 = phi_5743_;
+        let _e105 = phi_8188_;
+        let _e107 = phi_8189_;
         if _e107 {
-            phi_5747_ = false;
+            phi_8193_ = false;
         } else {
-            phi_5747_ = _e105;
+            phi_8193_ = _e105;
         }
-        let _e109 = phi_5747_;
-        phi_5766_ = _e109;
+        let _e109 = phi_8193_;
+        phi_8212_ = _e109;
     } else {
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
-                phi_5758_ = ((_e72 + _e76) <= 1f);
-                phi_5759_ = false;
+                phi_8204_ = ((_e72 + _e76) <= 1f);
+                phi_8205_ = false;
             } else {
-                phi_5758_ = bool();
-                phi_5759_ = true;
+                phi_8204_ = bool();
+                phi_8205_ = true;
             }
-            let _e83 = phi_5758_;
-            let _e85 = phi_5759_;
-            phi_5760_ = _e83;
-            phi_5761_ = _e85;
+            let _e83 = phi_8204_;
+            let _e85 = phi_8205_;
+            phi_8206_ = _e83;
+            phi_8207_ = _e85;
         } else {
-            phi_5760_ = bool();
-            phi_5761_ = true;
+            phi_8206_ = bool();
+            phi_8207_ = true;
         }
-        let _e87 = phi_5760_;
-        let _e89 = phi_5761_;
+        let _e87 = phi_8206_;
+        let _e89 = phi_8207_;
         if _e89 {
-            phi_5765_ = false;
+            phi_8211_ = false;
         } else {
-            phi_5765_ = _e87;
+            phi_8211_ = _e87;
         }
-        let _e91 = phi_5765_;
-        phi_5766_ = _e91;
+        let _e91 = phi_8211_;
+        phi_8212_ = _e91;
     }
-    let _e111 = phi_5766_;
+    let _e111 = phi_8212_;
     if (_e68 > 0f) {
         if _e111 {
-            phi_5796_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
-            phi_5797_ = false;
+            phi_8242_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
+            phi_8243_ = false;
         } else {
-            phi_5796_ = array<f32, 3>();
-            phi_5797_ = true;
+            phi_8242_ = array<f32, 3>();
+            phi_8243_ = true;
         }
-        let _e136 = phi_5796_;
-        let _e138 = phi_5797_;
-        phi_5798_ = _e136;
-        phi_5799_ = _e138;
+        let _e136 = phi_8242_;
+        let _e138 = phi_8243_;
+        phi_8244_ = _e136;
+        phi_8245_ = _e138;
     } else {
-        phi_5798_ = array<f32, 3>();
-        phi_5799_ = true;
+        phi_8244_ = array<f32, 3>();
+        phi_8245_ = true;
     }
-    let _e140 = phi_5798_;
-    let _e142 = phi_5799_;
+    let _e140 = phi_8244_;
+    let _e142 = phi_8245_;
     if _e142 {
         let _e145 = (param_3[0] - param_4[0]);
         let _e148 = (param_3[1] - param_4[1]);
@@ -304,59 +315,59 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e293 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e293 > 0f) {
                 if (_e293 < 1f) {
-                    phi_5847_ = _e293;
+                    phi_8293_ = _e293;
                 } else {
-                    phi_5847_ = 1f;
+                    phi_8293_ = 1f;
                 }
-                let _e297 = phi_5847_;
-                phi_5848_ = _e297;
+                let _e297 = phi_8293_;
+                phi_8294_ = _e297;
             } else {
-                phi_5848_ = 0f;
+                phi_8294_ = 0f;
             }
-            let _e299 = phi_5848_;
+            let _e299 = phi_8294_;
             let _e335 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e335 > 0f) {
                 if (_e335 < 1f) {
-                    phi_5893_ = _e335;
+                    phi_8339_ = _e335;
                 } else {
-                    phi_5893_ = 1f;
+                    phi_8339_ = 1f;
                 }
-                let _e339 = phi_5893_;
-                phi_5894_ = _e339;
+                let _e339 = phi_8339_;
+                phi_8340_ = _e339;
             } else {
-                phi_5894_ = 0f;
+                phi_8340_ = 0f;
             }
-            let _e341 = phi_5894_;
+            let _e341 = phi_8340_;
             let _e374 = ((((_e145 * param_5[0]) + (_e148 * param_5[1])) + (_e151 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e374 > 0f) {
                 if (_e374 < 1f) {
-                    phi_5936_ = _e374;
+                    phi_8382_ = _e374;
                 } else {
-                    phi_5936_ = 1f;
+                    phi_8382_ = 1f;
                 }
-                let _e378 = phi_5936_;
-                phi_5937_ = _e378;
+                let _e378 = phi_8382_;
+                phi_8383_ = _e378;
             } else {
-                phi_5937_ = 0f;
+                phi_8383_ = 0f;
             }
-            let _e380 = phi_5937_;
+            let _e380 = phi_8383_;
             let _e393 = (param_3[0] - param_5[0]);
             let _e396 = (param_3[1] - param_5[1]);
             let _e399 = (param_3[2] - param_5[2]);
             let _e419 = ((((_e393 * param_4[0]) + (_e396 * param_4[1])) + (_e399 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e419 > 0f) {
                 if (_e419 < 1f) {
-                    phi_5985_ = _e419;
+                    phi_8431_ = _e419;
                 } else {
-                    phi_5985_ = 1f;
+                    phi_8431_ = 1f;
                 }
-                let _e423 = phi_5985_;
-                phi_5986_ = _e423;
+                let _e423 = phi_8431_;
+                phi_8432_ = _e423;
             } else {
-                phi_5986_ = 0f;
+                phi_8432_ = 0f;
             }
-            let _e425 = phi_5986_;
-            phi_6128_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
+            let _e425 = phi_8432_;
+            phi_8574_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
         } else {
             let _e155 = (param_5[0] - param_4[0]);
             let _e158 = (param_5[1] - param_4[1]);
@@ -364,60 +375,60 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e172 = ((((_e145 * _e155) + (_e148 * _e158)) + (_e151 * _e161)) / (((_e155 * _e155) + (_e158 * _e158)) + (_e161 * _e161)));
             if (_e172 > 0f) {
                 if (_e172 < 1f) {
-                    phi_6026_ = _e172;
+                    phi_8472_ = _e172;
                 } else {
-                    phi_6026_ = 1f;
+                    phi_8472_ = 1f;
                 }
-                let _e176 = phi_6026_;
-                phi_6027_ = _e176;
+                let _e176 = phi_8472_;
+                phi_8473_ = _e176;
             } else {
-                phi_6027_ = 0f;
+                phi_8473_ = 0f;
             }
-            let _e178 = phi_6027_;
+            let _e178 = phi_8473_;
             let _e185 = array<f32, 3>((_e145 - (_e155 * _e178)), (_e148 - (_e158 * _e178)), (_e151 - (_e161 * _e178)));
             let _e208 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e208 > 0f) {
                 if (_e208 < 1f) {
-                    phi_6066_ = _e208;
+                    phi_8512_ = _e208;
                 } else {
-                    phi_6066_ = 1f;
+                    phi_8512_ = 1f;
                 }
-                let _e212 = phi_6066_;
-                phi_6067_ = _e212;
+                let _e212 = phi_8512_;
+                phi_8513_ = _e212;
             } else {
-                phi_6067_ = 0f;
+                phi_8513_ = 0f;
             }
-            let _e214 = phi_6067_;
+            let _e214 = phi_8513_;
             let _e250 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e250 > 0f) {
                 if (_e250 < 1f) {
-                    phi_6112_ = _e250;
+                    phi_8558_ = _e250;
                 } else {
-                    phi_6112_ = 1f;
+                    phi_8558_ = 1f;
                 }
-                let _e254 = phi_6112_;
-                phi_6113_ = _e254;
+                let _e254 = phi_8558_;
+                phi_8559_ = _e254;
             } else {
-                phi_6113_ = 0f;
+                phi_8559_ = 0f;
             }
-            let _e256 = phi_6113_;
-            phi_6128_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
+            let _e256 = phi_8559_;
+            phi_8574_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
         }
-        let _e438 = phi_6128_;
+        let _e438 = phi_8574_;
         let _e441 = function_1(_e438[0], _e438[1]);
         let _e443 = function_1(_e441, _e438[2]);
         let _e445 = function_1(_e443, _e438[3]);
-        phi_6136_ = _e445;
+        phi_8582_ = _e445;
     } else {
-        phi_6136_ = _e140;
+        phi_8582_ = _e140;
     }
-    let _e447 = phi_6136_;
+    let _e447 = phi_8582_;
     return _e447;
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<f32, 3>, 4>;
-    var local_1: array<array<f32, 3>, 4>;
+    var local: type_30;
+    var local_1: type_30;
     var local_2: type_29;
     var local_3: type_29;
     var local_4: type_29;
@@ -425,766 +436,857 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: array<array<f32, 3>, 4>;
-    var local_10: array<array<f32, 3>, 4>;
+    var local_9: type_30;
+    var local_10: type_30;
     var local_11: array<f32, 3>;
     var local_12: type_28;
-    var phi_211_: u32;
-    var phi_227_: u32;
-    var phi_248_: u32;
-    var phi_249_: u32;
-    var phi_252_: type_9;
-    var phi_253_: type_9;
-    var phi_276_: type_9;
-    var phi_725_: f32;
-    var phi_732_: f32;
-    var phi_737_: f32;
-    var phi_744_: f32;
-    var phi_749_: f32;
-    var phi_762_: f32;
-    var phi_769_: f32;
-    var phi_774_: f32;
-    var phi_781_: f32;
-    var phi_786_: f32;
-    var phi_791_: f32;
-    var phi_808_: f32;
-    var phi_815_: f32;
-    var phi_820_: f32;
-    var phi_827_: f32;
-    var phi_832_: f32;
-    var phi_846_: f32;
-    var phi_853_: f32;
-    var phi_858_: f32;
-    var phi_865_: f32;
-    var phi_870_: f32;
-    var phi_875_: f32;
-    var phi_892_: f32;
-    var phi_899_: f32;
-    var phi_904_: f32;
-    var phi_911_: f32;
-    var phi_916_: f32;
-    var phi_930_: f32;
-    var phi_937_: f32;
-    var phi_942_: f32;
-    var phi_949_: f32;
-    var phi_954_: f32;
-    var phi_959_: f32;
-    var phi_990_: f32;
-    var phi_996_: f32;
-    var phi_1003_: f32;
-    var phi_1010_: f32;
+    var phi_220_: u32;
+    var phi_236_: u32;
+    var phi_257_: u32;
+    var phi_258_: u32;
+    var phi_261_: type_9;
+    var phi_262_: type_9;
+    var phi_285_: type_9;
+    var phi_460_: f32;
+    var phi_466_: f32;
+    var phi_471_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_488_: f32;
+    var phi_494_: f32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_510_: f32;
+    var phi_515_: f32;
+    var phi_522_: f32;
+    var phi_528_: f32;
+    var phi_533_: f32;
+    var phi_539_: f32;
+    var phi_544_: f32;
+    var phi_550_: f32;
+    var phi_556_: f32;
+    var phi_561_: f32;
+    var phi_567_: f32;
+    var phi_572_: f32;
+    var phi_577_: f32;
+    var phi_584_: f32;
+    var phi_590_: f32;
+    var phi_595_: f32;
+    var phi_601_: f32;
+    var phi_606_: f32;
+    var phi_612_: f32;
+    var phi_618_: f32;
+    var phi_623_: f32;
+    var phi_629_: f32;
+    var phi_634_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_650_: f32;
+    var phi_657_: bool;
+    var phi_681_: u32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_724_: type_34;
+    var phi_725_: bool;
+    var phi_726_: type_34;
+    var phi_727_: bool;
+    var phi_728_: type_34;
+    var phi_729_: bool;
+    var phi_734_: type_34;
     var phi_1016_: f32;
     var phi_1023_: f32;
-    var phi_1029_: f32;
+    var phi_1028_: f32;
     var phi_1035_: f32;
-    var phi_1041_: f32;
-    var phi_1048_: f32;
-    var phi_1055_: f32;
-    var phi_1079_: f32;
-    var phi_1084_: f32;
-    var phi_1089_: f32;
-    var phi_1094_: f32;
+    var phi_1040_: f32;
+    var phi_1053_: f32;
+    var phi_1060_: f32;
+    var phi_1065_: f32;
+    var phi_1072_: f32;
+    var phi_1077_: f32;
+    var phi_1082_: f32;
     var phi_1099_: f32;
-    var phi_1104_: f32;
-    var phi_1114_: f32;
-    var phi_2673_: f32;
-    var phi_2679_: f32;
-    var phi_2684_: f32;
-    var phi_2690_: f32;
-    var phi_2696_: f32;
-    var phi_2701_: f32;
-    var phi_2706_: f32;
-    var phi_2714_: bool;
-    var phi_2719_: f32;
-    var phi_2726_: f32;
-    var phi_2766_: type_14;
-    var phi_2769_: f32;
-    var phi_2790_: bool;
-    var phi_2796_: type_15;
-    var phi_2767_: type_14;
-    var phi_2810_: type_15;
-    var phi_2770_: f32;
+    var phi_1106_: f32;
+    var phi_1111_: f32;
+    var phi_1118_: f32;
+    var phi_1123_: f32;
+    var phi_1137_: f32;
+    var phi_1144_: f32;
+    var phi_1149_: f32;
+    var phi_1156_: f32;
+    var phi_1161_: f32;
+    var phi_1166_: f32;
+    var phi_1183_: f32;
+    var phi_1190_: f32;
+    var phi_1195_: f32;
+    var phi_1202_: f32;
+    var phi_1207_: f32;
+    var phi_1221_: f32;
+    var phi_1228_: f32;
+    var phi_1233_: f32;
+    var phi_1240_: f32;
+    var phi_1245_: f32;
+    var phi_1250_: f32;
+    var phi_1281_: f32;
+    var phi_1287_: f32;
+    var phi_1294_: f32;
+    var phi_1301_: f32;
+    var phi_1307_: f32;
+    var phi_1314_: f32;
+    var phi_1320_: f32;
+    var phi_1326_: f32;
+    var phi_1332_: f32;
+    var phi_1339_: f32;
+    var phi_1346_: f32;
+    var phi_1370_: f32;
+    var phi_1375_: f32;
+    var phi_1380_: f32;
+    var phi_1385_: f32;
+    var phi_1390_: f32;
+    var phi_1395_: f32;
+    var phi_1405_: f32;
+    var phi_4054_: f32;
+    var phi_4060_: f32;
+    var phi_4065_: f32;
+    var phi_4071_: f32;
+    var phi_4077_: f32;
+    var phi_4082_: f32;
+    var phi_4087_: f32;
+    var phi_4095_: bool;
+    var phi_4100_: f32;
+    var phi_4107_: f32;
+    var phi_4147_: type_14;
+    var phi_4150_: f32;
+    var phi_4171_: bool;
+    var phi_4177_: type_15;
+    var phi_4148_: type_14;
+    var phi_4191_: type_15;
+    var phi_4151_: f32;
     var local_13: f32;
-    var phi_2759_: f32;
-    var phi_2823_: f32;
-    var phi_2829_: f32;
-    var phi_2854_: type_9;
-    var phi_2857_: u32;
-    var phi_2855_: type_9;
-    var phi_2880_: type_9;
-    var phi_2924_: u32;
-    var phi_2925_: u32;
-    var phi_2858_: u32;
-    var phi_2926_: u32;
-    var phi_2946_: type_9;
-    var phi_2947_: type_9;
-    var phi_2970_: type_9;
-    var phi_3022_: f32;
-    var phi_3029_: f32;
-    var phi_3040_: bool;
-    var phi_3041_: bool;
-    var phi_3042_: bool;
-    var phi_3043_: bool;
-    var phi_3047_: bool;
-    var phi_3058_: type_35;
-    var phi_3059_: type_35;
-    var phi_3060_: bool;
-    var phi_3061_: type_35;
-    var phi_3062_: bool;
-    var phi_3073_: f32;
-    var phi_3083_: type_9;
-    var phi_3086_: f32;
-    var phi_3088_: f32;
-    var phi_3090_: f32;
-    var phi_3084_: type_9;
-    var phi_3113_: type_9;
-    var phi_3138_: f32;
-    var phi_3139_: f32;
-    var phi_3165_: f32;
-    var phi_3181_: f32;
-    var phi_3188_: bool;
-    var phi_3189_: bool;
-    var phi_3190_: bool;
-    var phi_3196_: f32;
-    var phi_3197_: f32;
-    var phi_3198_: bool;
-    var phi_3087_: f32;
-    var phi_3089_: f32;
-    var phi_3091_: f32;
-    var phi_3199_: f32;
-    var phi_3200_: bool;
-    var phi_3201_: bool;
+    var phi_4140_: f32;
+    var phi_4204_: f32;
+    var phi_4210_: f32;
+    var phi_4235_: type_9;
+    var phi_4238_: u32;
+    var phi_4236_: type_9;
+    var phi_4261_: type_9;
+    var phi_4305_: u32;
+    var phi_4306_: u32;
+    var phi_4239_: u32;
+    var phi_4307_: u32;
+    var phi_4327_: type_9;
+    var phi_4328_: type_9;
+    var phi_4351_: type_9;
+    var phi_4403_: f32;
+    var phi_4410_: f32;
+    var phi_4421_: bool;
+    var phi_4422_: bool;
+    var phi_4423_: bool;
+    var phi_4424_: bool;
+    var phi_4428_: bool;
+    var phi_4439_: type_37;
+    var phi_4440_: type_37;
+    var phi_4441_: bool;
+    var phi_4442_: type_37;
+    var phi_4443_: bool;
+    var phi_4454_: f32;
+    var phi_4464_: type_9;
+    var phi_4467_: f32;
+    var phi_4469_: f32;
+    var phi_4471_: f32;
+    var phi_4465_: type_9;
+    var phi_4494_: type_9;
+    var phi_4519_: f32;
+    var phi_4520_: f32;
+    var phi_4546_: f32;
+    var phi_4562_: f32;
+    var phi_4569_: bool;
+    var phi_4570_: bool;
+    var phi_4571_: bool;
+    var phi_4577_: f32;
+    var phi_4578_: f32;
+    var phi_4579_: bool;
+    var phi_4468_: f32;
+    var phi_4470_: f32;
+    var phi_4472_: f32;
+    var phi_4580_: f32;
+    var phi_4581_: bool;
+    var phi_4582_: bool;
     var local_14: bool;
-    var phi_3205_: f32;
-    var phi_3206_: f32;
-    var phi_3213_: type_9;
-    var phi_3216_: f32;
-    var phi_3214_: type_9;
-    var phi_3239_: type_9;
-    var phi_3280_: f32;
-    var phi_3290_: f32;
-    var phi_3298_: bool;
-    var phi_3300_: bool;
-    var phi_3305_: f32;
-    var phi_3306_: bool;
-    var phi_3307_: f32;
-    var phi_3308_: bool;
-    var phi_3309_: bool;
-    var phi_3310_: bool;
-    var phi_3311_: f32;
-    var phi_3217_: f32;
-    var phi_3312_: bool;
-    var phi_3313_: bool;
-    var phi_3314_: bool;
-    var phi_3315_: bool;
+    var phi_4586_: f32;
+    var phi_4587_: f32;
+    var phi_4595_: f32;
+    var phi_4599_: type_9;
+    var phi_4602_: f32;
+    var phi_4600_: type_9;
+    var phi_4625_: type_9;
+    var phi_4655_: f32;
+    var phi_4656_: bool;
+    var phi_4657_: f32;
+    var phi_4658_: bool;
+    var phi_4659_: bool;
+    var phi_4660_: bool;
+    var phi_4661_: f32;
+    var phi_4603_: f32;
+    var phi_4662_: bool;
+    var phi_4663_: bool;
+    var phi_4664_: bool;
+    var phi_4665_: bool;
     var local_15: bool;
-    var phi_3319_: bool;
-    var phi_3320_: bool;
-    var phi_3324_: bool;
-    var phi_3328_: f32;
-    var phi_3329_: f32;
-    var phi_3331_: type_35;
-    var phi_3360_: f32;
-    var phi_3367_: f32;
-    var phi_3372_: f32;
-    var phi_3379_: f32;
-    var phi_3384_: f32;
-    var phi_3397_: f32;
-    var phi_3404_: f32;
-    var phi_3409_: f32;
-    var phi_3416_: f32;
-    var phi_3421_: f32;
-    var phi_3426_: f32;
-    var phi_3485_: f32;
-    var phi_3491_: f32;
-    var phi_3496_: f32;
-    var phi_3502_: f32;
-    var phi_3507_: f32;
-    var phi_3519_: f32;
-    var phi_3525_: f32;
-    var phi_3530_: f32;
-    var phi_3536_: f32;
-    var phi_3541_: f32;
-    var phi_3567_: f32;
-    var phi_3574_: f32;
-    var phi_3579_: f32;
-    var phi_3586_: f32;
-    var phi_3591_: f32;
-    var phi_3604_: f32;
-    var phi_3611_: f32;
-    var phi_3616_: f32;
-    var phi_3623_: f32;
-    var phi_3628_: f32;
-    var phi_3633_: f32;
-    var phi_3692_: f32;
-    var phi_3698_: f32;
-    var phi_3703_: f32;
-    var phi_3709_: f32;
-    var phi_3714_: f32;
-    var phi_3726_: f32;
-    var phi_3732_: f32;
-    var phi_3737_: f32;
-    var phi_3743_: f32;
-    var phi_3748_: f32;
-    var phi_3774_: f32;
-    var phi_3781_: f32;
-    var phi_3786_: f32;
-    var phi_3793_: f32;
-    var phi_3798_: f32;
-    var phi_3811_: f32;
-    var phi_3818_: f32;
-    var phi_3823_: f32;
-    var phi_3830_: f32;
-    var phi_3835_: f32;
-    var phi_3840_: f32;
-    var phi_3899_: f32;
-    var phi_3905_: f32;
-    var phi_3910_: f32;
-    var phi_3916_: f32;
-    var phi_3921_: f32;
-    var phi_3933_: f32;
-    var phi_3939_: f32;
-    var phi_3944_: f32;
-    var phi_3950_: f32;
-    var phi_3955_: f32;
-    var phi_4004_: f32;
-    var phi_4010_: f32;
-    var phi_4038_: f32;
-    var phi_4044_: f32;
-    var phi_4049_: u32;
-    var phi_4050_: u32;
-    var phi_4020_: f32;
-    var phi_4026_: f32;
-    var phi_4031_: u32;
-    var phi_4032_: u32;
-    var phi_4051_: u32;
-    var phi_4052_: u32;
-    var phi_4119_: f32;
-    var phi_4128_: f32;
-    var phi_4259_: f32;
-    var phi_4265_: f32;
-    var phi_4272_: f32;
-    var phi_4315_: type_9;
-    var phi_4318_: bool;
-    var phi_4316_: type_9;
-    var phi_4341_: type_9;
-    var phi_4368_: bool;
-    var phi_4369_: bool;
-    var phi_4319_: bool;
-    var phi_4370_: bool;
-    var phi_4371_: bool;
-    var local_16: bool;
-    var phi_4375_: bool;
-    var local_17: bool;
-    var phi_4382_: u32;
-    var phi_4383_: u32;
-    var phi_4384_: bool;
-    var phi_4385_: u32;
-    var phi_4386_: u32;
-    var phi_4387_: bool;
-    var phi_4391_: u32;
-    var phi_4411_: bool;
-    var phi_4412_: bool;
-    var phi_4413_: bool;
-    var phi_4609_: f32;
-    var phi_4616_: f32;
-    var phi_4621_: f32;
-    var phi_4628_: f32;
-    var phi_4633_: f32;
-    var phi_4646_: f32;
-    var phi_4653_: f32;
-    var phi_4658_: f32;
-    var phi_4665_: f32;
-    var phi_4670_: f32;
-    var phi_4675_: f32;
-    var phi_4692_: f32;
-    var phi_4699_: f32;
-    var phi_4704_: f32;
-    var phi_4711_: f32;
-    var phi_4716_: f32;
-    var phi_4730_: f32;
-    var phi_4737_: f32;
-    var phi_4742_: f32;
-    var phi_4749_: f32;
+    var phi_4669_: bool;
+    var phi_4670_: bool;
+    var phi_4674_: bool;
+    var phi_4678_: f32;
+    var phi_4679_: f32;
+    var phi_4681_: type_37;
+    var phi_4710_: f32;
+    var phi_4717_: f32;
+    var phi_4722_: f32;
+    var phi_4729_: f32;
+    var phi_4734_: f32;
+    var phi_4747_: f32;
     var phi_4754_: f32;
     var phi_4759_: f32;
+    var phi_4766_: f32;
+    var phi_4771_: f32;
     var phi_4776_: f32;
-    var phi_4783_: f32;
-    var phi_4788_: f32;
-    var phi_4795_: f32;
-    var phi_4800_: f32;
-    var phi_4814_: f32;
-    var phi_4821_: f32;
-    var phi_4826_: f32;
-    var phi_4833_: f32;
-    var phi_4838_: f32;
-    var phi_4843_: f32;
-    var phi_4859_: type_9;
-    var phi_4862_: f32;
-    var phi_4860_: type_9;
-    var phi_4885_: type_9;
-    var phi_4996_: f32;
-    var phi_5003_: f32;
-    var phi_5011_: f32;
-    var phi_5055_: type_14;
-    var phi_5058_: f32;
-    var phi_5079_: bool;
-    var phi_5085_: type_15;
-    var phi_5056_: type_14;
-    var phi_5099_: type_15;
-    var phi_5059_: f32;
-    var local_18: f32;
+    var phi_4835_: f32;
+    var phi_4841_: f32;
+    var phi_4846_: f32;
+    var phi_4852_: f32;
+    var phi_4857_: f32;
+    var phi_4869_: f32;
+    var phi_4875_: f32;
+    var phi_4880_: f32;
+    var phi_4886_: f32;
+    var phi_4891_: f32;
+    var phi_4917_: f32;
+    var phi_4924_: f32;
+    var phi_4929_: f32;
+    var phi_4936_: f32;
+    var phi_4941_: f32;
+    var phi_4954_: f32;
+    var phi_4961_: f32;
+    var phi_4966_: f32;
+    var phi_4973_: f32;
+    var phi_4978_: f32;
+    var phi_4983_: f32;
+    var phi_5042_: f32;
     var phi_5048_: f32;
-    var phi_5112_: f32;
-    var phi_5121_: type_9;
+    var phi_5053_: f32;
+    var phi_5059_: f32;
+    var phi_5064_: f32;
+    var phi_5076_: f32;
+    var phi_5082_: f32;
+    var phi_5087_: f32;
+    var phi_5093_: f32;
+    var phi_5098_: f32;
     var phi_5124_: f32;
-    var phi_5122_: type_9;
-    var phi_5147_: type_9;
-    var phi_5198_: f32;
-    var phi_5204_: f32;
-    var phi_5217_: bool;
-    var phi_5218_: bool;
+    var phi_5131_: f32;
+    var phi_5136_: f32;
+    var phi_5143_: f32;
+    var phi_5148_: f32;
+    var phi_5161_: f32;
+    var phi_5168_: f32;
+    var phi_5173_: f32;
+    var phi_5180_: f32;
+    var phi_5185_: f32;
+    var phi_5190_: f32;
     var phi_5249_: f32;
-    var phi_5250_: f32;
-    var phi_5251_: f32;
-    var phi_5252_: bool;
-    var phi_5256_: bool;
-    var phi_5257_: f32;
-    var phi_5258_: bool;
-    var phi_5259_: bool;
-    var phi_5260_: bool;
-    var phi_5261_: f32;
-    var phi_5262_: bool;
-    var phi_5263_: bool;
-    var phi_5264_: bool;
-    var phi_5125_: f32;
-    var phi_5265_: bool;
-    var phi_5266_: bool;
-    var phi_5267_: bool;
-    var phi_5268_: bool;
+    var phi_5255_: f32;
+    var phi_5260_: f32;
+    var phi_5266_: f32;
+    var phi_5271_: f32;
+    var phi_5283_: f32;
+    var phi_5289_: f32;
+    var phi_5294_: f32;
+    var phi_5300_: f32;
+    var phi_5305_: f32;
+    var phi_5354_: f32;
+    var phi_5360_: f32;
+    var phi_5388_: f32;
+    var phi_5394_: f32;
+    var phi_5399_: u32;
+    var phi_5400_: u32;
+    var phi_5370_: f32;
+    var phi_5376_: f32;
+    var phi_5381_: u32;
+    var phi_5382_: u32;
+    var phi_5401_: u32;
+    var phi_5402_: u32;
+    var phi_5471_: f32;
+    var phi_5480_: f32;
+    var phi_5615_: f32;
+    var phi_5621_: f32;
+    var phi_5628_: f32;
+    var phi_5671_: type_9;
+    var phi_5674_: bool;
+    var phi_5672_: type_9;
+    var phi_5697_: type_9;
+    var phi_5724_: bool;
+    var phi_5725_: bool;
+    var phi_5675_: bool;
+    var phi_5726_: bool;
+    var phi_5727_: bool;
+    var local_16: bool;
+    var phi_5731_: bool;
+    var local_17: bool;
+    var phi_5738_: u32;
+    var phi_5739_: u32;
+    var phi_5740_: bool;
+    var phi_5741_: u32;
+    var phi_5742_: u32;
+    var phi_5743_: bool;
+    var phi_5747_: u32;
+    var phi_5767_: bool;
+    var phi_5768_: bool;
+    var phi_5769_: bool;
+    var phi_5917_: f32;
+    var phi_5924_: f32;
+    var phi_5929_: f32;
+    var phi_5936_: f32;
+    var phi_5941_: f32;
+    var phi_5954_: f32;
+    var phi_5961_: f32;
+    var phi_5966_: f32;
+    var phi_5973_: f32;
+    var phi_5978_: f32;
+    var phi_5983_: f32;
+    var phi_6000_: f32;
+    var phi_6007_: f32;
+    var phi_6012_: f32;
+    var phi_6019_: f32;
+    var phi_6024_: f32;
+    var phi_6038_: f32;
+    var phi_6045_: f32;
+    var phi_6050_: f32;
+    var phi_6057_: f32;
+    var phi_6062_: f32;
+    var phi_6067_: f32;
+    var phi_6084_: f32;
+    var phi_6091_: f32;
+    var phi_6096_: f32;
+    var phi_6103_: f32;
+    var phi_6108_: f32;
+    var phi_6122_: f32;
+    var phi_6129_: f32;
+    var phi_6134_: f32;
+    var phi_6141_: f32;
+    var phi_6146_: f32;
+    var phi_6151_: f32;
+    var phi_6190_: type_9;
+    var phi_6193_: f32;
+    var phi_6195_: f32;
+    var phi_6197_: f32;
+    var phi_6191_: type_9;
+    var phi_6220_: type_9;
+    var phi_6332_: f32;
+    var phi_6339_: f32;
+    var phi_6347_: f32;
+    var phi_6391_: type_14;
+    var phi_6394_: f32;
+    var phi_6415_: bool;
+    var phi_6421_: type_15;
+    var phi_6392_: type_14;
+    var phi_6435_: type_15;
+    var phi_6395_: f32;
+    var local_18: f32;
+    var phi_6384_: f32;
+    var phi_6448_: f32;
+    var phi_6514_: f32;
+    var phi_6520_: f32;
+    var phi_6529_: f32;
+    var phi_6535_: f32;
+    var phi_6544_: f32;
+    var phi_6550_: f32;
+    var phi_6559_: f32;
+    var phi_6565_: f32;
+    var phi_6571_: type_30;
+    var phi_6572_: bool;
+    var phi_6573_: type_30;
+    var phi_6574_: bool;
+    var phi_6582_: type_30;
+    var phi_6752_: bool;
+    var phi_6753_: bool;
+    var phi_6754_: bool;
+    var phi_6755_: bool;
+    var phi_6756_: bool;
+    var phi_6757_: bool;
+    var phi_6761_: bool;
+    var phi_7058_: bool;
+    var phi_7059_: bool;
+    var phi_7060_: bool;
+    var phi_7061_: bool;
+    var phi_7062_: bool;
+    var phi_7063_: bool;
+    var phi_7067_: bool;
+    var phi_7071_: bool;
+    var phi_7083_: bool;
+    var phi_7084_: bool;
+    var phi_7158_: bool;
+    var phi_7159_: bool;
+    var phi_7179_: f32;
+    var phi_7180_: bool;
+    var phi_7181_: f32;
+    var phi_7182_: bool;
+    var phi_7183_: f32;
+    var phi_7184_: bool;
+    var phi_7185_: bool;
+    var phi_7189_: f32;
+    var phi_7190_: bool;
+    var phi_7194_: f32;
+    var phi_7226_: bool;
+    var phi_7227_: bool;
+    var phi_7247_: f32;
+    var phi_7248_: bool;
+    var phi_7249_: f32;
+    var phi_7250_: bool;
+    var phi_7251_: f32;
+    var phi_7252_: bool;
+    var phi_7253_: bool;
+    var phi_7257_: f32;
+    var phi_7258_: bool;
+    var phi_7262_: f32;
+    var phi_7267_: f32;
+    var phi_7299_: bool;
+    var phi_7300_: bool;
+    var phi_7320_: f32;
+    var phi_7321_: bool;
+    var phi_7322_: f32;
+    var phi_7323_: bool;
+    var phi_7324_: f32;
+    var phi_7325_: bool;
+    var phi_7326_: bool;
+    var phi_7330_: f32;
+    var phi_7331_: bool;
+    var phi_7335_: f32;
+    var phi_7367_: bool;
+    var phi_7368_: bool;
+    var phi_7388_: f32;
+    var phi_7389_: bool;
+    var phi_7390_: f32;
+    var phi_7391_: bool;
+    var phi_7392_: f32;
+    var phi_7393_: bool;
+    var phi_7394_: bool;
+    var phi_7398_: f32;
+    var phi_7399_: bool;
+    var phi_7403_: f32;
+    var phi_7408_: f32;
+    var phi_7413_: f32;
+    var phi_7418_: f32;
+    var phi_7429_: f32;
+    var phi_7430_: f32;
+    var phi_7431_: bool;
+    var phi_7432_: f32;
+    var phi_7433_: f32;
+    var phi_7434_: bool;
+    var phi_7435_: bool;
+    var phi_7436_: bool;
+    var phi_7437_: f32;
+    var phi_7438_: f32;
+    var phi_7439_: bool;
+    var phi_7440_: bool;
+    var phi_7441_: bool;
+    var phi_7442_: bool;
+    var phi_7443_: f32;
+    var phi_7444_: f32;
+    var phi_7445_: bool;
+    var phi_7446_: bool;
+    var phi_7447_: bool;
+    var phi_7448_: bool;
+    var phi_7528_: f32;
+    var phi_7601_: f32;
+    var phi_7606_: f32;
+    var phi_7679_: f32;
+    var phi_7752_: f32;
+    var phi_7757_: f32;
+    var phi_7773_: f32;
+    var phi_7774_: f32;
+    var phi_7775_: f32;
+    var phi_7777_: f32;
+    var phi_7778_: bool;
+    var phi_7779_: f32;
+    var phi_7780_: f32;
+    var phi_7781_: f32;
+    var phi_7782_: bool;
+    var phi_7783_: bool;
+    var phi_7784_: bool;
+    var phi_7785_: bool;
+    var phi_7794_: f32;
+    var phi_7799_: f32;
+    var phi_7809_: bool;
+    var phi_7813_: bool;
+    var phi_7814_: f32;
+    var phi_7815_: bool;
+    var phi_7816_: bool;
+    var phi_7817_: bool;
+    var phi_7818_: bool;
+    var phi_7819_: bool;
+    var phi_6194_: f32;
+    var phi_6196_: f32;
+    var phi_6198_: f32;
+    var phi_7820_: f32;
+    var phi_7821_: bool;
+    var phi_7822_: bool;
+    var phi_7823_: bool;
+    var phi_7824_: bool;
+    var phi_7825_: bool;
+    var phi_7826_: bool;
     var local_19: bool;
+    var phi_7830_: f32;
+    var phi_7831_: bool;
+    var phi_7832_: bool;
+    var phi_7833_: bool;
+    var phi_7834_: bool;
+    var phi_7839_: type_35;
+    var phi_7840_: bool;
+    var phi_7841_: bool;
+    var phi_7842_: bool;
     var local_20: f32;
-    var local_21: f32;
+    var phi_7847_: type_35;
+    var phi_7848_: bool;
+    var phi_7849_: bool;
+    var phi_7854_: type_35;
+    var phi_7855_: bool;
+    var phi_7856_: bool;
+    var phi_7861_: type_35;
+    var phi_7862_: bool;
+    var phi_7866_: type_35;
+    var phi_7873_: bool;
+    var phi_7874_: f32;
+    var phi_7875_: bool;
+    var phi_7876_: bool;
+    var phi_7877_: bool;
+    var phi_7878_: f32;
+    var phi_7879_: bool;
+    var phi_7880_: bool;
+    var phi_7881_: bool;
+    var phi_7882_: f32;
+    var phi_7883_: bool;
+    var phi_7884_: bool;
+    var phi_7885_: bool;
+    var phi_7886_: bool;
+    var phi_7890_: bool;
+    var phi_7891_: bool;
+    var phi_7892_: bool;
+    var phi_7893_: f32;
+    var phi_7894_: type_37;
+    var phi_7895_: bool;
+    var phi_7896_: bool;
+    var phi_7897_: bool;
+    var phi_7898_: bool;
+    var local_21: bool;
+    var phi_7903_: type_35;
+    var phi_7904_: bool;
+    var phi_7905_: bool;
     var local_22: f32;
-    var phi_5285_: bool;
-    var phi_5286_: bool;
-    var phi_5287_: bool;
-    var phi_5288_: bool;
-    var phi_5289_: bool;
-    var phi_5290_: bool;
-    var phi_5291_: bool;
-    var phi_5292_: bool;
-    var phi_5293_: bool;
-    var phi_5294_: bool;
-    var phi_5295_: bool;
-    var phi_5296_: bool;
-    var phi_5297_: bool;
-    var phi_5298_: f32;
-    var phi_5299_: f32;
-    var phi_5300_: bool;
-    var phi_5301_: bool;
-    var phi_5302_: bool;
-    var phi_5303_: bool;
-    var phi_5304_: bool;
-    var phi_5305_: bool;
-    var phi_5306_: bool;
-    var phi_5307_: f32;
-    var phi_5308_: f32;
-    var phi_5309_: bool;
-    var phi_5310_: bool;
-    var phi_5311_: bool;
-    var phi_5312_: bool;
-    var phi_5313_: bool;
-    var phi_5314_: bool;
-    var phi_5315_: bool;
-    var phi_5316_: bool;
-    var phi_5317_: f32;
-    var phi_4863_: f32;
-    var phi_5318_: bool;
-    var phi_5319_: bool;
-    var phi_5320_: bool;
-    var phi_5321_: bool;
-    var phi_5322_: bool;
-    var phi_5323_: bool;
-    var phi_5324_: bool;
-    var phi_5325_: bool;
-    var phi_5326_: bool;
-    var local_23: bool;
-    var phi_5331_: type_34;
-    var phi_5332_: bool;
-    var phi_5333_: bool;
-    var phi_5334_: bool;
-    var phi_5335_: bool;
-    var phi_5336_: bool;
-    var phi_5337_: bool;
-    var phi_5338_: bool;
-    var phi_5342_: f32;
-    var phi_5343_: bool;
-    var phi_5344_: bool;
-    var phi_5345_: bool;
-    var phi_5346_: bool;
-    var phi_5347_: bool;
-    var phi_5348_: bool;
-    var phi_5349_: bool;
-    var phi_5354_: type_34;
-    var phi_5355_: bool;
-    var phi_5356_: bool;
-    var phi_5357_: bool;
-    var phi_5358_: bool;
-    var phi_5359_: bool;
-    var phi_5360_: bool;
+    var phi_7910_: type_35;
+    var phi_7911_: bool;
+    var local_23: type_37;
+    var phi_7917_: type_35;
+    var phi_7918_: bool;
+    var phi_7922_: type_35;
+    var phi_1558_: f32;
+    var phi_1565_: f32;
+    var phi_1570_: f32;
+    var phi_1577_: f32;
+    var phi_1582_: f32;
+    var phi_1595_: f32;
+    var phi_1602_: f32;
+    var phi_1607_: f32;
+    var phi_1614_: f32;
+    var phi_1619_: f32;
+    var phi_1624_: f32;
+    var phi_1641_: f32;
+    var phi_1648_: f32;
+    var phi_1653_: f32;
+    var phi_1660_: f32;
+    var phi_1665_: f32;
+    var phi_1679_: f32;
+    var phi_1686_: f32;
+    var phi_1691_: f32;
+    var phi_1698_: f32;
+    var phi_1703_: f32;
+    var phi_1708_: f32;
+    var phi_1725_: f32;
+    var phi_1732_: f32;
+    var phi_1737_: f32;
+    var phi_1744_: f32;
+    var phi_1749_: f32;
+    var phi_1763_: f32;
+    var phi_1770_: f32;
+    var phi_1775_: f32;
+    var phi_1782_: f32;
+    var phi_1787_: f32;
+    var phi_1792_: f32;
+    var phi_1831_: type_9;
+    var phi_1834_: f32;
+    var phi_1836_: f32;
+    var phi_1838_: f32;
+    var phi_1832_: type_9;
+    var phi_1861_: type_9;
+    var phi_1973_: f32;
+    var phi_1980_: f32;
+    var phi_1988_: f32;
+    var phi_2032_: type_14;
+    var phi_2035_: f32;
+    var phi_2056_: bool;
+    var phi_2062_: type_15;
+    var phi_2033_: type_14;
+    var phi_2076_: type_15;
+    var phi_2036_: f32;
     var local_24: f32;
-    var phi_5365_: type_34;
-    var phi_5366_: bool;
-    var phi_5367_: bool;
-    var phi_5368_: bool;
-    var phi_5369_: bool;
-    var phi_5370_: bool;
-    var local_25: f32;
-    var phi_5375_: type_34;
-    var phi_5376_: bool;
-    var phi_5377_: bool;
-    var phi_5378_: bool;
-    var phi_5379_: bool;
+    var phi_2025_: f32;
+    var phi_2089_: f32;
+    var phi_2155_: f32;
+    var phi_2161_: f32;
+    var phi_2170_: f32;
+    var phi_2176_: f32;
+    var phi_2185_: f32;
+    var phi_2191_: f32;
+    var phi_2200_: f32;
+    var phi_2206_: f32;
+    var phi_2212_: type_30;
+    var phi_2213_: bool;
+    var phi_2214_: type_30;
+    var phi_2215_: bool;
+    var phi_2223_: type_30;
+    var phi_2393_: bool;
+    var phi_2394_: bool;
+    var phi_2395_: bool;
+    var phi_2396_: bool;
+    var phi_2397_: bool;
+    var phi_2398_: bool;
+    var phi_2402_: bool;
+    var phi_2699_: bool;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2702_: bool;
+    var phi_2703_: bool;
+    var phi_2704_: bool;
+    var phi_2708_: bool;
+    var phi_2712_: bool;
+    var phi_2724_: bool;
+    var phi_2725_: bool;
+    var phi_2799_: bool;
+    var phi_2800_: bool;
+    var phi_2820_: f32;
+    var phi_2821_: bool;
+    var phi_2822_: f32;
+    var phi_2823_: bool;
+    var phi_2824_: f32;
+    var phi_2825_: bool;
+    var phi_2826_: bool;
+    var phi_2830_: f32;
+    var phi_2831_: bool;
+    var phi_2835_: f32;
+    var phi_2867_: bool;
+    var phi_2868_: bool;
+    var phi_2888_: f32;
+    var phi_2889_: bool;
+    var phi_2890_: f32;
+    var phi_2891_: bool;
+    var phi_2892_: f32;
+    var phi_2893_: bool;
+    var phi_2894_: bool;
+    var phi_2898_: f32;
+    var phi_2899_: bool;
+    var phi_2903_: f32;
+    var phi_2908_: f32;
+    var phi_2940_: bool;
+    var phi_2941_: bool;
+    var phi_2961_: f32;
+    var phi_2962_: bool;
+    var phi_2963_: f32;
+    var phi_2964_: bool;
+    var phi_2965_: f32;
+    var phi_2966_: bool;
+    var phi_2967_: bool;
+    var phi_2971_: f32;
+    var phi_2972_: bool;
+    var phi_2976_: f32;
+    var phi_3008_: bool;
+    var phi_3009_: bool;
+    var phi_3029_: f32;
+    var phi_3030_: bool;
+    var phi_3031_: f32;
+    var phi_3032_: bool;
+    var phi_3033_: f32;
+    var phi_3034_: bool;
+    var phi_3035_: bool;
+    var phi_3039_: f32;
+    var phi_3040_: bool;
+    var phi_3044_: f32;
+    var phi_3049_: f32;
+    var phi_3054_: f32;
+    var phi_3059_: f32;
+    var phi_3070_: f32;
+    var phi_3071_: f32;
+    var phi_3072_: bool;
+    var phi_3073_: f32;
+    var phi_3074_: f32;
+    var phi_3075_: bool;
+    var phi_3076_: bool;
+    var phi_3077_: bool;
+    var phi_3078_: f32;
+    var phi_3079_: f32;
+    var phi_3080_: bool;
+    var phi_3081_: bool;
+    var phi_3082_: bool;
+    var phi_3083_: bool;
+    var phi_3084_: f32;
+    var phi_3085_: f32;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
+    var phi_3169_: f32;
+    var phi_3242_: f32;
+    var phi_3247_: f32;
+    var phi_3320_: f32;
+    var phi_3393_: f32;
+    var phi_3398_: f32;
+    var phi_3414_: f32;
+    var phi_3415_: f32;
+    var phi_3416_: f32;
+    var phi_3418_: f32;
+    var phi_3419_: bool;
+    var phi_3420_: f32;
+    var phi_3421_: f32;
+    var phi_3422_: f32;
+    var phi_3423_: bool;
+    var phi_3424_: bool;
+    var phi_3425_: bool;
+    var phi_3426_: bool;
+    var phi_3435_: f32;
+    var phi_3440_: f32;
+    var phi_3450_: bool;
+    var phi_3454_: bool;
+    var phi_3455_: f32;
+    var phi_3456_: bool;
+    var phi_3457_: bool;
+    var phi_3458_: bool;
+    var phi_3459_: bool;
+    var phi_3460_: bool;
+    var phi_1835_: f32;
+    var phi_1837_: f32;
+    var phi_1839_: f32;
+    var phi_3461_: f32;
+    var phi_3462_: bool;
+    var phi_3463_: bool;
+    var phi_3464_: bool;
+    var phi_3465_: bool;
+    var phi_3466_: bool;
+    var phi_3467_: bool;
+    var local_25: bool;
+    var phi_3471_: f32;
+    var phi_3472_: bool;
+    var phi_3473_: bool;
+    var phi_3474_: bool;
+    var phi_3475_: bool;
+    var phi_3480_: type_35;
+    var phi_3481_: bool;
+    var phi_3482_: bool;
+    var phi_3483_: bool;
     var local_26: f32;
-    var phi_5384_: type_34;
-    var phi_5385_: bool;
-    var phi_5386_: bool;
-    var phi_5387_: bool;
-    var phi_5388_: bool;
-    var phi_5392_: type_34;
-    var phi_5393_: bool;
-    var phi_5394_: bool;
-    var phi_5395_: bool;
-    var phi_5399_: bool;
-    var phi_5400_: bool;
-    var phi_5404_: bool;
-    var phi_5405_: bool;
-    var phi_5409_: bool;
-    var phi_5410_: bool;
+    var phi_3488_: type_35;
+    var phi_3489_: bool;
+    var phi_3490_: bool;
+    var phi_3495_: type_35;
+    var phi_3496_: bool;
+    var phi_3497_: bool;
+    var phi_3502_: type_35;
+    var phi_3503_: bool;
+    var phi_3507_: type_35;
+    var phi_3521_: type_9;
+    var phi_3522_: type_9;
+    var phi_3545_: type_9;
+    var phi_3565_: f32;
+    var phi_3695_: type_14;
+    var phi_3698_: f32;
+    var phi_3719_: bool;
+    var phi_3725_: type_15;
+    var phi_3696_: type_14;
+    var phi_3739_: type_15;
+    var phi_3699_: f32;
     var local_27: f32;
-    var phi_5415_: type_34;
-    var phi_5416_: bool;
-    var phi_5420_: type_34;
-    var phi_5427_: bool;
-    var phi_5428_: f32;
-    var phi_5429_: bool;
-    var phi_5430_: bool;
-    var phi_5431_: bool;
-    var phi_5432_: f32;
-    var phi_5433_: bool;
-    var phi_5434_: bool;
-    var phi_5435_: bool;
-    var phi_5436_: f32;
-    var phi_5437_: bool;
-    var phi_5438_: bool;
-    var phi_5439_: bool;
-    var phi_5440_: bool;
-    var phi_5444_: bool;
-    var phi_5445_: bool;
-    var phi_5446_: bool;
-    var phi_5447_: f32;
-    var phi_5448_: type_35;
-    var phi_5449_: bool;
-    var phi_5450_: bool;
-    var phi_5451_: bool;
-    var phi_5452_: bool;
+    var phi_3688_: f32;
+    var phi_3752_: f32;
+    var phi_3768_: f32;
+    var phi_3775_: f32;
+    var phi_3780_: f32;
+    var phi_3787_: f32;
+    var phi_3792_: f32;
+    var phi_3805_: f32;
+    var phi_3812_: f32;
+    var phi_3817_: f32;
+    var phi_3824_: f32;
+    var phi_3829_: f32;
+    var phi_3834_: f32;
+    var phi_3851_: f32;
+    var phi_3858_: f32;
+    var phi_3863_: f32;
+    var phi_3870_: f32;
+    var phi_3875_: f32;
+    var phi_3889_: f32;
+    var phi_3896_: f32;
+    var phi_3901_: f32;
+    var phi_3908_: f32;
+    var phi_3913_: f32;
+    var phi_3918_: f32;
+    var phi_3935_: f32;
+    var phi_3942_: f32;
+    var phi_3947_: f32;
+    var phi_3954_: f32;
+    var phi_3959_: f32;
+    var phi_3973_: f32;
+    var phi_3980_: f32;
+    var phi_3985_: f32;
+    var phi_3992_: f32;
+    var phi_3997_: f32;
+    var phi_4002_: f32;
+    var phi_4022_: bool;
+    var phi_4023_: bool;
+    var phi_4024_: bool;
     var local_28: bool;
-    var phi_5457_: type_34;
-    var phi_5458_: bool;
-    var phi_5459_: bool;
-    var local_29: f32;
-    var phi_5464_: type_34;
-    var phi_5465_: bool;
-    var local_30: type_35;
-    var phi_5471_: type_34;
-    var phi_5472_: bool;
-    var phi_5476_: type_34;
-    var phi_1315_: f32;
-    var phi_1322_: f32;
-    var phi_1327_: f32;
-    var phi_1334_: f32;
-    var phi_1339_: f32;
-    var phi_1352_: f32;
-    var phi_1359_: f32;
-    var phi_1364_: f32;
-    var phi_1371_: f32;
-    var phi_1376_: f32;
-    var phi_1381_: f32;
-    var phi_1398_: f32;
-    var phi_1405_: f32;
-    var phi_1410_: f32;
-    var phi_1417_: f32;
-    var phi_1422_: f32;
-    var phi_1436_: f32;
-    var phi_1443_: f32;
-    var phi_1448_: f32;
-    var phi_1455_: f32;
-    var phi_1460_: f32;
-    var phi_1465_: f32;
-    var phi_1482_: f32;
-    var phi_1489_: f32;
-    var phi_1494_: f32;
-    var phi_1501_: f32;
-    var phi_1506_: f32;
-    var phi_1520_: f32;
-    var phi_1527_: f32;
-    var phi_1532_: f32;
-    var phi_1539_: f32;
-    var phi_1544_: f32;
-    var phi_1549_: f32;
-    var phi_1565_: type_9;
-    var phi_1568_: f32;
-    var phi_1566_: type_9;
-    var phi_1591_: type_9;
-    var phi_1702_: f32;
-    var phi_1709_: f32;
-    var phi_1717_: f32;
-    var phi_1761_: type_14;
-    var phi_1764_: f32;
-    var phi_1785_: bool;
-    var phi_1791_: type_15;
-    var phi_1762_: type_14;
-    var phi_1805_: type_15;
-    var phi_1765_: f32;
+    var phi_4029_: type_35;
+    var phi_4030_: bool;
+    var phi_4035_: type_35;
+    var phi_4036_: bool;
+    var phi_4038_: type_35;
+    var phi_4039_: type_35;
+    var phi_4040_: bool;
+    var phi_4044_: type_35;
+    var phi_7926_: type_35;
+    var phi_7927_: type_35;
+    var phi_7940_: type_38;
+    var phi_7947_: bool;
+    var phi_7971_: u32;
+    var phi_7975_: type_20;
+    var phi_7976_: bool;
+    var phi_7977_: bool;
+    var phi_7996_: u32;
+    var phi_8059_: u32;
+    var local_29: u32;
+    var local_30: f32;
     var local_31: f32;
-    var phi_1754_: f32;
-    var phi_1818_: f32;
-    var phi_1827_: type_9;
-    var phi_1830_: f32;
-    var phi_1828_: type_9;
-    var phi_1853_: type_9;
-    var phi_1904_: f32;
-    var phi_1910_: f32;
-    var phi_1923_: bool;
-    var phi_1924_: bool;
-    var phi_1955_: f32;
-    var phi_1956_: f32;
-    var phi_1957_: f32;
-    var phi_1958_: bool;
-    var phi_1962_: bool;
-    var phi_1963_: f32;
-    var phi_1964_: bool;
-    var phi_1965_: bool;
-    var phi_1966_: bool;
-    var phi_1967_: f32;
-    var phi_1968_: bool;
-    var phi_1969_: bool;
-    var phi_1970_: bool;
-    var phi_1831_: f32;
-    var phi_1971_: bool;
-    var phi_1972_: bool;
-    var phi_1973_: bool;
-    var phi_1974_: bool;
     var local_32: bool;
-    var local_33: f32;
+    var local_33: bool;
     var local_34: f32;
     var local_35: f32;
-    var phi_1991_: bool;
-    var phi_1992_: bool;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_1995_: bool;
-    var phi_1996_: bool;
-    var phi_1997_: bool;
-    var phi_1998_: bool;
-    var phi_1999_: bool;
-    var phi_2000_: bool;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
-    var phi_2003_: bool;
-    var phi_2004_: f32;
-    var phi_2005_: f32;
-    var phi_2006_: bool;
-    var phi_2007_: bool;
-    var phi_2008_: bool;
-    var phi_2009_: bool;
-    var phi_2010_: bool;
-    var phi_2011_: bool;
-    var phi_2012_: bool;
-    var phi_2013_: f32;
-    var phi_2014_: f32;
-    var phi_2015_: bool;
-    var phi_2016_: bool;
-    var phi_2017_: bool;
-    var phi_2018_: bool;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2021_: bool;
-    var phi_2022_: bool;
-    var phi_2023_: f32;
-    var phi_1569_: f32;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_2027_: bool;
-    var phi_2028_: bool;
-    var phi_2029_: bool;
-    var phi_2030_: bool;
-    var phi_2031_: bool;
-    var phi_2032_: bool;
-    var local_36: bool;
-    var phi_2037_: type_34;
-    var phi_2038_: bool;
-    var phi_2039_: bool;
-    var phi_2040_: bool;
-    var phi_2041_: bool;
-    var phi_2042_: bool;
-    var phi_2043_: bool;
-    var phi_2044_: bool;
-    var phi_2048_: f32;
-    var phi_2049_: bool;
-    var phi_2050_: bool;
-    var phi_2051_: bool;
-    var phi_2052_: bool;
-    var phi_2053_: bool;
-    var phi_2054_: bool;
-    var phi_2055_: bool;
-    var phi_2060_: type_34;
-    var phi_2061_: bool;
-    var phi_2062_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var local_37: f32;
-    var phi_2071_: type_34;
-    var phi_2072_: bool;
-    var phi_2073_: bool;
-    var phi_2074_: bool;
-    var phi_2075_: bool;
-    var phi_2076_: bool;
-    var local_38: f32;
-    var phi_2081_: type_34;
-    var phi_2082_: bool;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var local_39: f32;
-    var phi_2090_: type_34;
-    var phi_2091_: bool;
-    var phi_2092_: bool;
-    var phi_2093_: bool;
-    var phi_2094_: bool;
-    var phi_2098_: type_34;
-    var phi_2099_: bool;
-    var phi_2100_: bool;
-    var phi_2101_: bool;
-    var phi_2105_: bool;
-    var phi_2106_: bool;
-    var phi_2110_: bool;
-    var phi_2111_: bool;
-    var phi_2115_: bool;
-    var phi_2116_: bool;
-    var local_40: f32;
-    var phi_2121_: type_34;
-    var phi_2122_: bool;
-    var phi_2126_: type_34;
-    var phi_2140_: type_9;
-    var phi_2141_: type_9;
-    var phi_2164_: type_9;
-    var phi_2184_: f32;
-    var phi_2314_: type_14;
-    var phi_2317_: f32;
-    var phi_2338_: bool;
-    var phi_2344_: type_15;
-    var phi_2315_: type_14;
-    var phi_2358_: type_15;
-    var phi_2318_: f32;
-    var local_41: f32;
-    var phi_2307_: f32;
-    var phi_2371_: f32;
-    var phi_2387_: f32;
-    var phi_2394_: f32;
-    var phi_2399_: f32;
-    var phi_2406_: f32;
-    var phi_2411_: f32;
-    var phi_2424_: f32;
-    var phi_2431_: f32;
-    var phi_2436_: f32;
-    var phi_2443_: f32;
-    var phi_2448_: f32;
-    var phi_2453_: f32;
-    var phi_2470_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2489_: f32;
-    var phi_2494_: f32;
-    var phi_2508_: f32;
-    var phi_2515_: f32;
-    var phi_2520_: f32;
-    var phi_2527_: f32;
-    var phi_2532_: f32;
-    var phi_2537_: f32;
-    var phi_2554_: f32;
-    var phi_2561_: f32;
-    var phi_2566_: f32;
-    var phi_2573_: f32;
-    var phi_2578_: f32;
-    var phi_2592_: f32;
-    var phi_2599_: f32;
-    var phi_2604_: f32;
-    var phi_2611_: f32;
-    var phi_2616_: f32;
-    var phi_2621_: f32;
-    var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2643_: bool;
+    var local_36: f32;
+    var local_37: bool;
+    var local_38: bool;
+    var local_39: bool;
+    var local_40: bool;
+    var local_41: bool;
     var local_42: bool;
-    var phi_2648_: type_34;
-    var phi_2649_: bool;
-    var phi_2654_: type_34;
-    var phi_2655_: bool;
-    var phi_2657_: type_34;
-    var phi_2658_: type_34;
-    var phi_2659_: bool;
-    var phi_2663_: type_34;
-    var phi_5480_: type_34;
-    var phi_5481_: type_34;
-    var phi_5494_: type_36;
-    var phi_5501_: bool;
-    var phi_5525_: u32;
-    var phi_5529_: type_20;
-    var phi_5530_: bool;
-    var phi_5531_: bool;
-    var phi_5550_: u32;
-    var phi_5613_: u32;
-    var local_43: u32;
+    var local_43: f32;
     var local_44: f32;
-    var local_45: f32;
+    var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: f32;
-    var local_49: bool;
-    var local_50: bool;
-    var local_51: f32;
-    var local_52: f32;
-    var local_53: bool;
-    var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
-    var local_57: bool;
-    var local_58: bool;
-    var local_59: bool;
-    var local_60: f32;
-    var local_61: f32;
-    var local_62: bool;
-    var local_63: bool;
-    var local_64: bool;
-    var local_65: bool;
-    var local_66: bool;
-    var local_67: f32;
-    var local_68: f32;
-    var local_69: bool;
-    var local_70: bool;
-    var local_71: bool;
-    var local_72: bool;
-    var local_73: bool;
-    var local_74: bool;
-    var local_75: bool;
-    var local_76: f32;
-    var local_77: f32;
-    var local_78: bool;
+    var local_48: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1192,3977 +1294,4939 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e92 = id_2;
-    let _e93 = n_2;
-    let _e94 = lane_2;
-    let _e106 = ((_e92.y * _e93.x) + _e92.x);
-    let _e109 = (_e93.x * _e93.y);
-    let _e112 = params.member.member_1.member_2;
-    let _e114 = input.member[0u];
-    if (_e112 < _e114) {
-        phi_211_ = _e112;
+    let _e103 = id_2;
+    let _e104 = n_2;
+    let _e105 = lane_2;
+    let _e117 = ((_e103.y * _e104.x) + _e103.x);
+    let _e120 = (_e104.x * _e104.y);
+    let _e123 = params.member.member_1.member_2;
+    let _e125 = input.member[0u];
+    if (_e123 < _e125) {
+        phi_220_ = _e123;
     } else {
-        phi_211_ = _e114;
+        phi_220_ = _e125;
     }
-    let _e117 = phi_211_;
-    let _e118 = (_e117 / 64u);
-    if ((_e117 % 64u) > 0u) {
-        phi_227_ = (_e118 + 1u);
+    let _e128 = phi_220_;
+    let _e129 = (_e128 / 64u);
+    if ((_e128 % 64u) > 0u) {
+        phi_236_ = (_e129 + 1u);
     } else {
-        phi_227_ = _e118;
+        phi_236_ = _e129;
     }
-    let _e123 = phi_227_;
-    if (_e123 > _e106) {
-        let _e125 = (_e123 - _e106);
-        if (_e109 == 0u) {
+    let _e134 = phi_236_;
+    if (_e134 > _e117) {
+        let _e136 = (_e134 - _e117);
+        if (_e120 == 0u) {
             return;
         }
-        let _e127 = (_e125 / _e109);
-        if (_e109 == 0u) {
+        let _e138 = (_e136 / _e120);
+        if (_e120 == 0u) {
             return;
         }
-        if ((_e125 % _e109) > 0u) {
-            phi_248_ = (_e127 + 1u);
+        if ((_e136 % _e120) > 0u) {
+            phi_257_ = (_e138 + 1u);
         } else {
-            phi_248_ = _e127;
+            phi_257_ = _e138;
         }
-        let _e133 = phi_248_;
-        phi_249_ = _e133;
+        let _e144 = phi_257_;
+        phi_258_ = _e144;
     } else {
-        phi_249_ = 0u;
+        phi_258_ = 0u;
     }
-    let _e135 = phi_249_;
-    phi_252_ = type_9(0u, _e135);
+    let _e146 = phi_258_;
+    phi_261_ = type_9(0u, _e146);
     loop {
-        let _e138 = phi_252_;
-        if (_e138.member < _e138.member_1) {
-            phi_253_ = type_9((_e138.member + 1u), _e138.member_1);
-            phi_276_ = type_9(1u, _e138.member);
+        let _e149 = phi_261_;
+        if (_e149.member < _e149.member_1) {
+            phi_262_ = type_9((_e149.member + 1u), _e149.member_1);
+            phi_285_ = type_9(1u, _e149.member);
         } else {
-            phi_253_ = _e138;
-            phi_276_ = type_9(0u, type_9().member_1);
+            phi_262_ = _e149;
+            phi_285_ = type_9(0u, type_9().member_1);
         }
-        let _e150 = phi_253_;
-        let _e152 = phi_276_;
-        let _e156 = (bitcast<i32>(_e152.member) != 0i);
-        if _e156 {
-            let _e160 = (((_e106 + (_e152.member_1 * _e109)) * 64u) + _e94);
-            if (_e160 < _e117) {
-                let _e162 = (2u * _e160);
-                let _e165 = input.member[(4u + _e162)];
-                let _e168 = input.member[(_e162 + 5u)];
-                let _e171 = elements.member[_e165];
-                let _e173 = elements.member[_e168];
-                let _e179 = paths.member[_e171[0]];
-                let _e181 = paths.member[_e171[1]];
-                let _e187 = paths.member[_e173[0]];
-                let _e189 = paths.member[_e173[1]];
-                let _e219 = params.member.member.member_4;
-                local_12 = type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e187.member[0] - _e179.member[0]), (_e187.member[1] - _e179.member[1]), (_e187.member[2] - _e179.member[2])), array<f32, 3>((_e187.member_1[0] - _e179.member_1[0]), (_e187.member_1[1] - _e179.member_1[1]), (_e187.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e181.member[0] - _e179.member[0]), (_e181.member[1] - _e179.member[1]), (_e181.member[2] - _e179.member[2])), array<f32, 3>((_e181.member_1[0] - _e179.member_1[0]), (_e181.member_1[1] - _e179.member_1[1]), (_e181.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e187.member[0] - _e189.member[0]), (_e187.member[1] - _e189.member[1]), (_e187.member[2] - _e189.member[2])), array<f32, 3>((_e187.member_1[0] - _e189.member_1[0]), (_e187.member_1[1] - _e189.member_1[1]), (_e187.member_1[2] - _e189.member_1[2]))), (_e219 + _e219));
-                let _e250 = params.member.member.member_5;
-                let _e253 = local_12.member_1[0u];
-                let _e259 = local_12.member_2[0u];
-                let _e265 = ((_e253[1] * _e259[2]) - (_e253[2] * _e259[1]));
-                let _e268 = ((_e253[2] * _e259[0]) - (_e253[0] * _e259[2]));
-                let _e271 = ((_e253[0] * _e259[1]) - (_e253[1] * _e259[0]));
-                let _e274 = local_12.member_1[1u];
-                let _e280 = local_12.member_2[1u];
-                let _e286 = ((_e274[1] * _e280[2]) - (_e274[2] * _e280[1]));
-                let _e289 = ((_e274[2] * _e280[0]) - (_e274[0] * _e280[2]));
-                let _e292 = ((_e274[0] * _e280[1]) - (_e274[1] * _e280[0]));
-                let _e295 = local_12.member_1[0u];
-                let _e301 = local_12.member_2[1u];
-                let _e316 = local_12.member_1[1u];
-                let _e322 = local_12.member_2[0u];
-                let _e335 = (((_e295[1] * _e301[2]) - (_e295[2] * _e301[1])) + ((_e316[1] * _e322[2]) - (_e316[2] * _e322[1])));
-                let _e336 = (((_e295[2] * _e301[0]) - (_e295[0] * _e301[2])) + ((_e316[2] * _e322[0]) - (_e316[0] * _e322[2])));
-                let _e337 = (((_e295[0] * _e301[1]) - (_e295[1] * _e301[0])) + ((_e316[0] * _e322[1]) - (_e316[1] * _e322[0])));
-                let _e340 = local_12.member[0u];
-                let _e348 = (((_e340[0] * _e265) + (_e340[1] * _e268)) + (_e340[2] * _e271));
-                let _e351 = local_12.member[1u];
-                let _e362 = local_12.member[0u];
-                let _e371 = ((((_e351[0] * _e265) + (_e351[1] * _e268)) + (_e351[2] * _e271)) + (((_e362[0] * _e335) + (_e362[1] * _e336)) + (_e362[2] * _e337)));
-                let _e374 = local_12.member[0u];
-                let _e385 = local_12.member[1u];
-                let _e394 = ((((_e374[0] * _e286) + (_e374[1] * _e289)) + (_e374[2] * _e292)) + (((_e385[0] * _e335) + (_e385[1] * _e336)) + (_e385[2] * _e337)));
-                let _e397 = local_12.member[1u];
-                let _e405 = (((_e397[0] * _e286) + (_e397[1] * _e289)) + (_e397[2] * _e292));
-                let _e408 = local_12.member[0u];
-                if (_e408[0] < 0f) {
-                    phi_725_ = -(_e408[0]);
+        let _e161 = phi_262_;
+        let _e163 = phi_285_;
+        let _e167 = (bitcast<i32>(_e163.member) != 0i);
+        if _e167 {
+            let _e171 = (((_e117 + (_e163.member_1 * _e120)) * 64u) + _e105);
+            if (_e171 < _e128) {
+                let _e173 = (2u * _e171);
+                let _e176 = input.member[(4u + _e173)];
+                let _e179 = input.member[(_e173 + 5u)];
+                let _e182 = elements.member[_e176];
+                let _e184 = elements.member[_e179];
+                let _e190 = paths.member[_e182[0]];
+                let _e192 = paths.member[_e182[1]];
+                let _e198 = paths.member[_e184[0]];
+                let _e200 = paths.member[_e184[1]];
+                let _e230 = params.member.member.member_4;
+                let _e231 = (_e198.member[0] - _e190.member[0]);
+                let _e232 = (_e198.member[1] - _e190.member[1]);
+                let _e233 = (_e198.member[2] - _e190.member[2]);
+                let _e235 = (_e198.member_1[0] - _e190.member_1[0]);
+                let _e236 = (_e198.member_1[1] - _e190.member_1[1]);
+                let _e237 = (_e198.member_1[2] - _e190.member_1[2]);
+                let _e240 = (_e192.member[0] - _e190.member[0]);
+                let _e241 = (_e192.member[1] - _e190.member[1]);
+                let _e242 = (_e192.member[2] - _e190.member[2]);
+                let _e244 = (_e192.member_1[0] - _e190.member_1[0]);
+                let _e245 = (_e192.member_1[1] - _e190.member_1[1]);
+                let _e246 = (_e192.member_1[2] - _e190.member_1[2]);
+                let _e249 = (_e198.member[0] - _e200.member[0]);
+                let _e250 = (_e198.member[1] - _e200.member[1]);
+                let _e251 = (_e198.member[2] - _e200.member[2]);
+                let _e253 = (_e198.member_1[0] - _e200.member_1[0]);
+                let _e254 = (_e198.member_1[1] - _e200.member_1[1]);
+                let _e255 = (_e198.member_1[2] - _e200.member_1[2]);
+                let _e258 = (_e230 + _e230);
+                let _e261 = params.member.member.member_5;
+                if (_e231 < 0f) {
+                    phi_460_ = -(_e231);
                 } else {
-                    phi_725_ = _e408[0];
+                    phi_460_ = _e231;
                 }
-                let _e415 = phi_725_;
-                if (_e408[1] < 0f) {
-                    phi_732_ = -(_e408[1]);
+                let _e265 = phi_460_;
+                if (_e232 < 0f) {
+                    phi_466_ = -(_e232);
                 } else {
-                    phi_732_ = _e408[1];
+                    phi_466_ = _e232;
                 }
-                let _e419 = phi_732_;
-                if (_e415 > _e419) {
-                    phi_737_ = _e415;
+                let _e269 = phi_466_;
+                if (_e265 > _e269) {
+                    phi_471_ = _e265;
                 } else {
-                    phi_737_ = _e419;
+                    phi_471_ = _e269;
                 }
-                let _e422 = phi_737_;
-                if (_e408[2] < 0f) {
-                    phi_744_ = -(_e408[2]);
+                let _e272 = phi_471_;
+                if (_e233 < 0f) {
+                    phi_477_ = -(_e233);
                 } else {
-                    phi_744_ = _e408[2];
+                    phi_477_ = _e233;
                 }
-                let _e426 = phi_744_;
-                if (_e422 > _e426) {
-                    phi_749_ = _e422;
+                let _e276 = phi_477_;
+                if (_e272 > _e276) {
+                    phi_482_ = _e272;
                 } else {
-                    phi_749_ = _e426;
+                    phi_482_ = _e276;
                 }
-                let _e429 = phi_749_;
-                let _e432 = local_12.member[1u];
-                if (_e432[0] < 0f) {
-                    phi_762_ = -(_e432[0]);
+                let _e279 = phi_482_;
+                if (_e235 < 0f) {
+                    phi_488_ = -(_e235);
                 } else {
-                    phi_762_ = _e432[0];
+                    phi_488_ = _e235;
                 }
-                let _e439 = phi_762_;
-                if (_e432[1] < 0f) {
-                    phi_769_ = -(_e432[1]);
+                let _e283 = phi_488_;
+                if (_e236 < 0f) {
+                    phi_494_ = -(_e236);
                 } else {
-                    phi_769_ = _e432[1];
+                    phi_494_ = _e236;
                 }
-                let _e443 = phi_769_;
-                if (_e439 > _e443) {
-                    phi_774_ = _e439;
+                let _e287 = phi_494_;
+                if (_e283 > _e287) {
+                    phi_499_ = _e283;
                 } else {
-                    phi_774_ = _e443;
+                    phi_499_ = _e287;
                 }
-                let _e446 = phi_774_;
-                if (_e432[2] < 0f) {
-                    phi_781_ = -(_e432[2]);
+                let _e290 = phi_499_;
+                if (_e237 < 0f) {
+                    phi_505_ = -(_e237);
                 } else {
-                    phi_781_ = _e432[2];
+                    phi_505_ = _e237;
                 }
-                let _e450 = phi_781_;
-                if (_e446 > _e450) {
-                    phi_786_ = _e446;
+                let _e294 = phi_505_;
+                if (_e290 > _e294) {
+                    phi_510_ = _e290;
                 } else {
-                    phi_786_ = _e450;
+                    phi_510_ = _e294;
                 }
-                let _e453 = phi_786_;
-                if (_e429 > _e453) {
-                    phi_791_ = _e429;
+                let _e297 = phi_510_;
+                if (_e279 > _e297) {
+                    phi_515_ = _e279;
                 } else {
-                    phi_791_ = _e453;
+                    phi_515_ = _e297;
                 }
-                let _e456 = phi_791_;
-                let _e458 = local_12.member_3;
-                let _e459 = (_e456 + _e458);
-                let _e462 = local_12.member_1[0u];
-                if (_e462[0] < 0f) {
-                    phi_808_ = -(_e462[0]);
+                let _e300 = phi_515_;
+                let _e301 = (_e300 + _e258);
+                if (_e240 < 0f) {
+                    phi_522_ = -(_e240);
                 } else {
-                    phi_808_ = _e462[0];
+                    phi_522_ = _e240;
                 }
-                let _e469 = phi_808_;
-                if (_e462[1] < 0f) {
-                    phi_815_ = -(_e462[1]);
+                let _e305 = phi_522_;
+                if (_e241 < 0f) {
+                    phi_528_ = -(_e241);
                 } else {
-                    phi_815_ = _e462[1];
+                    phi_528_ = _e241;
                 }
-                let _e473 = phi_815_;
-                if (_e469 > _e473) {
-                    phi_820_ = _e469;
+                let _e309 = phi_528_;
+                if (_e305 > _e309) {
+                    phi_533_ = _e305;
                 } else {
-                    phi_820_ = _e473;
+                    phi_533_ = _e309;
                 }
-                let _e476 = phi_820_;
-                if (_e462[2] < 0f) {
-                    phi_827_ = -(_e462[2]);
+                let _e312 = phi_533_;
+                if (_e242 < 0f) {
+                    phi_539_ = -(_e242);
                 } else {
-                    phi_827_ = _e462[2];
+                    phi_539_ = _e242;
                 }
-                let _e480 = phi_827_;
-                if (_e476 > _e480) {
-                    phi_832_ = _e476;
+                let _e316 = phi_539_;
+                if (_e312 > _e316) {
+                    phi_544_ = _e312;
                 } else {
-                    phi_832_ = _e480;
+                    phi_544_ = _e316;
                 }
-                let _e483 = phi_832_;
-                let _e486 = local_12.member_1[1u];
-                if (_e486[0] < 0f) {
-                    phi_846_ = -(_e486[0]);
+                let _e319 = phi_544_;
+                if (_e244 < 0f) {
+                    phi_550_ = -(_e244);
                 } else {
-                    phi_846_ = _e486[0];
+                    phi_550_ = _e244;
                 }
-                let _e493 = phi_846_;
-                if (_e486[1] < 0f) {
-                    phi_853_ = -(_e486[1]);
+                let _e323 = phi_550_;
+                if (_e245 < 0f) {
+                    phi_556_ = -(_e245);
                 } else {
-                    phi_853_ = _e486[1];
+                    phi_556_ = _e245;
                 }
-                let _e497 = phi_853_;
-                if (_e493 > _e497) {
-                    phi_858_ = _e493;
+                let _e327 = phi_556_;
+                if (_e323 > _e327) {
+                    phi_561_ = _e323;
                 } else {
-                    phi_858_ = _e497;
+                    phi_561_ = _e327;
                 }
-                let _e500 = phi_858_;
-                if (_e486[2] < 0f) {
-                    phi_865_ = -(_e486[2]);
+                let _e330 = phi_561_;
+                if (_e246 < 0f) {
+                    phi_567_ = -(_e246);
                 } else {
-                    phi_865_ = _e486[2];
+                    phi_567_ = _e246;
                 }
-                let _e504 = phi_865_;
-                if (_e500 > _e504) {
-                    phi_870_ = _e500;
+                let _e334 = phi_567_;
+                if (_e330 > _e334) {
+                    phi_572_ = _e330;
                 } else {
-                    phi_870_ = _e504;
+                    phi_572_ = _e334;
                 }
-                let _e507 = phi_870_;
-                if (_e483 > _e507) {
-                    phi_875_ = _e483;
+                let _e337 = phi_572_;
+                if (_e319 > _e337) {
+                    phi_577_ = _e319;
                 } else {
-                    phi_875_ = _e507;
+                    phi_577_ = _e337;
                 }
-                let _e510 = phi_875_;
-                let _e512 = local_12.member_3;
-                let _e513 = (_e510 + _e512);
-                let _e516 = local_12.member_2[0u];
-                if (_e516[0] < 0f) {
-                    phi_892_ = -(_e516[0]);
+                let _e340 = phi_577_;
+                let _e341 = (_e340 + _e258);
+                if (_e249 < 0f) {
+                    phi_584_ = -(_e249);
                 } else {
-                    phi_892_ = _e516[0];
+                    phi_584_ = _e249;
                 }
-                let _e523 = phi_892_;
-                if (_e516[1] < 0f) {
-                    phi_899_ = -(_e516[1]);
+                let _e345 = phi_584_;
+                if (_e250 < 0f) {
+                    phi_590_ = -(_e250);
                 } else {
-                    phi_899_ = _e516[1];
+                    phi_590_ = _e250;
                 }
-                let _e527 = phi_899_;
-                if (_e523 > _e527) {
-                    phi_904_ = _e523;
+                let _e349 = phi_590_;
+                if (_e345 > _e349) {
+                    phi_595_ = _e345;
                 } else {
-                    phi_904_ = _e527;
+                    phi_595_ = _e349;
                 }
-                let _e530 = phi_904_;
-                if (_e516[2] < 0f) {
-                    phi_911_ = -(_e516[2]);
+                let _e352 = phi_595_;
+                if (_e251 < 0f) {
+                    phi_601_ = -(_e251);
                 } else {
-                    phi_911_ = _e516[2];
+                    phi_601_ = _e251;
                 }
-                let _e534 = phi_911_;
-                if (_e530 > _e534) {
-                    phi_916_ = _e530;
+                let _e356 = phi_601_;
+                if (_e352 > _e356) {
+                    phi_606_ = _e352;
                 } else {
-                    phi_916_ = _e534;
+                    phi_606_ = _e356;
                 }
-                let _e537 = phi_916_;
-                let _e540 = local_12.member_2[1u];
-                if (_e540[0] < 0f) {
-                    phi_930_ = -(_e540[0]);
+                let _e359 = phi_606_;
+                if (_e253 < 0f) {
+                    phi_612_ = -(_e253);
                 } else {
-                    phi_930_ = _e540[0];
+                    phi_612_ = _e253;
                 }
-                let _e547 = phi_930_;
-                if (_e540[1] < 0f) {
-                    phi_937_ = -(_e540[1]);
+                let _e363 = phi_612_;
+                if (_e254 < 0f) {
+                    phi_618_ = -(_e254);
                 } else {
-                    phi_937_ = _e540[1];
+                    phi_618_ = _e254;
                 }
-                let _e551 = phi_937_;
-                if (_e547 > _e551) {
-                    phi_942_ = _e547;
+                let _e367 = phi_618_;
+                if (_e363 > _e367) {
+                    phi_623_ = _e363;
                 } else {
-                    phi_942_ = _e551;
+                    phi_623_ = _e367;
                 }
-                let _e554 = phi_942_;
-                if (_e540[2] < 0f) {
-                    phi_949_ = -(_e540[2]);
+                let _e370 = phi_623_;
+                if (_e255 < 0f) {
+                    phi_629_ = -(_e255);
                 } else {
-                    phi_949_ = _e540[2];
+                    phi_629_ = _e255;
                 }
-                let _e558 = phi_949_;
-                if (_e554 > _e558) {
-                    phi_954_ = _e554;
+                let _e374 = phi_629_;
+                if (_e370 > _e374) {
+                    phi_634_ = _e370;
                 } else {
-                    phi_954_ = _e558;
+                    phi_634_ = _e374;
                 }
-                let _e561 = phi_954_;
-                if (_e537 > _e561) {
-                    phi_959_ = _e537;
+                let _e377 = phi_634_;
+                if (_e359 > _e377) {
+                    phi_639_ = _e359;
                 } else {
-                    phi_959_ = _e561;
+                    phi_639_ = _e377;
                 }
-                let _e564 = phi_959_;
-                let _e566 = local_12.member_3;
-                let _e567 = (_e564 + _e566);
-                let _e569 = ((_e513 * 8f) * _e567);
-                let _e576 = local_12.member_3;
-                if (_e265 < 0f) {
-                    phi_990_ = -(_e265);
+                let _e380 = phi_639_;
+                let _e381 = (_e380 + _e258);
+                if (_e301 > _e341) {
+                    phi_645_ = _e301;
                 } else {
-                    phi_990_ = _e265;
+                    phi_645_ = _e341;
                 }
-                let _e593 = phi_990_;
-                if (_e268 < 0f) {
-                    phi_996_ = -(_e268);
+                let _e384 = phi_645_;
+                if (_e384 > _e381) {
+                    phi_650_ = _e384;
                 } else {
-                    phi_996_ = _e268;
+                    phi_650_ = _e381;
                 }
-                let _e597 = phi_996_;
-                if (_e271 < 0f) {
-                    phi_1003_ = -(_e271);
+                let _e387 = phi_650_;
+                if (_e387 <= 65536f) {
+                    phi_657_ = (_e387 >= (1f / 65536f));
                 } else {
-                    phi_1003_ = _e271;
+                    phi_657_ = false;
                 }
-                let _e602 = phi_1003_;
-                let _e603 = ((_e593 + _e597) + _e602);
-                if (_e286 < 0f) {
-                    phi_1010_ = -(_e286);
+                let _e392 = phi_657_;
+                if _e392 {
+                    phi_728_ = type_34();
+                    phi_729_ = true;
                 } else {
-                    phi_1010_ = _e286;
-                }
-                let _e607 = phi_1010_;
-                if (_e289 < 0f) {
-                    phi_1016_ = -(_e289);
-                } else {
-                    phi_1016_ = _e289;
-                }
-                let _e611 = phi_1016_;
-                if (_e292 < 0f) {
-                    phi_1023_ = -(_e292);
-                } else {
-                    phi_1023_ = _e292;
-                }
-                let _e616 = phi_1023_;
-                let _e617 = ((_e607 + _e611) + _e616);
-                if (_e603 > _e617) {
-                    phi_1029_ = _e603;
-                } else {
-                    phi_1029_ = _e617;
-                }
-                let _e620 = phi_1029_;
-                if (_e335 < 0f) {
-                    phi_1035_ = -(_e335);
-                } else {
-                    phi_1035_ = _e335;
-                }
-                let _e624 = phi_1035_;
-                if (_e336 < 0f) {
-                    phi_1041_ = -(_e336);
-                } else {
-                    phi_1041_ = _e336;
-                }
-                let _e628 = phi_1041_;
-                if (_e337 < 0f) {
-                    phi_1048_ = -(_e337);
-                } else {
-                    phi_1048_ = _e337;
-                }
-                let _e633 = phi_1048_;
-                let _e635 = (((_e624 + _e628) + _e633) * 0.5f);
-                if (_e620 > _e635) {
-                    phi_1055_ = _e620;
-                } else {
-                    phi_1055_ = _e635;
-                }
-                let _e638 = phi_1055_;
-                let _e643 = local_12.member_3;
-                let _e655 = (((((_e459 * 8f) * _e569) * (0.000000059604645f * (490f / 64f))) + ((_e576 * 19f) * ((_e459 * (_e513 + _e567)) + (_e513 * _e567)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e459) * ((1f + _e513) * (1f + _e567)))));
-                let _e656 = (_e348 * 3f);
-                let _e657 = (_e405 * 3f);
-                if (_e656 < _e657) {
-                    phi_1079_ = _e656;
-                } else {
-                    phi_1079_ = _e657;
-                }
-                let _e660 = phi_1079_;
-                if (_e371 < _e394) {
-                    phi_1084_ = _e371;
-                } else {
-                    phi_1084_ = _e394;
-                }
-                let _e663 = phi_1084_;
-                if (_e660 < _e663) {
-                    phi_1089_ = _e660;
-                } else {
-                    phi_1089_ = _e663;
-                }
-                let _e666 = phi_1089_;
-                if (_e656 > _e657) {
-                    phi_1094_ = _e656;
-                } else {
-                    phi_1094_ = _e657;
-                }
-                let _e669 = phi_1094_;
-                if (_e371 > _e394) {
-                    phi_1099_ = _e371;
-                } else {
-                    phi_1099_ = _e394;
-                }
-                let _e672 = phi_1099_;
-                if (_e669 > _e672) {
-                    phi_1104_ = _e669;
-                } else {
-                    phi_1104_ = _e672;
-                }
-                let _e675 = phi_1104_;
-                let _e680 = -(_e675);
-                if (_e666 > _e680) {
-                    phi_1114_ = _e666;
-                } else {
-                    phi_1114_ = _e680;
-                }
-                let _e683 = phi_1114_;
-                if ((_e683 - (_e655 + ((_e250 * (((_e638 + (_e569 * (0.000000059604645f * 4f))) + ((_e643 * 6f) * (_e513 + _e567))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e513) * (1f + _e567))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_5481_ = type_34(0u, type_34().member_1);
-                } else {
-                    if (_e250 > 0f) {
-                        let _e2718 = local_12.member[0u];
-                        let _e2724 = local_12.member_1[0u];
-                        let _e2730 = local_12.member_2[0u];
-                        let _e2734 = (_e2718[0] - _e2724[0]);
-                        let _e2735 = (_e2718[1] - _e2724[1]);
-                        let _e2736 = (_e2718[2] - _e2724[2]);
-                        local_9 = array<array<f32, 3>, 4>(_e2718, array<f32, 3>(_e2734, _e2735, _e2736), array<f32, 3>((_e2718[0] - _e2730[0]), (_e2718[1] - _e2730[1]), (_e2718[2] - _e2730[2])), array<f32, 3>((_e2734 - _e2730[0]), (_e2735 - _e2730[1]), (_e2736 - _e2730[2])));
-                        let _e2749 = local_12.member[1u];
-                        let _e2755 = local_12.member_1[1u];
-                        let _e2761 = local_12.member_2[1u];
-                        let _e2765 = (_e2749[0] - _e2755[0]);
-                        let _e2766 = (_e2749[1] - _e2755[1]);
-                        let _e2767 = (_e2749[2] - _e2755[2]);
-                        local_10 = array<array<f32, 3>, 4>(_e2749, array<f32, 3>(_e2765, _e2766, _e2767), array<f32, 3>((_e2749[0] - _e2761[0]), (_e2749[1] - _e2761[1]), (_e2749[2] - _e2761[2])), array<f32, 3>((_e2765 - _e2761[0]), (_e2766 - _e2761[1]), (_e2767 - _e2761[2])));
-                        let _e2780 = local_12.member[0u];
-                        if (_e2780[0] < 0f) {
-                            phi_1315_ = -(_e2780[0]);
-                        } else {
-                            phi_1315_ = _e2780[0];
-                        }
-                        let _e2787 = phi_1315_;
-                        if (_e2780[1] < 0f) {
-                            phi_1322_ = -(_e2780[1]);
-                        } else {
-                            phi_1322_ = _e2780[1];
-                        }
-                        let _e2791 = phi_1322_;
-                        if (_e2787 > _e2791) {
-                            phi_1327_ = _e2787;
-                        } else {
-                            phi_1327_ = _e2791;
-                        }
-                        let _e2794 = phi_1327_;
-                        if (_e2780[2] < 0f) {
-                            phi_1334_ = -(_e2780[2]);
-                        } else {
-                            phi_1334_ = _e2780[2];
-                        }
-                        let _e2798 = phi_1334_;
-                        if (_e2794 > _e2798) {
-                            phi_1339_ = _e2794;
-                        } else {
-                            phi_1339_ = _e2798;
-                        }
-                        let _e2801 = phi_1339_;
-                        let _e2804 = local_12.member[1u];
-                        if (_e2804[0] < 0f) {
-                            phi_1352_ = -(_e2804[0]);
-                        } else {
-                            phi_1352_ = _e2804[0];
-                        }
-                        let _e2811 = phi_1352_;
-                        if (_e2804[1] < 0f) {
-                            phi_1359_ = -(_e2804[1]);
-                        } else {
-                            phi_1359_ = _e2804[1];
-                        }
-                        let _e2815 = phi_1359_;
-                        if (_e2811 > _e2815) {
-                            phi_1364_ = _e2811;
-                        } else {
-                            phi_1364_ = _e2815;
-                        }
-                        let _e2818 = phi_1364_;
-                        if (_e2804[2] < 0f) {
-                            phi_1371_ = -(_e2804[2]);
-                        } else {
-                            phi_1371_ = _e2804[2];
-                        }
-                        let _e2822 = phi_1371_;
-                        if (_e2818 > _e2822) {
-                            phi_1376_ = _e2818;
-                        } else {
-                            phi_1376_ = _e2822;
-                        }
-                        let _e2825 = phi_1376_;
-                        if (_e2801 > _e2825) {
-                            phi_1381_ = _e2801;
-                        } else {
-                            phi_1381_ = _e2825;
-                        }
-                        let _e2828 = phi_1381_;
-                        let _e2830 = local_12.member_3;
-                        let _e2834 = local_12.member_1[0u];
-                        if (_e2834[0] < 0f) {
-                            phi_1398_ = -(_e2834[0]);
-                        } else {
-                            phi_1398_ = _e2834[0];
-                        }
-                        let _e2841 = phi_1398_;
-                        if (_e2834[1] < 0f) {
-                            phi_1405_ = -(_e2834[1]);
-                        } else {
-                            phi_1405_ = _e2834[1];
-                        }
-                        let _e2845 = phi_1405_;
-                        if (_e2841 > _e2845) {
-                            phi_1410_ = _e2841;
-                        } else {
-                            phi_1410_ = _e2845;
-                        }
-                        let _e2848 = phi_1410_;
-                        if (_e2834[2] < 0f) {
-                            phi_1417_ = -(_e2834[2]);
-                        } else {
-                            phi_1417_ = _e2834[2];
-                        }
-                        let _e2852 = phi_1417_;
-                        if (_e2848 > _e2852) {
-                            phi_1422_ = _e2848;
-                        } else {
-                            phi_1422_ = _e2852;
-                        }
-                        let _e2855 = phi_1422_;
-                        let _e2858 = local_12.member_1[1u];
-                        if (_e2858[0] < 0f) {
-                            phi_1436_ = -(_e2858[0]);
-                        } else {
-                            phi_1436_ = _e2858[0];
-                        }
-                        let _e2865 = phi_1436_;
-                        if (_e2858[1] < 0f) {
-                            phi_1443_ = -(_e2858[1]);
-                        } else {
-                            phi_1443_ = _e2858[1];
-                        }
-                        let _e2869 = phi_1443_;
-                        if (_e2865 > _e2869) {
-                            phi_1448_ = _e2865;
-                        } else {
-                            phi_1448_ = _e2869;
-                        }
-                        let _e2872 = phi_1448_;
-                        if (_e2858[2] < 0f) {
-                            phi_1455_ = -(_e2858[2]);
-                        } else {
-                            phi_1455_ = _e2858[2];
-                        }
-                        let _e2876 = phi_1455_;
-                        if (_e2872 > _e2876) {
-                            phi_1460_ = _e2872;
-                        } else {
-                            phi_1460_ = _e2876;
-                        }
-                        let _e2879 = phi_1460_;
-                        if (_e2855 > _e2879) {
-                            phi_1465_ = _e2855;
-                        } else {
-                            phi_1465_ = _e2879;
-                        }
-                        let _e2882 = phi_1465_;
-                        let _e2884 = local_12.member_3;
-                        let _e2888 = local_12.member_2[0u];
-                        if (_e2888[0] < 0f) {
-                            phi_1482_ = -(_e2888[0]);
-                        } else {
-                            phi_1482_ = _e2888[0];
-                        }
-                        let _e2895 = phi_1482_;
-                        if (_e2888[1] < 0f) {
-                            phi_1489_ = -(_e2888[1]);
-                        } else {
-                            phi_1489_ = _e2888[1];
-                        }
-                        let _e2899 = phi_1489_;
-                        if (_e2895 > _e2899) {
-                            phi_1494_ = _e2895;
-                        } else {
-                            phi_1494_ = _e2899;
-                        }
-                        let _e2902 = phi_1494_;
-                        if (_e2888[2] < 0f) {
-                            phi_1501_ = -(_e2888[2]);
-                        } else {
-                            phi_1501_ = _e2888[2];
-                        }
-                        let _e2906 = phi_1501_;
-                        if (_e2902 > _e2906) {
-                            phi_1506_ = _e2902;
-                        } else {
-                            phi_1506_ = _e2906;
-                        }
-                        let _e2909 = phi_1506_;
-                        let _e2912 = local_12.member_2[1u];
-                        if (_e2912[0] < 0f) {
-                            phi_1520_ = -(_e2912[0]);
-                        } else {
-                            phi_1520_ = _e2912[0];
-                        }
-                        let _e2919 = phi_1520_;
-                        if (_e2912[1] < 0f) {
-                            phi_1527_ = -(_e2912[1]);
-                        } else {
-                            phi_1527_ = _e2912[1];
-                        }
-                        let _e2923 = phi_1527_;
-                        if (_e2919 > _e2923) {
-                            phi_1532_ = _e2919;
-                        } else {
-                            phi_1532_ = _e2923;
-                        }
-                        let _e2926 = phi_1532_;
-                        if (_e2912[2] < 0f) {
-                            phi_1539_ = -(_e2912[2]);
-                        } else {
-                            phi_1539_ = _e2912[2];
-                        }
-                        let _e2930 = phi_1539_;
-                        if (_e2926 > _e2930) {
-                            phi_1544_ = _e2926;
-                        } else {
-                            phi_1544_ = _e2930;
-                        }
-                        let _e2933 = phi_1544_;
-                        if (_e2909 > _e2933) {
-                            phi_1549_ = _e2909;
-                        } else {
-                            phi_1549_ = _e2933;
-                        }
-                        let _e2936 = phi_1549_;
-                        let _e2938 = local_12.member_3;
-                        let _e2945 = local_12.member_3;
-                        phi_1565_ = type_9(0u, 48u);
-                        phi_1568_ = 0f;
-                        loop {
-                            let _e2951 = phi_1565_;
-                            let _e2953 = phi_1568_;
-                            local_77 = _e2953;
-                            local_37 = _e2953;
-                            local_38 = _e2953;
-                            local_39 = _e2953;
-                            local_40 = _e2953;
-                            if (_e2951.member < _e2951.member_1) {
-                                phi_1566_ = type_9((_e2951.member + 1u), _e2951.member_1);
-                                phi_1591_ = type_9(1u, _e2951.member);
+                    if (_e387 >= 0.000000000000000000000000000000000000011754944f) {
+                        if ((bitcast<u32>(_e387) & 2139095040u) != 2139095040u) {
+                            let _e399 = (2130706432u - (bitcast<u32>(_e387) & 2139095040u));
+                            if (_e399 > 8388608u) {
+                                phi_681_ = _e399;
                             } else {
-                                phi_1566_ = _e2951;
-                                phi_1591_ = type_9(0u, type_9().member_1);
+                                phi_681_ = 8388608u;
                             }
-                            let _e2965 = phi_1566_;
-                            let _e2967 = phi_1591_;
-                            if (bitcast<i32>(_e2967.member) != 0i) {
-                                let _e2973 = local_12.member[0u];
-                                let _e2979 = local_12.member[1u];
-                                let _e2995 = local_12.member_1[0u];
-                                let _e3001 = local_12.member_1[1u];
-                                let _e3017 = local_12.member_2[0u];
-                                let _e3023 = local_12.member_2[1u];
-                                let _e3037 = function_2(array<f32, 3>((_e2973[0] + ((_e2979[0] - _e2973[0]) * _e2953)), (_e2973[1] + ((_e2979[1] - _e2973[1]) * _e2953)), (_e2973[2] + ((_e2979[2] - _e2973[2]) * _e2953))), array<f32, 3>((_e2995[0] + ((_e3001[0] - _e2995[0]) * _e2953)), (_e2995[1] + ((_e3001[1] - _e2995[1]) * _e2953)), (_e2995[2] + ((_e3001[2] - _e2995[2]) * _e2953))), array<f32, 3>((_e3017[0] + ((_e3023[0] - _e3017[0]) * _e2953)), (_e3017[1] + ((_e3023[1] - _e3017[1]) * _e2953)), (_e3017[2] + ((_e3023[2] - _e3017[2]) * _e2953))), 1u);
-                                if (_e3037[0] < 0f) {
-                                    phi_1702_ = -(_e3037[0]);
+                            let _e402 = phi_681_;
+                            let _e403 = bitcast<f32>(_e402);
+                            let _e404 = (_e261 * _e403);
+                            if (_e261 > 0f) {
+                                if (_e404 > 0.000000000000000000000000000000000000011754944f) {
+                                    phi_692_ = _e404;
                                 } else {
-                                    phi_1702_ = _e3037[0];
+                                    phi_692_ = 0.000000000000000000000000000000000000011754944f;
                                 }
-                                let _e3042 = phi_1702_;
-                                if (_e3037[1] < 0f) {
-                                    phi_1709_ = -(_e3037[1]);
+                                let _e408 = phi_692_;
+                                phi_693_ = _e408;
+                            } else {
+                                phi_693_ = _e404;
+                            }
+                            let _e410 = phi_693_;
+                            phi_724_ = type_34(type_28(array<array<f32, 3>, 2>(array<f32, 3>((_e231 * _e403), (_e232 * _e403), (_e233 * _e403)), array<f32, 3>((_e235 * _e403), (_e236 * _e403), (_e237 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e240 * _e403), (_e241 * _e403), (_e242 * _e403)), array<f32, 3>((_e244 * _e403), (_e245 * _e403), (_e246 * _e403))), array<array<f32, 3>, 2>(array<f32, 3>((_e249 * _e403), (_e250 * _e403), (_e251 * _e403)), array<f32, 3>((_e253 * _e403), (_e254 * _e403), (_e255 * _e403))), (_e258 * _e403)), _e410);
+                            phi_725_ = false;
+                        } else {
+                            phi_724_ = type_34();
+                            phi_725_ = true;
+                        }
+                        let _e442 = phi_724_;
+                        let _e444 = phi_725_;
+                        phi_726_ = _e442;
+                        phi_727_ = _e444;
+                    } else {
+                        phi_726_ = type_34();
+                        phi_727_ = true;
+                    }
+                    let _e446 = phi_726_;
+                    let _e448 = phi_727_;
+                    phi_728_ = _e446;
+                    phi_729_ = _e448;
+                }
+                let _e450 = phi_728_;
+                let _e452 = phi_729_;
+                if _e452 {
+                    phi_734_ = type_34(type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e231, _e232, _e233), array<f32, 3>(_e235, _e236, _e237)), array<array<f32, 3>, 2>(array<f32, 3>(_e240, _e241, _e242), array<f32, 3>(_e244, _e245, _e246)), array<array<f32, 3>, 2>(array<f32, 3>(_e249, _e250, _e251), array<f32, 3>(_e253, _e254, _e255)), _e258), _e261);
+                } else {
+                    phi_734_ = _e450;
+                }
+                let _e455 = phi_734_;
+                local_12 = type_28(array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member[0][0], _e455.member.member[0][1], _e455.member.member[0][2]), array<f32, 3>(_e455.member.member[1][0], _e455.member.member[1][1], _e455.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_1[0][0], _e455.member.member_1[0][1], _e455.member.member_1[0][2]), array<f32, 3>(_e455.member.member_1[1][0], _e455.member.member_1[1][1], _e455.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e455.member.member_2[0][0], _e455.member.member_2[0][1], _e455.member.member_2[0][2]), array<f32, 3>(_e455.member.member_2[1][0], _e455.member.member_2[1][1], _e455.member.member_2[1][2])), _e455.member.member_3);
+                let _e498 = local_12.member_1[0u];
+                let _e504 = local_12.member_2[0u];
+                let _e510 = ((_e498[1] * _e504[2]) - (_e498[2] * _e504[1]));
+                let _e513 = ((_e498[2] * _e504[0]) - (_e498[0] * _e504[2]));
+                let _e516 = ((_e498[0] * _e504[1]) - (_e498[1] * _e504[0]));
+                let _e519 = local_12.member_1[1u];
+                let _e525 = local_12.member_2[1u];
+                let _e531 = ((_e519[1] * _e525[2]) - (_e519[2] * _e525[1]));
+                let _e534 = ((_e519[2] * _e525[0]) - (_e519[0] * _e525[2]));
+                let _e537 = ((_e519[0] * _e525[1]) - (_e519[1] * _e525[0]));
+                let _e540 = local_12.member_1[0u];
+                let _e546 = local_12.member_2[1u];
+                let _e561 = local_12.member_1[1u];
+                let _e567 = local_12.member_2[0u];
+                let _e580 = (((_e540[1] * _e546[2]) - (_e540[2] * _e546[1])) + ((_e561[1] * _e567[2]) - (_e561[2] * _e567[1])));
+                let _e581 = (((_e540[2] * _e546[0]) - (_e540[0] * _e546[2])) + ((_e561[2] * _e567[0]) - (_e561[0] * _e567[2])));
+                let _e582 = (((_e540[0] * _e546[1]) - (_e540[1] * _e546[0])) + ((_e561[0] * _e567[1]) - (_e561[1] * _e567[0])));
+                let _e585 = local_12.member[0u];
+                let _e593 = (((_e585[0] * _e510) + (_e585[1] * _e513)) + (_e585[2] * _e516));
+                let _e596 = local_12.member[1u];
+                let _e607 = local_12.member[0u];
+                let _e616 = ((((_e596[0] * _e510) + (_e596[1] * _e513)) + (_e596[2] * _e516)) + (((_e607[0] * _e580) + (_e607[1] * _e581)) + (_e607[2] * _e582)));
+                let _e619 = local_12.member[0u];
+                let _e630 = local_12.member[1u];
+                let _e639 = ((((_e619[0] * _e531) + (_e619[1] * _e534)) + (_e619[2] * _e537)) + (((_e630[0] * _e580) + (_e630[1] * _e581)) + (_e630[2] * _e582)));
+                let _e642 = local_12.member[1u];
+                let _e650 = (((_e642[0] * _e531) + (_e642[1] * _e534)) + (_e642[2] * _e537));
+                let _e653 = local_12.member[0u];
+                if (_e653[0] < 0f) {
+                    phi_1016_ = -(_e653[0]);
+                } else {
+                    phi_1016_ = _e653[0];
+                }
+                let _e660 = phi_1016_;
+                if (_e653[1] < 0f) {
+                    phi_1023_ = -(_e653[1]);
+                } else {
+                    phi_1023_ = _e653[1];
+                }
+                let _e664 = phi_1023_;
+                if (_e660 > _e664) {
+                    phi_1028_ = _e660;
+                } else {
+                    phi_1028_ = _e664;
+                }
+                let _e667 = phi_1028_;
+                if (_e653[2] < 0f) {
+                    phi_1035_ = -(_e653[2]);
+                } else {
+                    phi_1035_ = _e653[2];
+                }
+                let _e671 = phi_1035_;
+                if (_e667 > _e671) {
+                    phi_1040_ = _e667;
+                } else {
+                    phi_1040_ = _e671;
+                }
+                let _e674 = phi_1040_;
+                let _e677 = local_12.member[1u];
+                if (_e677[0] < 0f) {
+                    phi_1053_ = -(_e677[0]);
+                } else {
+                    phi_1053_ = _e677[0];
+                }
+                let _e684 = phi_1053_;
+                if (_e677[1] < 0f) {
+                    phi_1060_ = -(_e677[1]);
+                } else {
+                    phi_1060_ = _e677[1];
+                }
+                let _e688 = phi_1060_;
+                if (_e684 > _e688) {
+                    phi_1065_ = _e684;
+                } else {
+                    phi_1065_ = _e688;
+                }
+                let _e691 = phi_1065_;
+                if (_e677[2] < 0f) {
+                    phi_1072_ = -(_e677[2]);
+                } else {
+                    phi_1072_ = _e677[2];
+                }
+                let _e695 = phi_1072_;
+                if (_e691 > _e695) {
+                    phi_1077_ = _e691;
+                } else {
+                    phi_1077_ = _e695;
+                }
+                let _e698 = phi_1077_;
+                if (_e674 > _e698) {
+                    phi_1082_ = _e674;
+                } else {
+                    phi_1082_ = _e698;
+                }
+                let _e701 = phi_1082_;
+                let _e703 = local_12.member_3;
+                let _e704 = (_e701 + _e703);
+                let _e707 = local_12.member_1[0u];
+                if (_e707[0] < 0f) {
+                    phi_1099_ = -(_e707[0]);
+                } else {
+                    phi_1099_ = _e707[0];
+                }
+                let _e714 = phi_1099_;
+                if (_e707[1] < 0f) {
+                    phi_1106_ = -(_e707[1]);
+                } else {
+                    phi_1106_ = _e707[1];
+                }
+                let _e718 = phi_1106_;
+                if (_e714 > _e718) {
+                    phi_1111_ = _e714;
+                } else {
+                    phi_1111_ = _e718;
+                }
+                let _e721 = phi_1111_;
+                if (_e707[2] < 0f) {
+                    phi_1118_ = -(_e707[2]);
+                } else {
+                    phi_1118_ = _e707[2];
+                }
+                let _e725 = phi_1118_;
+                if (_e721 > _e725) {
+                    phi_1123_ = _e721;
+                } else {
+                    phi_1123_ = _e725;
+                }
+                let _e728 = phi_1123_;
+                let _e731 = local_12.member_1[1u];
+                if (_e731[0] < 0f) {
+                    phi_1137_ = -(_e731[0]);
+                } else {
+                    phi_1137_ = _e731[0];
+                }
+                let _e738 = phi_1137_;
+                if (_e731[1] < 0f) {
+                    phi_1144_ = -(_e731[1]);
+                } else {
+                    phi_1144_ = _e731[1];
+                }
+                let _e742 = phi_1144_;
+                if (_e738 > _e742) {
+                    phi_1149_ = _e738;
+                } else {
+                    phi_1149_ = _e742;
+                }
+                let _e745 = phi_1149_;
+                if (_e731[2] < 0f) {
+                    phi_1156_ = -(_e731[2]);
+                } else {
+                    phi_1156_ = _e731[2];
+                }
+                let _e749 = phi_1156_;
+                if (_e745 > _e749) {
+                    phi_1161_ = _e745;
+                } else {
+                    phi_1161_ = _e749;
+                }
+                let _e752 = phi_1161_;
+                if (_e728 > _e752) {
+                    phi_1166_ = _e728;
+                } else {
+                    phi_1166_ = _e752;
+                }
+                let _e755 = phi_1166_;
+                let _e757 = local_12.member_3;
+                let _e758 = (_e755 + _e757);
+                let _e761 = local_12.member_2[0u];
+                if (_e761[0] < 0f) {
+                    phi_1183_ = -(_e761[0]);
+                } else {
+                    phi_1183_ = _e761[0];
+                }
+                let _e768 = phi_1183_;
+                if (_e761[1] < 0f) {
+                    phi_1190_ = -(_e761[1]);
+                } else {
+                    phi_1190_ = _e761[1];
+                }
+                let _e772 = phi_1190_;
+                if (_e768 > _e772) {
+                    phi_1195_ = _e768;
+                } else {
+                    phi_1195_ = _e772;
+                }
+                let _e775 = phi_1195_;
+                if (_e761[2] < 0f) {
+                    phi_1202_ = -(_e761[2]);
+                } else {
+                    phi_1202_ = _e761[2];
+                }
+                let _e779 = phi_1202_;
+                if (_e775 > _e779) {
+                    phi_1207_ = _e775;
+                } else {
+                    phi_1207_ = _e779;
+                }
+                let _e782 = phi_1207_;
+                let _e785 = local_12.member_2[1u];
+                if (_e785[0] < 0f) {
+                    phi_1221_ = -(_e785[0]);
+                } else {
+                    phi_1221_ = _e785[0];
+                }
+                let _e792 = phi_1221_;
+                if (_e785[1] < 0f) {
+                    phi_1228_ = -(_e785[1]);
+                } else {
+                    phi_1228_ = _e785[1];
+                }
+                let _e796 = phi_1228_;
+                if (_e792 > _e796) {
+                    phi_1233_ = _e792;
+                } else {
+                    phi_1233_ = _e796;
+                }
+                let _e799 = phi_1233_;
+                if (_e785[2] < 0f) {
+                    phi_1240_ = -(_e785[2]);
+                } else {
+                    phi_1240_ = _e785[2];
+                }
+                let _e803 = phi_1240_;
+                if (_e799 > _e803) {
+                    phi_1245_ = _e799;
+                } else {
+                    phi_1245_ = _e803;
+                }
+                let _e806 = phi_1245_;
+                if (_e782 > _e806) {
+                    phi_1250_ = _e782;
+                } else {
+                    phi_1250_ = _e806;
+                }
+                let _e809 = phi_1250_;
+                let _e811 = local_12.member_3;
+                let _e812 = (_e809 + _e811);
+                let _e814 = ((_e758 * 8f) * _e812);
+                let _e821 = local_12.member_3;
+                if (_e510 < 0f) {
+                    phi_1281_ = -(_e510);
+                } else {
+                    phi_1281_ = _e510;
+                }
+                let _e838 = phi_1281_;
+                if (_e513 < 0f) {
+                    phi_1287_ = -(_e513);
+                } else {
+                    phi_1287_ = _e513;
+                }
+                let _e842 = phi_1287_;
+                if (_e516 < 0f) {
+                    phi_1294_ = -(_e516);
+                } else {
+                    phi_1294_ = _e516;
+                }
+                let _e847 = phi_1294_;
+                let _e848 = ((_e838 + _e842) + _e847);
+                if (_e531 < 0f) {
+                    phi_1301_ = -(_e531);
+                } else {
+                    phi_1301_ = _e531;
+                }
+                let _e852 = phi_1301_;
+                if (_e534 < 0f) {
+                    phi_1307_ = -(_e534);
+                } else {
+                    phi_1307_ = _e534;
+                }
+                let _e856 = phi_1307_;
+                if (_e537 < 0f) {
+                    phi_1314_ = -(_e537);
+                } else {
+                    phi_1314_ = _e537;
+                }
+                let _e861 = phi_1314_;
+                let _e862 = ((_e852 + _e856) + _e861);
+                if (_e848 > _e862) {
+                    phi_1320_ = _e848;
+                } else {
+                    phi_1320_ = _e862;
+                }
+                let _e865 = phi_1320_;
+                if (_e580 < 0f) {
+                    phi_1326_ = -(_e580);
+                } else {
+                    phi_1326_ = _e580;
+                }
+                let _e869 = phi_1326_;
+                if (_e581 < 0f) {
+                    phi_1332_ = -(_e581);
+                } else {
+                    phi_1332_ = _e581;
+                }
+                let _e873 = phi_1332_;
+                if (_e582 < 0f) {
+                    phi_1339_ = -(_e582);
+                } else {
+                    phi_1339_ = _e582;
+                }
+                let _e878 = phi_1339_;
+                let _e880 = (((_e869 + _e873) + _e878) * 0.5f);
+                if (_e865 > _e880) {
+                    phi_1346_ = _e865;
+                } else {
+                    phi_1346_ = _e880;
+                }
+                let _e883 = phi_1346_;
+                let _e888 = local_12.member_3;
+                let _e900 = (((((_e704 * 8f) * _e814) * (0.000000059604645f * (524f / 64f))) + ((_e821 * 19f) * ((_e704 * (_e758 + _e812)) + (_e758 * _e812)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e704) * ((1f + _e758) * (1f + _e812)))));
+                let _e901 = (_e593 * 3f);
+                let _e902 = (_e650 * 3f);
+                if (_e901 < _e902) {
+                    phi_1370_ = _e901;
+                } else {
+                    phi_1370_ = _e902;
+                }
+                let _e905 = phi_1370_;
+                if (_e616 < _e639) {
+                    phi_1375_ = _e616;
+                } else {
+                    phi_1375_ = _e639;
+                }
+                let _e908 = phi_1375_;
+                if (_e905 < _e908) {
+                    phi_1380_ = _e905;
+                } else {
+                    phi_1380_ = _e908;
+                }
+                let _e911 = phi_1380_;
+                if (_e901 > _e902) {
+                    phi_1385_ = _e901;
+                } else {
+                    phi_1385_ = _e902;
+                }
+                let _e914 = phi_1385_;
+                if (_e616 > _e639) {
+                    phi_1390_ = _e616;
+                } else {
+                    phi_1390_ = _e639;
+                }
+                let _e917 = phi_1390_;
+                if (_e914 > _e917) {
+                    phi_1395_ = _e914;
+                } else {
+                    phi_1395_ = _e917;
+                }
+                let _e920 = phi_1395_;
+                let _e925 = -(_e920);
+                if (_e911 > _e925) {
+                    phi_1405_ = _e911;
+                } else {
+                    phi_1405_ = _e925;
+                }
+                let _e928 = phi_1405_;
+                if ((_e928 - (_e900 + ((_e455.member_1 * (((_e883 + (_e814 * (0.000000059604645f * 8f))) + ((_e888 * 6f) * (_e758 + _e812))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e758) * (1f + _e812))))) * (3f * 1.0001f)))) > 0f) {
+                    phi_7927_ = type_35(0u, type_35().member_1);
+                } else {
+                    if (_e455.member_1 > 0f) {
+                        let _e3494 = local_12.member[0u];
+                        let _e3500 = local_12.member_1[0u];
+                        let _e3506 = local_12.member_2[0u];
+                        let _e3510 = (_e3494[0] - _e3500[0]);
+                        let _e3511 = (_e3494[1] - _e3500[1]);
+                        let _e3512 = (_e3494[2] - _e3500[2]);
+                        let _e3521 = local_12.member[1u];
+                        let _e3527 = local_12.member_1[1u];
+                        let _e3533 = local_12.member_2[1u];
+                        let _e3537 = (_e3521[0] - _e3527[0]);
+                        let _e3538 = (_e3521[1] - _e3527[1]);
+                        let _e3539 = (_e3521[2] - _e3527[2]);
+                        let _e3548 = local_12.member[0u];
+                        if (_e3548[0] < 0f) {
+                            phi_1558_ = -(_e3548[0]);
+                        } else {
+                            phi_1558_ = _e3548[0];
+                        }
+                        let _e3555 = phi_1558_;
+                        if (_e3548[1] < 0f) {
+                            phi_1565_ = -(_e3548[1]);
+                        } else {
+                            phi_1565_ = _e3548[1];
+                        }
+                        let _e3559 = phi_1565_;
+                        if (_e3555 > _e3559) {
+                            phi_1570_ = _e3555;
+                        } else {
+                            phi_1570_ = _e3559;
+                        }
+                        let _e3562 = phi_1570_;
+                        if (_e3548[2] < 0f) {
+                            phi_1577_ = -(_e3548[2]);
+                        } else {
+                            phi_1577_ = _e3548[2];
+                        }
+                        let _e3566 = phi_1577_;
+                        if (_e3562 > _e3566) {
+                            phi_1582_ = _e3562;
+                        } else {
+                            phi_1582_ = _e3566;
+                        }
+                        let _e3569 = phi_1582_;
+                        let _e3572 = local_12.member[1u];
+                        if (_e3572[0] < 0f) {
+                            phi_1595_ = -(_e3572[0]);
+                        } else {
+                            phi_1595_ = _e3572[0];
+                        }
+                        let _e3579 = phi_1595_;
+                        if (_e3572[1] < 0f) {
+                            phi_1602_ = -(_e3572[1]);
+                        } else {
+                            phi_1602_ = _e3572[1];
+                        }
+                        let _e3583 = phi_1602_;
+                        if (_e3579 > _e3583) {
+                            phi_1607_ = _e3579;
+                        } else {
+                            phi_1607_ = _e3583;
+                        }
+                        let _e3586 = phi_1607_;
+                        if (_e3572[2] < 0f) {
+                            phi_1614_ = -(_e3572[2]);
+                        } else {
+                            phi_1614_ = _e3572[2];
+                        }
+                        let _e3590 = phi_1614_;
+                        if (_e3586 > _e3590) {
+                            phi_1619_ = _e3586;
+                        } else {
+                            phi_1619_ = _e3590;
+                        }
+                        let _e3593 = phi_1619_;
+                        if (_e3569 > _e3593) {
+                            phi_1624_ = _e3569;
+                        } else {
+                            phi_1624_ = _e3593;
+                        }
+                        let _e3596 = phi_1624_;
+                        let _e3598 = local_12.member_3;
+                        let _e3602 = local_12.member_1[0u];
+                        if (_e3602[0] < 0f) {
+                            phi_1641_ = -(_e3602[0]);
+                        } else {
+                            phi_1641_ = _e3602[0];
+                        }
+                        let _e3609 = phi_1641_;
+                        if (_e3602[1] < 0f) {
+                            phi_1648_ = -(_e3602[1]);
+                        } else {
+                            phi_1648_ = _e3602[1];
+                        }
+                        let _e3613 = phi_1648_;
+                        if (_e3609 > _e3613) {
+                            phi_1653_ = _e3609;
+                        } else {
+                            phi_1653_ = _e3613;
+                        }
+                        let _e3616 = phi_1653_;
+                        if (_e3602[2] < 0f) {
+                            phi_1660_ = -(_e3602[2]);
+                        } else {
+                            phi_1660_ = _e3602[2];
+                        }
+                        let _e3620 = phi_1660_;
+                        if (_e3616 > _e3620) {
+                            phi_1665_ = _e3616;
+                        } else {
+                            phi_1665_ = _e3620;
+                        }
+                        let _e3623 = phi_1665_;
+                        let _e3626 = local_12.member_1[1u];
+                        if (_e3626[0] < 0f) {
+                            phi_1679_ = -(_e3626[0]);
+                        } else {
+                            phi_1679_ = _e3626[0];
+                        }
+                        let _e3633 = phi_1679_;
+                        if (_e3626[1] < 0f) {
+                            phi_1686_ = -(_e3626[1]);
+                        } else {
+                            phi_1686_ = _e3626[1];
+                        }
+                        let _e3637 = phi_1686_;
+                        if (_e3633 > _e3637) {
+                            phi_1691_ = _e3633;
+                        } else {
+                            phi_1691_ = _e3637;
+                        }
+                        let _e3640 = phi_1691_;
+                        if (_e3626[2] < 0f) {
+                            phi_1698_ = -(_e3626[2]);
+                        } else {
+                            phi_1698_ = _e3626[2];
+                        }
+                        let _e3644 = phi_1698_;
+                        if (_e3640 > _e3644) {
+                            phi_1703_ = _e3640;
+                        } else {
+                            phi_1703_ = _e3644;
+                        }
+                        let _e3647 = phi_1703_;
+                        if (_e3623 > _e3647) {
+                            phi_1708_ = _e3623;
+                        } else {
+                            phi_1708_ = _e3647;
+                        }
+                        let _e3650 = phi_1708_;
+                        let _e3652 = local_12.member_3;
+                        let _e3656 = local_12.member_2[0u];
+                        if (_e3656[0] < 0f) {
+                            phi_1725_ = -(_e3656[0]);
+                        } else {
+                            phi_1725_ = _e3656[0];
+                        }
+                        let _e3663 = phi_1725_;
+                        if (_e3656[1] < 0f) {
+                            phi_1732_ = -(_e3656[1]);
+                        } else {
+                            phi_1732_ = _e3656[1];
+                        }
+                        let _e3667 = phi_1732_;
+                        if (_e3663 > _e3667) {
+                            phi_1737_ = _e3663;
+                        } else {
+                            phi_1737_ = _e3667;
+                        }
+                        let _e3670 = phi_1737_;
+                        if (_e3656[2] < 0f) {
+                            phi_1744_ = -(_e3656[2]);
+                        } else {
+                            phi_1744_ = _e3656[2];
+                        }
+                        let _e3674 = phi_1744_;
+                        if (_e3670 > _e3674) {
+                            phi_1749_ = _e3670;
+                        } else {
+                            phi_1749_ = _e3674;
+                        }
+                        let _e3677 = phi_1749_;
+                        let _e3680 = local_12.member_2[1u];
+                        if (_e3680[0] < 0f) {
+                            phi_1763_ = -(_e3680[0]);
+                        } else {
+                            phi_1763_ = _e3680[0];
+                        }
+                        let _e3687 = phi_1763_;
+                        if (_e3680[1] < 0f) {
+                            phi_1770_ = -(_e3680[1]);
+                        } else {
+                            phi_1770_ = _e3680[1];
+                        }
+                        let _e3691 = phi_1770_;
+                        if (_e3687 > _e3691) {
+                            phi_1775_ = _e3687;
+                        } else {
+                            phi_1775_ = _e3691;
+                        }
+                        let _e3694 = phi_1775_;
+                        if (_e3680[2] < 0f) {
+                            phi_1782_ = -(_e3680[2]);
+                        } else {
+                            phi_1782_ = _e3680[2];
+                        }
+                        let _e3698 = phi_1782_;
+                        if (_e3694 > _e3698) {
+                            phi_1787_ = _e3694;
+                        } else {
+                            phi_1787_ = _e3698;
+                        }
+                        let _e3701 = phi_1787_;
+                        if (_e3677 > _e3701) {
+                            phi_1792_ = _e3677;
+                        } else {
+                            phi_1792_ = _e3701;
+                        }
+                        let _e3704 = phi_1792_;
+                        let _e3706 = local_12.member_3;
+                        let _e3713 = local_12.member_3;
+                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        phi_1831_ = type_9(0u, 96u);
+                        phi_1834_ = 0f;
+                        phi_1836_ = 0f;
+                        phi_1838_ = 0f;
+                        loop {
+                            let _e3719 = phi_1831_;
+                            let _e3721 = phi_1834_;
+                            let _e3723 = phi_1836_;
+                            let _e3725 = phi_1838_;
+                            local_44 = _e3723;
+                            local_26 = _e3721;
+                            if (_e3719.member < _e3719.member_1) {
+                                phi_1832_ = type_9((_e3719.member + 1u), _e3719.member_1);
+                                phi_1861_ = type_9(1u, _e3719.member);
+                            } else {
+                                phi_1832_ = _e3719;
+                                phi_1861_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e3737 = phi_1832_;
+                            let _e3739 = phi_1861_;
+                            if (bitcast<i32>(_e3739.member) != 0i) {
+                                let _e3746 = local_12.member[0u];
+                                let _e3752 = local_12.member[1u];
+                                let _e3768 = local_12.member_1[0u];
+                                let _e3774 = local_12.member_1[1u];
+                                let _e3790 = local_12.member_2[0u];
+                                let _e3796 = local_12.member_2[1u];
+                                let _e3810 = function_2(array<f32, 3>((_e3746[0] + ((_e3752[0] - _e3746[0]) * _e3721)), (_e3746[1] + ((_e3752[1] - _e3746[1]) * _e3721)), (_e3746[2] + ((_e3752[2] - _e3746[2]) * _e3721))), array<f32, 3>((_e3768[0] + ((_e3774[0] - _e3768[0]) * _e3721)), (_e3768[1] + ((_e3774[1] - _e3768[1]) * _e3721)), (_e3768[2] + ((_e3774[2] - _e3768[2]) * _e3721))), array<f32, 3>((_e3790[0] + ((_e3796[0] - _e3790[0]) * _e3721)), (_e3790[1] + ((_e3796[1] - _e3790[1]) * _e3721)), (_e3790[2] + ((_e3796[2] - _e3790[2]) * _e3721))), 1u);
+                                if (_e3810[0] < 0f) {
+                                    phi_1973_ = -(_e3810[0]);
                                 } else {
-                                    phi_1709_ = _e3037[1];
+                                    phi_1973_ = _e3810[0];
                                 }
-                                let _e3047 = phi_1709_;
-                                if (_e3037[2] < 0f) {
-                                    phi_1717_ = -(_e3037[2]);
+                                let _e3815 = phi_1973_;
+                                if (_e3810[1] < 0f) {
+                                    phi_1980_ = -(_e3810[1]);
                                 } else {
-                                    phi_1717_ = _e3037[2];
+                                    phi_1980_ = _e3810[1];
                                 }
-                                let _e3053 = phi_1717_;
-                                let _e3054 = ((_e3042 + _e3047) + _e3053);
-                                if (_e3054 > 0f) {
-                                    if ((bitcast<u32>(_e3054) & 2139095040u) != 2139095040u) {
-                                        let _e3059 = (1f / _e3054);
-                                        let _e3061 = (_e3037[0] * _e3059);
-                                        let _e3063 = (_e3037[1] * _e3059);
-                                        let _e3065 = (_e3037[2] * _e3059);
-                                        let _e3070 = (((_e3061 * _e3061) + (_e3063 * _e3063)) + (_e3065 * _e3065));
-                                        if (_e3070 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3070 > 0f) {
-                                                phi_1754_ = (0.000000000000000000106433627f * 2f);
+                                let _e3820 = phi_1980_;
+                                if (_e3810[2] < 0f) {
+                                    phi_1988_ = -(_e3810[2]);
+                                } else {
+                                    phi_1988_ = _e3810[2];
+                                }
+                                let _e3826 = phi_1988_;
+                                let _e3827 = ((_e3815 + _e3820) + _e3826);
+                                if (_e3827 > 0f) {
+                                    if ((bitcast<u32>(_e3827) & 2139095040u) != 2139095040u) {
+                                        let _e3832 = (1f / _e3827);
+                                        let _e3834 = (_e3810[0] * _e3832);
+                                        let _e3836 = (_e3810[1] * _e3832);
+                                        let _e3838 = (_e3810[2] * _e3832);
+                                        let _e3843 = (((_e3834 * _e3834) + (_e3836 * _e3836)) + (_e3838 * _e3838));
+                                        if (_e3843 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3843 > 0f) {
+                                                phi_2025_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_1754_ = 0f;
+                                                phi_2025_ = 0f;
                                             }
-                                            let _e3123 = phi_1754_;
-                                            phi_1818_ = _e3123;
+                                            let _e3896 = phi_2025_;
+                                            phi_2089_ = _e3896;
                                         } else {
-                                            phi_1761_ = type_14(0i, 5i);
-                                            phi_1764_ = bitcast<f32>(((bitcast<u32>(_e3070) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2032_ = type_14(0i, 5i);
+                                            phi_2035_ = bitcast<f32>(((bitcast<u32>(_e3843) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3078 = phi_1761_;
-                                                let _e3080 = phi_1764_;
-                                                local_31 = _e3080;
-                                                if (_e3078.member < _e3078.member_1) {
-                                                    let _e3087 = (_e3078.member + 1i);
-                                                    if ((false == (_e3087 > _e3078.member)) != false) {
-                                                        phi_1785_ = true;
+                                                let _e3851 = phi_2032_;
+                                                let _e3853 = phi_2035_;
+                                                local_24 = _e3853;
+                                                if (_e3851.member < _e3851.member_1) {
+                                                    let _e3860 = (_e3851.member + 1i);
+                                                    if ((false == (_e3860 > _e3851.member)) != false) {
+                                                        phi_2056_ = true;
                                                     } else {
-                                                        phi_1785_ = false;
+                                                        phi_2056_ = false;
                                                     }
-                                                    let _e3092 = phi_1785_;
-                                                    if _e3092 {
-                                                        phi_1791_ = type_15(0u, type_15().member_1);
+                                                    let _e3865 = phi_2056_;
+                                                    if _e3865 {
+                                                        phi_2062_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_1791_ = type_15(1u, _e3087);
+                                                        phi_2062_ = type_15(1u, _e3860);
                                                     }
-                                                    let _e3097 = phi_1791_;
-                                                    phi_1762_ = type_14(_e3097.member_1, _e3078.member_1);
-                                                    phi_1805_ = type_15(1u, _e3078.member);
+                                                    let _e3870 = phi_2062_;
+                                                    phi_2033_ = type_14(_e3870.member_1, _e3851.member_1);
+                                                    phi_2076_ = type_15(1u, _e3851.member);
                                                 } else {
-                                                    phi_1762_ = _e3078;
-                                                    phi_1805_ = type_15(0u, type_15().member_1);
+                                                    phi_2033_ = _e3851;
+                                                    phi_2076_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3103 = phi_1762_;
-                                                let _e3105 = phi_1805_;
-                                                let _e3108 = (bitcast<i32>(_e3105.member) != 0i);
-                                                if _e3108 {
-                                                    phi_1765_ = (0.5f * (_e3080 + (_e3070 / _e3080)));
+                                                let _e3876 = phi_2033_;
+                                                let _e3878 = phi_2076_;
+                                                let _e3881 = (bitcast<i32>(_e3878.member) != 0i);
+                                                if _e3881 {
+                                                    phi_2036_ = (0.5f * (_e3853 + (_e3843 / _e3853)));
                                                 } else {
-                                                    phi_1765_ = f32();
+                                                    phi_2036_ = f32();
                                                 }
-                                                let _e3113 = phi_1765_;
+                                                let _e3886 = phi_2036_;
                                                 continue;
                                                 continuing {
-                                                    phi_1761_ = _e3103;
-                                                    phi_1764_ = _e3113;
-                                                    break if !(_e3108);
+                                                    phi_2032_ = _e3876;
+                                                    phi_2035_ = _e3886;
+                                                    break if !(_e3881);
                                                 }
                                             }
-                                            let _e3118 = local_31;
-                                            phi_1818_ = (_e3118 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3891 = local_24;
+                                            phi_2089_ = (_e3891 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3125 = phi_1818_;
-                                        phi_1827_ = type_9(0u, 4u);
-                                        phi_1830_ = 2f;
-                                        loop {
-                                            let _e3133 = phi_1827_;
-                                            let _e3135 = phi_1830_;
-                                            local_33 = _e3135;
-                                            local_34 = _e3135;
-                                            local_35 = _e3135;
-                                            local_67 = _e3135;
-                                            local_68 = _e3135;
-                                            if (_e3133.member < _e3133.member_1) {
-                                                phi_1828_ = type_9((_e3133.member + 1u), _e3133.member_1);
-                                                phi_1853_ = type_9(1u, _e3133.member);
-                                            } else {
-                                                phi_1828_ = _e3133;
-                                                phi_1853_ = type_9(0u, type_9().member_1);
-                                            }
-                                            let _e3147 = phi_1828_;
-                                            let _e3149 = phi_1853_;
-                                            if (bitcast<i32>(_e3149.member) != 0i) {
-                                                let _e3155 = local_9[_e3149.member_1];
-                                                let _e3163 = (((_e3061 * _e3155[0]) + (_e3063 * _e3155[1])) + (_e3065 * _e3155[2]));
-                                                let _e3165 = local_10[_e3149.member_1];
-                                                let _e3173 = (((_e3061 * _e3165[0]) + (_e3063 * _e3165[1])) + (_e3065 * _e3165[2]));
-                                                if (_e3163 < 0f) {
-                                                    phi_1904_ = -(_e3163);
-                                                } else {
-                                                    phi_1904_ = _e3163;
-                                                }
-                                                let _e3177 = phi_1904_;
-                                                if (_e3173 < 0f) {
-                                                    phi_1910_ = -(_e3173);
-                                                } else {
-                                                    phi_1910_ = _e3173;
-                                                }
-                                                let _e3181 = phi_1910_;
-                                                let _e3185 = (((((((((_e2828 + _e2830) + (_e2882 + _e2884)) + (_e2936 + _e2938)) * (0.000000059604645f * 16f)) + (_e2945 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e250 * _e3125) * (1f + (0.000000059604645f * 8f)))) + ((_e3177 + _e3181) * (0.000000059604645f * 8f)));
-                                                if (_e3163 > _e3185) {
-                                                    if (_e3173 > _e3185) {
-                                                        phi_1923_ = false;
-                                                    } else {
-                                                        phi_1923_ = true;
-                                                    }
-                                                    let _e3189 = phi_1923_;
-                                                    phi_1924_ = _e3189;
-                                                } else {
-                                                    phi_1924_ = true;
-                                                }
-                                                let _e3191 = phi_1924_;
-                                                if _e3191 {
-                                                    if ((_e3163 + ((_e3173 - _e3163) * _e2953)) > _e3185) {
-                                                        if (_e3173 < _e3163) {
-                                                            let _e3199 = ((_e3163 - _e3173) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                            if _e3199 {
-                                                                let _e3205 = (((_e3163 - _e3185) / (_e3163 - _e3173)) * (1f - (0.000000059604645f * 16f)));
-                                                                if (_e3135 < _e3205) {
-                                                                    phi_1955_ = _e3135;
-                                                                } else {
-                                                                    phi_1955_ = _e3205;
-                                                                }
-                                                                let _e3208 = phi_1955_;
-                                                                phi_1956_ = _e3208;
-                                                            } else {
-                                                                phi_1956_ = f32();
-                                                            }
-                                                            let _e3210 = phi_1956_;
-                                                            phi_1957_ = _e3210;
-                                                            phi_1958_ = _e3199;
-                                                        } else {
-                                                            phi_1957_ = _e3135;
-                                                            phi_1958_ = true;
-                                                        }
-                                                        let _e3212 = phi_1957_;
-                                                        let _e3214 = phi_1958_;
-                                                        if _e3214 {
-                                                            phi_1962_ = false;
-                                                        } else {
-                                                            phi_1962_ = true;
-                                                        }
-                                                        let _e3216 = phi_1962_;
-                                                        phi_1963_ = _e3212;
-                                                        phi_1964_ = _e3214;
-                                                        phi_1965_ = _e3216;
-                                                        phi_1966_ = false;
-                                                    } else {
-                                                        phi_1963_ = f32();
-                                                        phi_1964_ = false;
-                                                        phi_1965_ = false;
-                                                        phi_1966_ = true;
-                                                    }
-                                                    let _e3218 = phi_1963_;
-                                                    let _e3220 = phi_1964_;
-                                                    let _e3222 = phi_1965_;
-                                                    let _e3224 = phi_1966_;
-                                                    phi_1967_ = _e3218;
-                                                    phi_1968_ = _e3220;
-                                                    phi_1969_ = _e3222;
-                                                    phi_1970_ = _e3224;
-                                                } else {
-                                                    phi_1967_ = _e3135;
-                                                    phi_1968_ = true;
-                                                    phi_1969_ = false;
-                                                    phi_1970_ = false;
-                                                }
-                                                let _e3226 = phi_1967_;
-                                                let _e3228 = phi_1968_;
-                                                let _e3230 = phi_1969_;
-                                                let _e3232 = phi_1970_;
-                                                phi_1831_ = _e3226;
-                                                phi_1971_ = _e3228;
-                                                phi_1972_ = false;
-                                                phi_1973_ = _e3230;
-                                                phi_1974_ = _e3232;
-                                            } else {
-                                                phi_1831_ = f32();
-                                                phi_1971_ = false;
-                                                phi_1972_ = true;
-                                                phi_1973_ = false;
-                                                phi_1974_ = false;
-                                            }
-                                            let _e3234 = phi_1831_;
-                                            let _e3236 = phi_1971_;
-                                            let _e3238 = phi_1972_;
-                                            let _e3240 = phi_1973_;
-                                            let _e3242 = phi_1974_;
-                                            local_32 = _e3238;
-                                            local_65 = _e3240;
-                                            local_66 = _e3242;
-                                            continue;
-                                            continuing {
-                                                phi_1827_ = _e3147;
-                                                phi_1830_ = _e3234;
-                                                break if !(_e3236);
-                                            }
-                                        }
-                                        let _e3245 = local_32;
-                                        if _e3245 {
-                                            let _e3247 = local_33;
-                                            let _e3248 = (_e3247 > 1f);
-                                            if _e3248 {
-                                                phi_1995_ = false;
-                                                phi_1996_ = false;
-                                                phi_1997_ = false;
-                                            } else {
-                                                let _e3250 = local_34;
-                                                if (_e3250 > _e2953) {
-                                                    let _e3253 = local_35;
-                                                    let _e3255 = ((_e3253 - _e2953) < 0.00000000023283064f);
-                                                    if _e3255 {
-                                                        phi_1991_ = false;
-                                                    } else {
-                                                        phi_1991_ = true;
-                                                    }
-                                                    let _e3257 = phi_1991_;
-                                                    phi_1992_ = _e3257;
-                                                    phi_1993_ = _e3255;
-                                                    phi_1994_ = false;
-                                                } else {
-                                                    phi_1992_ = false;
-                                                    phi_1993_ = false;
-                                                    phi_1994_ = true;
-                                                }
-                                                let _e3259 = phi_1992_;
-                                                let _e3261 = phi_1993_;
-                                                let _e3263 = phi_1994_;
-                                                phi_1995_ = _e3259;
-                                                phi_1996_ = _e3261;
-                                                phi_1997_ = _e3263;
-                                            }
-                                            let _e3265 = phi_1995_;
-                                            let _e3267 = phi_1996_;
-                                            let _e3269 = phi_1997_;
-                                            phi_1998_ = _e3265;
-                                            phi_1999_ = _e3248;
-                                            phi_2000_ = _e3267;
-                                            phi_2001_ = _e3269;
-                                            phi_2002_ = false;
-                                            phi_2003_ = false;
+                                        let _e3898 = phi_2089_;
+                                        let _e3899 = (0.000000059604645f * 12f);
+                                        let _e3904 = ((((((((_e3596 + _e3598) + (_e3650 + _e3652)) + (_e3704 + _e3706)) * (0.000000059604645f * 16f)) + (_e3713 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e455.member_1 * _e3898) * (1f + _e3899)));
+                                        let _e3909 = (((_e3834 * _e3494[0]) + (_e3836 * _e3494[1])) + (_e3838 * _e3494[2]));
+                                        let _e3914 = (((_e3834 * _e3510) + (_e3836 * _e3511)) + (_e3838 * _e3512));
+                                        let _e3919 = (((_e3834 * (_e3494[0] - _e3506[0])) + (_e3836 * (_e3494[1] - _e3506[1]))) + (_e3838 * (_e3494[2] - _e3506[2])));
+                                        let _e3924 = (((_e3834 * (_e3510 - _e3506[0])) + (_e3836 * (_e3511 - _e3506[1]))) + (_e3838 * (_e3512 - _e3506[2])));
+                                        let _e3930 = (((_e3834 * _e3521[0]) + (_e3836 * _e3521[1])) + (_e3838 * _e3521[2]));
+                                        let _e3935 = (((_e3834 * _e3537) + (_e3836 * _e3538)) + (_e3838 * _e3539));
+                                        let _e3940 = (((_e3834 * (_e3521[0] - _e3533[0])) + (_e3836 * (_e3521[1] - _e3533[1]))) + (_e3838 * (_e3521[2] - _e3533[2])));
+                                        let _e3945 = (((_e3834 * (_e3537 - _e3533[0])) + (_e3836 * (_e3538 - _e3533[1]))) + (_e3838 * (_e3539 - _e3533[2])));
+                                        if (_e3909 < 0f) {
+                                            phi_2155_ = -(_e3909);
                                         } else {
-                                            phi_1998_ = false;
-                                            phi_1999_ = false;
-                                            phi_2000_ = false;
-                                            phi_2001_ = false;
-                                            let _e4571 = local_65;
-                                            phi_2002_ = _e4571;
-                                            let _e4574 = local_66;
-                                            phi_2003_ = _e4574;
+                                            phi_2155_ = _e3909;
                                         }
-                                        let _e3271 = phi_1998_;
-                                        let _e3273 = phi_1999_;
-                                        let _e3275 = phi_2000_;
-                                        let _e3277 = phi_2001_;
-                                        let _e3279 = phi_2002_;
-                                        let _e3281 = phi_2003_;
-                                        let _e4577 = local_67;
-                                        phi_2004_ = _e4577;
-                                        let _e4580 = local_68;
-                                        phi_2005_ = _e4580;
-                                        phi_2006_ = _e3271;
-                                        phi_2007_ = _e3273;
-                                        phi_2008_ = _e3275;
-                                        phi_2009_ = _e3277;
-                                        phi_2010_ = _e3279;
-                                        phi_2011_ = _e3281;
-                                        phi_2012_ = false;
+                                        let _e3950 = phi_2155_;
+                                        if (_e3930 < 0f) {
+                                            phi_2161_ = -(_e3930);
+                                        } else {
+                                            phi_2161_ = _e3930;
+                                        }
+                                        let _e3954 = phi_2161_;
+                                        if (_e3914 < 0f) {
+                                            phi_2170_ = -(_e3914);
+                                        } else {
+                                            phi_2170_ = _e3914;
+                                        }
+                                        let _e3961 = phi_2170_;
+                                        if (_e3935 < 0f) {
+                                            phi_2176_ = -(_e3935);
+                                        } else {
+                                            phi_2176_ = _e3935;
+                                        }
+                                        let _e3965 = phi_2176_;
+                                        if (_e3919 < 0f) {
+                                            phi_2185_ = -(_e3919);
+                                        } else {
+                                            phi_2185_ = _e3919;
+                                        }
+                                        let _e3972 = phi_2185_;
+                                        if (_e3940 < 0f) {
+                                            phi_2191_ = -(_e3940);
+                                        } else {
+                                            phi_2191_ = _e3940;
+                                        }
+                                        let _e3976 = phi_2191_;
+                                        if (_e3924 < 0f) {
+                                            phi_2200_ = -(_e3924);
+                                        } else {
+                                            phi_2200_ = _e3924;
+                                        }
+                                        let _e3983 = phi_2200_;
+                                        if (_e3945 < 0f) {
+                                            phi_2206_ = -(_e3945);
+                                        } else {
+                                            phi_2206_ = _e3945;
+                                        }
+                                        let _e3987 = phi_2206_;
+                                        phi_2212_ = type_30(array<f32, 4>(_e3909, _e3914, _e3919, _e3924), array<f32, 4>(_e3930, _e3935, _e3940, _e3945), array<f32, 4>((_e3904 + ((_e3950 + _e3954) * _e3899)), (_e3904 + ((_e3961 + _e3965) * _e3899)), (_e3904 + ((_e3972 + _e3976) * _e3899)), (_e3904 + ((_e3983 + _e3987) * _e3899))));
+                                        phi_2213_ = false;
                                     } else {
-                                        phi_2004_ = f32();
-                                        phi_2005_ = f32();
-                                        phi_2006_ = false;
-                                        phi_2007_ = false;
-                                        phi_2008_ = false;
-                                        phi_2009_ = false;
-                                        phi_2010_ = false;
-                                        phi_2011_ = false;
-                                        phi_2012_ = true;
+                                        phi_2212_ = type_30();
+                                        phi_2213_ = true;
                                     }
-                                    let _e3283 = phi_2004_;
-                                    let _e3285 = phi_2005_;
-                                    let _e3287 = phi_2006_;
-                                    let _e3289 = phi_2007_;
-                                    let _e3291 = phi_2008_;
-                                    let _e3293 = phi_2009_;
-                                    let _e3295 = phi_2010_;
-                                    let _e3297 = phi_2011_;
-                                    let _e3299 = phi_2012_;
-                                    phi_2013_ = _e3283;
-                                    phi_2014_ = _e3285;
-                                    phi_2015_ = _e3287;
-                                    phi_2016_ = _e3289;
-                                    phi_2017_ = _e3291;
-                                    phi_2018_ = _e3293;
-                                    phi_2019_ = _e3295;
-                                    phi_2020_ = _e3297;
-                                    phi_2021_ = _e3299;
-                                    phi_2022_ = false;
+                                    let _e3994 = phi_2212_;
+                                    let _e3996 = phi_2213_;
+                                    phi_2214_ = _e3994;
+                                    phi_2215_ = _e3996;
                                 } else {
-                                    phi_2013_ = f32();
-                                    phi_2014_ = f32();
-                                    phi_2015_ = false;
-                                    phi_2016_ = false;
-                                    phi_2017_ = false;
-                                    phi_2018_ = false;
-                                    phi_2019_ = false;
-                                    phi_2020_ = false;
-                                    phi_2021_ = false;
-                                    phi_2022_ = true;
+                                    phi_2214_ = type_30();
+                                    phi_2215_ = true;
                                 }
-                                let _e3301 = phi_2013_;
-                                let _e3303 = phi_2014_;
-                                let _e3305 = phi_2015_;
-                                let _e3307 = phi_2016_;
-                                let _e3309 = phi_2017_;
-                                let _e3311 = phi_2018_;
-                                let _e3313 = phi_2019_;
-                                let _e3315 = phi_2020_;
-                                let _e3317 = phi_2021_;
-                                let _e3319 = phi_2022_;
-                                phi_2023_ = _e3301;
-                                phi_1569_ = _e3303;
-                                phi_2024_ = _e3305;
-                                phi_2025_ = _e3307;
-                                phi_2026_ = _e3309;
-                                phi_2027_ = false;
-                                phi_2028_ = _e3311;
-                                phi_2029_ = _e3313;
-                                phi_2030_ = _e3315;
-                                phi_2031_ = _e3317;
-                                phi_2032_ = _e3319;
+                                let _e3998 = phi_2214_;
+                                let _e4000 = phi_2215_;
+                                if _e4000 {
+                                    phi_2223_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                } else {
+                                    phi_2223_ = _e3998;
+                                }
+                                let _e4002 = phi_2223_;
+                                local_10 = type_30(array<f32, 4>(_e4002.member[0], _e4002.member[1], _e4002.member[2], _e4002.member[3]), array<f32, 4>(_e4002.member_1[0], _e4002.member_1[1], _e4002.member_1[2], _e4002.member_1[3]), array<f32, 4>(_e4002.member_2[0], _e4002.member_2[1], _e4002.member_2[2], _e4002.member_2[3]));
+                                let _e4022 = (_e3721 - _e3725);
+                                let _e4025 = local_10.member[0u];
+                                let _e4028 = local_10.member_1[0u];
+                                let _e4031 = local_10.member[0u];
+                                let _e4037 = local_10.member_2[0u];
+                                if (((_e4025 + ((_e4028 - _e4031) * _e3721)) - _e4037) > 0f) {
+                                    let _e4042 = local_10.member[1u];
+                                    let _e4045 = local_10.member_1[1u];
+                                    let _e4048 = local_10.member[1u];
+                                    let _e4054 = local_10.member_2[1u];
+                                    if (((_e4042 + ((_e4045 - _e4048) * _e3721)) - _e4054) > 0f) {
+                                        let _e4059 = local_10.member[2u];
+                                        let _e4062 = local_10.member_1[2u];
+                                        let _e4065 = local_10.member[2u];
+                                        let _e4071 = local_10.member_2[2u];
+                                        if (((_e4059 + ((_e4062 - _e4065) * _e3721)) - _e4071) > 0f) {
+                                            let _e4076 = local_10.member[3u];
+                                            let _e4079 = local_10.member_1[3u];
+                                            let _e4082 = local_10.member[3u];
+                                            let _e4088 = local_10.member_2[3u];
+                                            phi_2393_ = (((_e4076 + ((_e4079 - _e4082) * _e3721)) - _e4088) > 0f);
+                                            phi_2394_ = false;
+                                        } else {
+                                            phi_2393_ = bool();
+                                            phi_2394_ = true;
+                                        }
+                                        let _e4092 = phi_2393_;
+                                        let _e4094 = phi_2394_;
+                                        phi_2395_ = _e4092;
+                                        phi_2396_ = _e4094;
+                                    } else {
+                                        phi_2395_ = bool();
+                                        phi_2396_ = true;
+                                    }
+                                    let _e4096 = phi_2395_;
+                                    let _e4098 = phi_2396_;
+                                    phi_2397_ = _e4096;
+                                    phi_2398_ = _e4098;
+                                } else {
+                                    phi_2397_ = bool();
+                                    phi_2398_ = true;
+                                }
+                                let _e4100 = phi_2397_;
+                                let _e4102 = phi_2398_;
+                                if _e4102 {
+                                    phi_2402_ = false;
+                                } else {
+                                    phi_2402_ = _e4100;
+                                }
+                                let _e4104 = phi_2402_;
+                                if _e4104 {
+                                    if (_e3721 <= _e3723) {
+                                        phi_2712_ = true;
+                                    } else {
+                                        let _e4108 = local_9.member[0u];
+                                        let _e4111 = local_9.member_1[0u];
+                                        let _e4114 = local_9.member[0u];
+                                        let _e4120 = local_9.member_2[0u];
+                                        let _e4124 = local_10.member[0u];
+                                        let _e4127 = local_10.member_1[0u];
+                                        let _e4130 = local_10.member[0u];
+                                        let _e4136 = local_10.member_2[0u];
+                                        if ((((_e4108 + ((_e4111 - _e4114) * _e3721)) - _e4120) + ((_e4124 + ((_e4127 - _e4130) * _e3725)) - _e4136)) > 0f) {
+                                            let _e4142 = local_9.member[1u];
+                                            let _e4145 = local_9.member_1[1u];
+                                            let _e4148 = local_9.member[1u];
+                                            let _e4154 = local_9.member_2[1u];
+                                            let _e4158 = local_10.member[1u];
+                                            let _e4161 = local_10.member_1[1u];
+                                            let _e4164 = local_10.member[1u];
+                                            let _e4170 = local_10.member_2[1u];
+                                            if ((((_e4142 + ((_e4145 - _e4148) * _e3721)) - _e4154) + ((_e4158 + ((_e4161 - _e4164) * _e3725)) - _e4170)) > 0f) {
+                                                let _e4176 = local_9.member[2u];
+                                                let _e4179 = local_9.member_1[2u];
+                                                let _e4182 = local_9.member[2u];
+                                                let _e4188 = local_9.member_2[2u];
+                                                let _e4192 = local_10.member[2u];
+                                                let _e4195 = local_10.member_1[2u];
+                                                let _e4198 = local_10.member[2u];
+                                                let _e4204 = local_10.member_2[2u];
+                                                if ((((_e4176 + ((_e4179 - _e4182) * _e3721)) - _e4188) + ((_e4192 + ((_e4195 - _e4198) * _e3725)) - _e4204)) > 0f) {
+                                                    let _e4210 = local_9.member[3u];
+                                                    let _e4213 = local_9.member_1[3u];
+                                                    let _e4216 = local_9.member[3u];
+                                                    let _e4222 = local_9.member_2[3u];
+                                                    let _e4226 = local_10.member[3u];
+                                                    let _e4229 = local_10.member_1[3u];
+                                                    let _e4232 = local_10.member[3u];
+                                                    let _e4238 = local_10.member_2[3u];
+                                                    phi_2699_ = ((((_e4210 + ((_e4213 - _e4216) * _e3721)) - _e4222) + ((_e4226 + ((_e4229 - _e4232) * _e3725)) - _e4238)) > 0f);
+                                                    phi_2700_ = false;
+                                                } else {
+                                                    phi_2699_ = bool();
+                                                    phi_2700_ = true;
+                                                }
+                                                let _e4243 = phi_2699_;
+                                                let _e4245 = phi_2700_;
+                                                phi_2701_ = _e4243;
+                                                phi_2702_ = _e4245;
+                                            } else {
+                                                phi_2701_ = bool();
+                                                phi_2702_ = true;
+                                            }
+                                            let _e4247 = phi_2701_;
+                                            let _e4249 = phi_2702_;
+                                            phi_2703_ = _e4247;
+                                            phi_2704_ = _e4249;
+                                        } else {
+                                            phi_2703_ = bool();
+                                            phi_2704_ = true;
+                                        }
+                                        let _e4251 = phi_2703_;
+                                        let _e4253 = phi_2704_;
+                                        if _e4253 {
+                                            phi_2708_ = false;
+                                        } else {
+                                            phi_2708_ = _e4251;
+                                        }
+                                        let _e4255 = phi_2708_;
+                                        phi_2712_ = _e4255;
+                                    }
+                                    let _e4257 = phi_2712_;
+                                    if _e4257 {
+                                        if (_e3739.member_1 > 0u) {
+                                            if (_e3721 >= 1f) {
+                                                phi_2724_ = false;
+                                            } else {
+                                                phi_2724_ = true;
+                                            }
+                                            let _e4261 = phi_2724_;
+                                            phi_2725_ = _e4261;
+                                        } else {
+                                            phi_2725_ = true;
+                                        }
+                                        let _e4263 = phi_2725_;
+                                        if _e4263 {
+                                            local_9 = type_30(array<f32, 4>(_e4002.member[0], _e4002.member[1], _e4002.member[2], _e4002.member[3]), array<f32, 4>(_e4002.member_1[0], _e4002.member_1[1], _e4002.member_1[2], _e4002.member_1[3]), array<f32, 4>(_e4002.member_2[0], _e4002.member_2[1], _e4002.member_2[2], _e4002.member_2[3]));
+                                            let _e4285 = local_9.member[0u];
+                                            let _e4288 = local_9.member_1[0u];
+                                            let _e4291 = local_9.member_2[0u];
+                                            if (_e4285 > _e4291) {
+                                                if (_e4288 > _e4291) {
+                                                    phi_2799_ = false;
+                                                } else {
+                                                    phi_2799_ = true;
+                                                }
+                                                let _e4295 = phi_2799_;
+                                                phi_2800_ = _e4295;
+                                            } else {
+                                                phi_2800_ = true;
+                                            }
+                                            let _e4297 = phi_2800_;
+                                            if _e4297 {
+                                                let _e4298 = (_e4288 >= _e4285);
+                                                if _e4298 {
+                                                    phi_2822_ = f32();
+                                                    phi_2823_ = false;
+                                                } else {
+                                                    if ((_e4285 - _e4288) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2820_ = (((_e4285 - _e4291) / (_e4285 - _e4288)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2821_ = false;
+                                                    } else {
+                                                        phi_2820_ = f32();
+                                                        phi_2821_ = true;
+                                                    }
+                                                    let _e4309 = phi_2820_;
+                                                    let _e4311 = phi_2821_;
+                                                    phi_2822_ = _e4309;
+                                                    phi_2823_ = _e4311;
+                                                }
+                                                let _e4313 = phi_2822_;
+                                                let _e4315 = phi_2823_;
+                                                phi_2824_ = _e4313;
+                                                phi_2825_ = _e4298;
+                                                phi_2826_ = _e4315;
+                                            } else {
+                                                phi_2824_ = f32();
+                                                phi_2825_ = true;
+                                                phi_2826_ = false;
+                                            }
+                                            let _e4317 = phi_2824_;
+                                            let _e4319 = phi_2825_;
+                                            let _e4321 = phi_2826_;
+                                            if _e4319 {
+                                                phi_2830_ = 2f;
+                                                phi_2831_ = true;
+                                            } else {
+                                                phi_2830_ = _e3721;
+                                                phi_2831_ = _e4321;
+                                            }
+                                            let _e4323 = phi_2830_;
+                                            let _e4325 = phi_2831_;
+                                            if _e4325 {
+                                                phi_2835_ = _e4323;
+                                            } else {
+                                                phi_2835_ = _e4317;
+                                            }
+                                            let _e4327 = phi_2835_;
+                                            let _e4330 = local_9.member[1u];
+                                            let _e4333 = local_9.member_1[1u];
+                                            let _e4336 = local_9.member_2[1u];
+                                            if (_e4330 > _e4336) {
+                                                if (_e4333 > _e4336) {
+                                                    phi_2867_ = false;
+                                                } else {
+                                                    phi_2867_ = true;
+                                                }
+                                                let _e4340 = phi_2867_;
+                                                phi_2868_ = _e4340;
+                                            } else {
+                                                phi_2868_ = true;
+                                            }
+                                            let _e4342 = phi_2868_;
+                                            if _e4342 {
+                                                let _e4343 = (_e4333 >= _e4330);
+                                                if _e4343 {
+                                                    phi_2890_ = f32();
+                                                    phi_2891_ = false;
+                                                } else {
+                                                    if ((_e4330 - _e4333) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2888_ = (((_e4330 - _e4336) / (_e4330 - _e4333)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2889_ = false;
+                                                    } else {
+                                                        phi_2888_ = f32();
+                                                        phi_2889_ = true;
+                                                    }
+                                                    let _e4354 = phi_2888_;
+                                                    let _e4356 = phi_2889_;
+                                                    phi_2890_ = _e4354;
+                                                    phi_2891_ = _e4356;
+                                                }
+                                                let _e4358 = phi_2890_;
+                                                let _e4360 = phi_2891_;
+                                                phi_2892_ = _e4358;
+                                                phi_2893_ = _e4343;
+                                                phi_2894_ = _e4360;
+                                            } else {
+                                                phi_2892_ = f32();
+                                                phi_2893_ = true;
+                                                phi_2894_ = false;
+                                            }
+                                            let _e4362 = phi_2892_;
+                                            let _e4364 = phi_2893_;
+                                            let _e4366 = phi_2894_;
+                                            if _e4364 {
+                                                phi_2898_ = 2f;
+                                                phi_2899_ = true;
+                                            } else {
+                                                phi_2898_ = _e3721;
+                                                phi_2899_ = _e4366;
+                                            }
+                                            let _e4368 = phi_2898_;
+                                            let _e4370 = phi_2899_;
+                                            if _e4370 {
+                                                phi_2903_ = _e4368;
+                                            } else {
+                                                phi_2903_ = _e4362;
+                                            }
+                                            let _e4372 = phi_2903_;
+                                            if (_e4327 < _e4372) {
+                                                phi_2908_ = _e4327;
+                                            } else {
+                                                phi_2908_ = _e4372;
+                                            }
+                                            let _e4375 = phi_2908_;
+                                            let _e4378 = local_9.member[2u];
+                                            let _e4381 = local_9.member_1[2u];
+                                            let _e4384 = local_9.member_2[2u];
+                                            if (_e4378 > _e4384) {
+                                                if (_e4381 > _e4384) {
+                                                    phi_2940_ = false;
+                                                } else {
+                                                    phi_2940_ = true;
+                                                }
+                                                let _e4388 = phi_2940_;
+                                                phi_2941_ = _e4388;
+                                            } else {
+                                                phi_2941_ = true;
+                                            }
+                                            let _e4390 = phi_2941_;
+                                            if _e4390 {
+                                                let _e4391 = (_e4381 >= _e4378);
+                                                if _e4391 {
+                                                    phi_2963_ = f32();
+                                                    phi_2964_ = false;
+                                                } else {
+                                                    if ((_e4378 - _e4381) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2961_ = (((_e4378 - _e4384) / (_e4378 - _e4381)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2962_ = false;
+                                                    } else {
+                                                        phi_2961_ = f32();
+                                                        phi_2962_ = true;
+                                                    }
+                                                    let _e4402 = phi_2961_;
+                                                    let _e4404 = phi_2962_;
+                                                    phi_2963_ = _e4402;
+                                                    phi_2964_ = _e4404;
+                                                }
+                                                let _e4406 = phi_2963_;
+                                                let _e4408 = phi_2964_;
+                                                phi_2965_ = _e4406;
+                                                phi_2966_ = _e4391;
+                                                phi_2967_ = _e4408;
+                                            } else {
+                                                phi_2965_ = f32();
+                                                phi_2966_ = true;
+                                                phi_2967_ = false;
+                                            }
+                                            let _e4410 = phi_2965_;
+                                            let _e4412 = phi_2966_;
+                                            let _e4414 = phi_2967_;
+                                            if _e4412 {
+                                                phi_2971_ = 2f;
+                                                phi_2972_ = true;
+                                            } else {
+                                                phi_2971_ = _e3721;
+                                                phi_2972_ = _e4414;
+                                            }
+                                            let _e4416 = phi_2971_;
+                                            let _e4418 = phi_2972_;
+                                            if _e4418 {
+                                                phi_2976_ = _e4416;
+                                            } else {
+                                                phi_2976_ = _e4410;
+                                            }
+                                            let _e4420 = phi_2976_;
+                                            let _e4423 = local_9.member[3u];
+                                            let _e4426 = local_9.member_1[3u];
+                                            let _e4429 = local_9.member_2[3u];
+                                            if (_e4423 > _e4429) {
+                                                if (_e4426 > _e4429) {
+                                                    phi_3008_ = false;
+                                                } else {
+                                                    phi_3008_ = true;
+                                                }
+                                                let _e4433 = phi_3008_;
+                                                phi_3009_ = _e4433;
+                                            } else {
+                                                phi_3009_ = true;
+                                            }
+                                            let _e4435 = phi_3009_;
+                                            if _e4435 {
+                                                let _e4436 = (_e4426 >= _e4423);
+                                                if _e4436 {
+                                                    phi_3031_ = f32();
+                                                    phi_3032_ = false;
+                                                } else {
+                                                    if ((_e4423 - _e4426) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3029_ = (((_e4423 - _e4429) / (_e4423 - _e4426)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3030_ = false;
+                                                    } else {
+                                                        phi_3029_ = f32();
+                                                        phi_3030_ = true;
+                                                    }
+                                                    let _e4447 = phi_3029_;
+                                                    let _e4449 = phi_3030_;
+                                                    phi_3031_ = _e4447;
+                                                    phi_3032_ = _e4449;
+                                                }
+                                                let _e4451 = phi_3031_;
+                                                let _e4453 = phi_3032_;
+                                                phi_3033_ = _e4451;
+                                                phi_3034_ = _e4436;
+                                                phi_3035_ = _e4453;
+                                            } else {
+                                                phi_3033_ = f32();
+                                                phi_3034_ = true;
+                                                phi_3035_ = false;
+                                            }
+                                            let _e4455 = phi_3033_;
+                                            let _e4457 = phi_3034_;
+                                            let _e4459 = phi_3035_;
+                                            if _e4457 {
+                                                phi_3039_ = 2f;
+                                                phi_3040_ = true;
+                                            } else {
+                                                phi_3039_ = _e3721;
+                                                phi_3040_ = _e4459;
+                                            }
+                                            let _e4461 = phi_3039_;
+                                            let _e4463 = phi_3040_;
+                                            if _e4463 {
+                                                phi_3044_ = _e4461;
+                                            } else {
+                                                phi_3044_ = _e4455;
+                                            }
+                                            let _e4465 = phi_3044_;
+                                            if (_e4420 < _e4465) {
+                                                phi_3049_ = _e4420;
+                                            } else {
+                                                phi_3049_ = _e4465;
+                                            }
+                                            let _e4468 = phi_3049_;
+                                            if (_e4375 < _e4468) {
+                                                phi_3054_ = _e4375;
+                                            } else {
+                                                phi_3054_ = _e4468;
+                                            }
+                                            let _e4471 = phi_3054_;
+                                            if (_e4471 > _e3721) {
+                                                phi_3059_ = _e4471;
+                                            } else {
+                                                phi_3059_ = _e3721;
+                                            }
+                                            let _e4474 = phi_3059_;
+                                            let _e4475 = (_e4474 > 1f);
+                                            if _e4475 {
+                                                phi_3071_ = f32();
+                                                phi_3072_ = false;
+                                            } else {
+                                                if (_e3739.member_1 == 0u) {
+                                                    phi_3070_ = (1f - _e3721);
+                                                } else {
+                                                    phi_3070_ = (_e4022 + _e4022);
+                                                }
+                                                let _e4480 = phi_3070_;
+                                                phi_3071_ = _e4480;
+                                                phi_3072_ = true;
+                                            }
+                                            let _e4482 = phi_3071_;
+                                            let _e4484 = phi_3072_;
+                                            phi_3073_ = _e4474;
+                                            phi_3074_ = _e4482;
+                                            phi_3075_ = _e4484;
+                                            phi_3076_ = _e4475;
+                                            phi_3077_ = false;
+                                        } else {
+                                            phi_3073_ = f32();
+                                            phi_3074_ = f32();
+                                            phi_3075_ = false;
+                                            phi_3076_ = false;
+                                            phi_3077_ = true;
+                                        }
+                                        let _e4486 = phi_3073_;
+                                        let _e4488 = phi_3074_;
+                                        let _e4490 = phi_3075_;
+                                        let _e4492 = phi_3076_;
+                                        let _e4494 = phi_3077_;
+                                        phi_3078_ = _e4486;
+                                        phi_3079_ = _e4488;
+                                        phi_3080_ = false;
+                                        phi_3081_ = _e4490;
+                                        phi_3082_ = _e4492;
+                                        phi_3083_ = _e4494;
+                                    } else {
+                                        phi_3078_ = f32();
+                                        phi_3079_ = f32();
+                                        phi_3080_ = true;
+                                        phi_3081_ = false;
+                                        phi_3082_ = false;
+                                        phi_3083_ = false;
+                                    }
+                                    let _e4496 = phi_3078_;
+                                    let _e4498 = phi_3079_;
+                                    let _e4500 = phi_3080_;
+                                    let _e4502 = phi_3081_;
+                                    let _e4504 = phi_3082_;
+                                    let _e4506 = phi_3083_;
+                                    phi_3084_ = _e4496;
+                                    phi_3085_ = _e4498;
+                                    phi_3086_ = _e4500;
+                                    phi_3087_ = _e4502;
+                                    phi_3088_ = _e4504;
+                                    phi_3089_ = _e4506;
+                                } else {
+                                    phi_3084_ = f32();
+                                    phi_3085_ = f32();
+                                    phi_3086_ = true;
+                                    phi_3087_ = false;
+                                    phi_3088_ = false;
+                                    phi_3089_ = false;
+                                }
+                                let _e4508 = phi_3084_;
+                                let _e4510 = phi_3085_;
+                                let _e4512 = phi_3086_;
+                                let _e4514 = phi_3087_;
+                                let _e4516 = phi_3088_;
+                                let _e4518 = phi_3089_;
+                                if _e4512 {
+                                    let _e4519 = (_e3721 <= _e3723);
+                                    if _e4519 {
+                                        phi_3418_ = f32();
+                                        phi_3419_ = false;
+                                    } else {
+                                        let _e4522 = local_9.member[0u];
+                                        let _e4525 = local_9.member_1[0u];
+                                        let _e4528 = local_9.member[0u];
+                                        let _e4534 = local_9.member_2[0u];
+                                        let _e4535 = ((_e4522 + ((_e4525 - _e4528) * _e3725)) - _e4534);
+                                        let _e4538 = local_9.member[1u];
+                                        let _e4541 = local_9.member_1[1u];
+                                        let _e4544 = local_9.member[1u];
+                                        let _e4550 = local_9.member_2[1u];
+                                        let _e4551 = ((_e4538 + ((_e4541 - _e4544) * _e3725)) - _e4550);
+                                        if (_e4535 < _e4551) {
+                                            phi_3169_ = _e4535;
+                                        } else {
+                                            phi_3169_ = _e4551;
+                                        }
+                                        let _e4554 = phi_3169_;
+                                        let _e4557 = local_9.member[2u];
+                                        let _e4560 = local_9.member_1[2u];
+                                        let _e4563 = local_9.member[2u];
+                                        let _e4569 = local_9.member_2[2u];
+                                        let _e4570 = ((_e4557 + ((_e4560 - _e4563) * _e3725)) - _e4569);
+                                        let _e4573 = local_9.member[3u];
+                                        let _e4576 = local_9.member_1[3u];
+                                        let _e4579 = local_9.member[3u];
+                                        let _e4585 = local_9.member_2[3u];
+                                        let _e4586 = ((_e4573 + ((_e4576 - _e4579) * _e3725)) - _e4585);
+                                        if (_e4570 < _e4586) {
+                                            phi_3242_ = _e4570;
+                                        } else {
+                                            phi_3242_ = _e4586;
+                                        }
+                                        let _e4589 = phi_3242_;
+                                        if (_e4554 < _e4589) {
+                                            phi_3247_ = _e4554;
+                                        } else {
+                                            phi_3247_ = _e4589;
+                                        }
+                                        let _e4592 = phi_3247_;
+                                        let _e4595 = local_10.member[0u];
+                                        let _e4598 = local_10.member_1[0u];
+                                        let _e4601 = local_10.member[0u];
+                                        let _e4607 = local_10.member_2[0u];
+                                        let _e4608 = ((_e4595 + ((_e4598 - _e4601) * _e3721)) - _e4607);
+                                        let _e4611 = local_10.member[1u];
+                                        let _e4614 = local_10.member_1[1u];
+                                        let _e4617 = local_10.member[1u];
+                                        let _e4623 = local_10.member_2[1u];
+                                        let _e4624 = ((_e4611 + ((_e4614 - _e4617) * _e3721)) - _e4623);
+                                        if (_e4608 < _e4624) {
+                                            phi_3320_ = _e4608;
+                                        } else {
+                                            phi_3320_ = _e4624;
+                                        }
+                                        let _e4627 = phi_3320_;
+                                        let _e4630 = local_10.member[2u];
+                                        let _e4633 = local_10.member_1[2u];
+                                        let _e4636 = local_10.member[2u];
+                                        let _e4642 = local_10.member_2[2u];
+                                        let _e4643 = ((_e4630 + ((_e4633 - _e4636) * _e3721)) - _e4642);
+                                        let _e4646 = local_10.member[3u];
+                                        let _e4649 = local_10.member_1[3u];
+                                        let _e4652 = local_10.member[3u];
+                                        let _e4658 = local_10.member_2[3u];
+                                        let _e4659 = ((_e4646 + ((_e4649 - _e4652) * _e3721)) - _e4658);
+                                        if (_e4643 < _e4659) {
+                                            phi_3393_ = _e4643;
+                                        } else {
+                                            phi_3393_ = _e4659;
+                                        }
+                                        let _e4662 = phi_3393_;
+                                        if (_e4627 < _e4662) {
+                                            phi_3398_ = _e4627;
+                                        } else {
+                                            phi_3398_ = _e4662;
+                                        }
+                                        let _e4665 = phi_3398_;
+                                        if (_e4665 > 0f) {
+                                            phi_3416_ = 0.5f;
+                                        } else {
+                                            let _e4669 = (0.95f * (_e4592 / (_e4592 - _e4665)));
+                                            if (_e4669 > 0.0625f) {
+                                                if (_e4669 < 0.9f) {
+                                                    phi_3414_ = _e4669;
+                                                } else {
+                                                    phi_3414_ = 0.9f;
+                                                }
+                                                let _e4673 = phi_3414_;
+                                                phi_3415_ = _e4673;
+                                            } else {
+                                                phi_3415_ = 0.0625f;
+                                            }
+                                            let _e4675 = phi_3415_;
+                                            phi_3416_ = _e4675;
+                                        }
+                                        let _e4677 = phi_3416_;
+                                        phi_3418_ = (_e4022 * _e4677);
+                                        phi_3419_ = true;
+                                    }
+                                    let _e4680 = phi_3418_;
+                                    let _e4682 = phi_3419_;
+                                    phi_3420_ = _e3723;
+                                    phi_3421_ = _e4680;
+                                    phi_3422_ = _e3725;
+                                    phi_3423_ = _e4682;
+                                    phi_3424_ = _e4519;
+                                    phi_3425_ = false;
+                                    phi_3426_ = false;
+                                } else {
+                                    phi_3420_ = _e4508;
+                                    phi_3421_ = _e4510;
+                                    phi_3422_ = _e3721;
+                                    phi_3423_ = _e4514;
+                                    phi_3424_ = false;
+                                    phi_3425_ = _e4516;
+                                    phi_3426_ = _e4518;
+                                }
+                                let _e4684 = phi_3420_;
+                                let _e4686 = phi_3421_;
+                                let _e4688 = phi_3422_;
+                                let _e4690 = phi_3423_;
+                                let _e4692 = phi_3424_;
+                                let _e4694 = phi_3425_;
+                                let _e4696 = phi_3426_;
+                                if _e4690 {
+                                    let _e4697 = (_e4688 + _e4686);
+                                    if (_e4697 > _e4684) {
+                                        phi_3435_ = _e4697;
+                                    } else {
+                                        phi_3435_ = _e4684;
+                                    }
+                                    let _e4700 = phi_3435_;
+                                    if (_e4700 < 1f) {
+                                        phi_3440_ = _e4700;
+                                    } else {
+                                        phi_3440_ = 1f;
+                                    }
+                                    let _e4703 = phi_3440_;
+                                    if (_e3739.member_1 > 0u) {
+                                        phi_3450_ = ((_e4703 - _e4688) > 0.0000000037252903f);
+                                    } else {
+                                        phi_3450_ = true;
+                                    }
+                                    let _e4708 = phi_3450_;
+                                    if _e4708 {
+                                        phi_3454_ = false;
+                                    } else {
+                                        phi_3454_ = true;
+                                    }
+                                    let _e4710 = phi_3454_;
+                                    phi_3455_ = _e4703;
+                                    phi_3456_ = _e4708;
+                                    phi_3457_ = _e4710;
+                                    phi_3458_ = false;
+                                    phi_3459_ = false;
+                                    phi_3460_ = false;
+                                } else {
+                                    phi_3455_ = f32();
+                                    phi_3456_ = false;
+                                    phi_3457_ = false;
+                                    phi_3458_ = _e4692;
+                                    phi_3459_ = _e4694;
+                                    phi_3460_ = _e4696;
+                                }
+                                let _e4712 = phi_3455_;
+                                let _e4714 = phi_3456_;
+                                let _e4716 = phi_3457_;
+                                let _e4718 = phi_3458_;
+                                let _e4720 = phi_3459_;
+                                let _e4722 = phi_3460_;
+                                phi_1835_ = _e4712;
+                                phi_1837_ = _e4684;
+                                phi_1839_ = _e4688;
+                                phi_3461_ = _e4684;
+                                phi_3462_ = _e4714;
+                                phi_3463_ = _e4716;
+                                phi_3464_ = false;
+                                phi_3465_ = _e4718;
+                                phi_3466_ = _e4720;
+                                phi_3467_ = _e4722;
                             } else {
-                                phi_2023_ = f32();
-                                phi_1569_ = f32();
-                                phi_2024_ = false;
-                                phi_2025_ = false;
-                                phi_2026_ = false;
-                                phi_2027_ = true;
-                                phi_2028_ = false;
-                                phi_2029_ = false;
-                                phi_2030_ = false;
-                                phi_2031_ = false;
-                                phi_2032_ = false;
+                                phi_1835_ = f32();
+                                phi_1837_ = f32();
+                                phi_1839_ = f32();
+                                phi_3461_ = f32();
+                                phi_3462_ = false;
+                                phi_3463_ = false;
+                                phi_3464_ = true;
+                                phi_3465_ = false;
+                                phi_3466_ = false;
+                                phi_3467_ = false;
                             }
-                            let _e3321 = phi_2023_;
-                            let _e3323 = phi_1569_;
-                            let _e3325 = phi_2024_;
-                            let _e3327 = phi_2025_;
-                            let _e3329 = phi_2026_;
-                            let _e3331 = phi_2027_;
-                            let _e3333 = phi_2028_;
-                            let _e3335 = phi_2029_;
-                            let _e3337 = phi_2030_;
-                            let _e3339 = phi_2031_;
-                            let _e3341 = phi_2032_;
-                            local_36 = _e3327;
-                            local_69 = _e3329;
-                            local_70 = _e3331;
-                            local_71 = _e3333;
-                            local_72 = _e3335;
-                            local_73 = _e3337;
-                            local_74 = _e3339;
-                            local_75 = _e3341;
-                            local_76 = _e3321;
-                            local_78 = _e3327;
+                            let _e4724 = phi_1835_;
+                            let _e4726 = phi_1837_;
+                            let _e4728 = phi_1839_;
+                            let _e4730 = phi_3461_;
+                            let _e4732 = phi_3462_;
+                            let _e4734 = phi_3463_;
+                            let _e4736 = phi_3464_;
+                            let _e4738 = phi_3465_;
+                            let _e4740 = phi_3466_;
+                            let _e4742 = phi_3467_;
+                            local_25 = _e4734;
+                            local_43 = _e4730;
+                            local_45 = _e4736;
+                            local_46 = _e4738;
+                            local_47 = _e4740;
+                            local_48 = _e4742;
                             continue;
                             continuing {
-                                phi_1565_ = _e2965;
-                                phi_1568_ = _e3323;
-                                break if !(_e3325);
+                                phi_1831_ = _e3737;
+                                phi_1834_ = _e4724;
+                                phi_1836_ = _e4726;
+                                phi_1838_ = _e4728;
+                                break if !(_e4732);
                             }
                         }
-                        let _e3344 = local_36;
-                        if _e3344 {
-                            phi_2037_ = type_34(0u, type_34().member_1);
-                            phi_2038_ = false;
-                            phi_2039_ = false;
-                            phi_2040_ = false;
-                            phi_2041_ = false;
-                            phi_2042_ = false;
-                            phi_2043_ = false;
-                            phi_2044_ = false;
+                        let _e4745 = local_25;
+                        if _e4745 {
+                            let _e6058 = local_43;
+                            phi_3471_ = _e6058;
+                            phi_3472_ = true;
+                            phi_3473_ = false;
+                            phi_3474_ = false;
+                            phi_3475_ = false;
                         } else {
-                            phi_2037_ = type_34();
-                            let _e4613 = local_69;
-                            phi_2038_ = _e4613;
-                            let _e4616 = local_70;
-                            phi_2039_ = _e4616;
-                            let _e4619 = local_71;
-                            phi_2040_ = _e4619;
-                            let _e4622 = local_72;
-                            phi_2041_ = _e4622;
-                            let _e4625 = local_73;
-                            phi_2042_ = _e4625;
-                            let _e4628 = local_74;
-                            phi_2043_ = _e4628;
-                            let _e4631 = local_75;
-                            phi_2044_ = _e4631;
+                            let _e6060 = local_44;
+                            phi_3471_ = _e6060;
+                            let _e6063 = local_45;
+                            phi_3472_ = _e6063;
+                            let _e6066 = local_46;
+                            phi_3473_ = _e6066;
+                            let _e6069 = local_47;
+                            phi_3474_ = _e6069;
+                            let _e6072 = local_48;
+                            phi_3475_ = _e6072;
                         }
-                        let _e3348 = phi_2037_;
-                        let _e3350 = phi_2038_;
-                        let _e3352 = phi_2039_;
-                        let _e3354 = phi_2040_;
-                        let _e3356 = phi_2041_;
-                        let _e3358 = phi_2042_;
-                        let _e3360 = phi_2043_;
-                        let _e3362 = phi_2044_;
-                        if _e3350 {
-                            let _e4634 = local_76;
-                            phi_2048_ = _e4634;
-                            phi_2049_ = true;
-                            phi_2050_ = false;
-                            phi_2051_ = false;
-                            phi_2052_ = false;
-                            phi_2053_ = false;
-                            phi_2054_ = false;
-                            phi_2055_ = false;
+                        let _e4747 = phi_3471_;
+                        let _e4749 = phi_3472_;
+                        let _e4751 = phi_3473_;
+                        let _e4753 = phi_3474_;
+                        let _e4755 = phi_3475_;
+                        if _e4749 {
+                            phi_3480_ = type_35(1u, _e4747);
+                            phi_3481_ = false;
+                            phi_3482_ = false;
+                            phi_3483_ = false;
                         } else {
-                            let _e4636 = local_77;
-                            phi_2048_ = _e4636;
-                            phi_2049_ = _e3352;
-                            phi_2050_ = _e3354;
-                            phi_2051_ = _e3356;
-                            phi_2052_ = _e3358;
-                            let _e4643 = local_78;
-                            phi_2053_ = _e4643;
-                            phi_2054_ = _e3360;
-                            phi_2055_ = _e3362;
+                            phi_3480_ = type_35();
+                            phi_3481_ = _e4751;
+                            phi_3482_ = _e4753;
+                            phi_3483_ = _e4755;
                         }
-                        let _e3364 = phi_2048_;
-                        let _e3366 = phi_2049_;
-                        let _e3368 = phi_2050_;
-                        let _e3370 = phi_2051_;
-                        let _e3372 = phi_2052_;
-                        let _e3374 = phi_2053_;
-                        let _e3376 = phi_2054_;
-                        let _e3378 = phi_2055_;
-                        if _e3366 {
-                            phi_2060_ = type_34(1u, _e3364);
-                            phi_2061_ = false;
-                            phi_2062_ = false;
-                            phi_2063_ = false;
-                            phi_2064_ = false;
-                            phi_2065_ = false;
-                            phi_2066_ = false;
+                        let _e4758 = phi_3480_;
+                        let _e4760 = phi_3481_;
+                        let _e4762 = phi_3482_;
+                        let _e4764 = phi_3483_;
+                        if _e4760 {
+                            let _e4766 = local_26;
+                            phi_3488_ = type_35(1u, _e4766);
+                            phi_3489_ = false;
+                            phi_3490_ = false;
                         } else {
-                            phi_2060_ = type_34();
-                            phi_2061_ = _e3368;
-                            phi_2062_ = _e3370;
-                            phi_2063_ = _e3372;
-                            phi_2064_ = _e3374;
-                            phi_2065_ = _e3376;
-                            phi_2066_ = _e3378;
+                            phi_3488_ = type_35();
+                            phi_3489_ = _e4762;
+                            phi_3490_ = _e4764;
                         }
-                        let _e3381 = phi_2060_;
-                        let _e3383 = phi_2061_;
-                        let _e3385 = phi_2062_;
-                        let _e3387 = phi_2063_;
-                        let _e3389 = phi_2064_;
-                        let _e3391 = phi_2065_;
-                        let _e3393 = phi_2066_;
-                        if _e3383 {
-                            let _e3395 = local_37;
-                            phi_2071_ = type_34(1u, _e3395);
-                            phi_2072_ = false;
-                            phi_2073_ = false;
-                            phi_2074_ = true;
-                            phi_2075_ = false;
-                            phi_2076_ = false;
+                        let _e4769 = phi_3488_;
+                        let _e4771 = phi_3489_;
+                        let _e4773 = phi_3490_;
+                        if _e4771 {
+                            phi_3495_ = type_35(0u, type_35().member_1);
+                            phi_3496_ = false;
+                            phi_3497_ = true;
                         } else {
-                            phi_2071_ = _e3348;
-                            phi_2072_ = _e3385;
-                            phi_2073_ = _e3387;
-                            phi_2074_ = _e3389;
-                            phi_2075_ = _e3391;
-                            phi_2076_ = _e3393;
+                            phi_3495_ = _e4769;
+                            phi_3496_ = _e4773;
+                            phi_3497_ = _e4760;
                         }
-                        let _e3398 = phi_2071_;
-                        let _e3400 = phi_2072_;
-                        let _e3402 = phi_2073_;
-                        let _e3404 = phi_2074_;
-                        let _e3406 = phi_2075_;
-                        let _e3408 = phi_2076_;
-                        if _e3400 {
-                            let _e3410 = local_38;
-                            phi_2081_ = type_34(1u, _e3410);
-                            phi_2082_ = false;
-                            phi_2083_ = false;
-                            phi_2084_ = false;
-                            phi_2085_ = false;
+                        let _e4777 = phi_3495_;
+                        let _e4779 = phi_3496_;
+                        let _e4781 = phi_3497_;
+                        if _e4779 {
+                            phi_3502_ = type_35(0u, type_35().member_1);
+                            phi_3503_ = true;
                         } else {
-                            phi_2081_ = type_34();
-                            phi_2082_ = _e3402;
-                            phi_2083_ = _e3404;
-                            phi_2084_ = _e3406;
-                            phi_2085_ = _e3408;
+                            phi_3502_ = _e4777;
+                            phi_3503_ = _e4781;
                         }
-                        let _e3413 = phi_2081_;
-                        let _e3415 = phi_2082_;
-                        let _e3417 = phi_2083_;
-                        let _e3419 = phi_2084_;
-                        let _e3421 = phi_2085_;
-                        if _e3415 {
-                            let _e3423 = local_39;
-                            phi_2090_ = type_34(1u, _e3423);
-                            phi_2091_ = true;
-                            phi_2092_ = false;
-                            phi_2093_ = false;
-                            phi_2094_ = false;
+                        let _e4785 = phi_3502_;
+                        let _e4787 = phi_3503_;
+                        if _e4787 {
+                            phi_3507_ = _e4785;
                         } else {
-                            phi_2090_ = _e3413;
-                            phi_2091_ = _e3400;
-                            phi_2092_ = _e3417;
-                            phi_2093_ = _e3419;
-                            phi_2094_ = _e3421;
+                            phi_3507_ = _e4758;
                         }
-                        let _e3426 = phi_2090_;
-                        let _e3428 = phi_2091_;
-                        let _e3430 = phi_2092_;
-                        let _e3432 = phi_2093_;
-                        let _e3434 = phi_2094_;
-                        if _e3428 {
-                            phi_2098_ = _e3426;
-                            phi_2099_ = true;
-                            phi_2100_ = false;
-                            phi_2101_ = false;
-                        } else {
-                            phi_2098_ = _e3398;
-                            phi_2099_ = _e3430;
-                            phi_2100_ = _e3432;
-                            phi_2101_ = _e3434;
-                        }
-                        let _e3436 = phi_2098_;
-                        let _e3438 = phi_2099_;
-                        let _e3440 = phi_2100_;
-                        let _e3442 = phi_2101_;
-                        if _e3438 {
-                            phi_2105_ = false;
-                            phi_2106_ = false;
-                        } else {
-                            phi_2105_ = _e3440;
-                            phi_2106_ = _e3442;
-                        }
-                        let _e3444 = phi_2105_;
-                        let _e3446 = phi_2106_;
-                        if _e3444 {
-                            phi_2110_ = false;
-                            phi_2111_ = false;
-                        } else {
-                            phi_2110_ = _e3446;
-                            phi_2111_ = _e3438;
-                        }
-                        let _e3448 = phi_2110_;
-                        let _e3450 = phi_2111_;
-                        if _e3448 {
-                            phi_2115_ = true;
-                            phi_2116_ = false;
-                        } else {
-                            phi_2115_ = _e3444;
-                            phi_2116_ = _e3450;
-                        }
-                        let _e3452 = phi_2115_;
-                        let _e3454 = phi_2116_;
-                        if _e3452 {
-                            let _e3456 = local_40;
-                            phi_2121_ = type_34(1u, _e3456);
-                            phi_2122_ = true;
-                        } else {
-                            phi_2121_ = _e3436;
-                            phi_2122_ = _e3454;
-                        }
-                        let _e3459 = phi_2121_;
-                        let _e3461 = phi_2122_;
-                        if _e3461 {
-                            phi_2126_ = _e3459;
-                        } else {
-                            phi_2126_ = _e3381;
-                        }
-                        let _e3463 = phi_2126_;
-                        if (_e3463.member != 0u) {
+                        let _e4789 = phi_3507_;
+                        if (_e4789.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2140_ = type_9(0u, 3u);
+                            phi_3521_ = type_9(0u, 3u);
                             loop {
-                                let _e3475 = phi_2140_;
-                                if (_e3475.member < _e3475.member_1) {
-                                    phi_2141_ = type_9((_e3475.member + 1u), _e3475.member_1);
-                                    phi_2164_ = type_9(1u, _e3475.member);
+                                let _e4801 = phi_3521_;
+                                if (_e4801.member < _e4801.member_1) {
+                                    phi_3522_ = type_9((_e4801.member + 1u), _e4801.member_1);
+                                    phi_3545_ = type_9(1u, _e4801.member);
                                 } else {
-                                    phi_2141_ = _e3475;
-                                    phi_2164_ = type_9(0u, type_9().member_1);
+                                    phi_3522_ = _e4801;
+                                    phi_3545_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3487 = phi_2141_;
-                                let _e3489 = phi_2164_;
-                                if (bitcast<i32>(_e3489.member) != 0i) {
-                                    let _e3495 = local_11[_e3489.member_1];
-                                    let _e3496 = (_e3463.member_1 + _e3495);
-                                    if (_e3496 < 1f) {
-                                        phi_2184_ = _e3496;
+                                let _e4813 = phi_3522_;
+                                let _e4815 = phi_3545_;
+                                if (bitcast<i32>(_e4815.member) != 0i) {
+                                    let _e4821 = local_11[_e4815.member_1];
+                                    let _e4822 = (_e4789.member_1 + _e4821);
+                                    if (_e4822 < 1f) {
+                                        phi_3565_ = _e4822;
                                     } else {
-                                        phi_2184_ = 1f;
+                                        phi_3565_ = 1f;
                                     }
-                                    let _e3499 = phi_2184_;
-                                    let _e3502 = local_12.member[0u];
-                                    let _e3508 = local_12.member[1u];
-                                    let _e3524 = local_12.member_1[0u];
-                                    let _e3530 = local_12.member_1[1u];
-                                    let _e3546 = local_12.member_2[0u];
-                                    let _e3552 = local_12.member_2[1u];
-                                    let _e3566 = function_2(array<f32, 3>((_e3502[0] + ((_e3508[0] - _e3502[0]) * _e3499)), (_e3502[1] + ((_e3508[1] - _e3502[1]) * _e3499)), (_e3502[2] + ((_e3508[2] - _e3502[2]) * _e3499))), array<f32, 3>((_e3524[0] + ((_e3530[0] - _e3524[0]) * _e3499)), (_e3524[1] + ((_e3530[1] - _e3524[1]) * _e3499)), (_e3524[2] + ((_e3530[2] - _e3524[2]) * _e3499))), array<f32, 3>((_e3546[0] + ((_e3552[0] - _e3546[0]) * _e3499)), (_e3546[1] + ((_e3552[1] - _e3546[1]) * _e3499)), (_e3546[2] + ((_e3552[2] - _e3546[2]) * _e3499))), 1u);
-                                    let _e3577 = (((_e3566[0] * _e3566[0]) + (_e3566[1] * _e3566[1])) + (_e3566[2] * _e3566[2]));
-                                    if (_e3577 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e3577 > 0f) {
-                                            phi_2307_ = (0.000000000000000000106433627f * 2f);
+                                    let _e4825 = phi_3565_;
+                                    let _e4828 = local_12.member[0u];
+                                    let _e4834 = local_12.member[1u];
+                                    let _e4850 = local_12.member_1[0u];
+                                    let _e4856 = local_12.member_1[1u];
+                                    let _e4872 = local_12.member_2[0u];
+                                    let _e4878 = local_12.member_2[1u];
+                                    let _e4892 = function_2(array<f32, 3>((_e4828[0] + ((_e4834[0] - _e4828[0]) * _e4825)), (_e4828[1] + ((_e4834[1] - _e4828[1]) * _e4825)), (_e4828[2] + ((_e4834[2] - _e4828[2]) * _e4825))), array<f32, 3>((_e4850[0] + ((_e4856[0] - _e4850[0]) * _e4825)), (_e4850[1] + ((_e4856[1] - _e4850[1]) * _e4825)), (_e4850[2] + ((_e4856[2] - _e4850[2]) * _e4825))), array<f32, 3>((_e4872[0] + ((_e4878[0] - _e4872[0]) * _e4825)), (_e4872[1] + ((_e4878[1] - _e4872[1]) * _e4825)), (_e4872[2] + ((_e4878[2] - _e4872[2]) * _e4825))), 1u);
+                                    let _e4903 = (((_e4892[0] * _e4892[0]) + (_e4892[1] * _e4892[1])) + (_e4892[2] * _e4892[2]));
+                                    if (_e4903 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e4903 > 0f) {
+                                            phi_3688_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_2307_ = 0f;
+                                            phi_3688_ = 0f;
                                         }
-                                        let _e3630 = phi_2307_;
-                                        phi_2371_ = _e3630;
+                                        let _e4956 = phi_3688_;
+                                        phi_3752_ = _e4956;
                                     } else {
-                                        phi_2314_ = type_14(0i, 5i);
-                                        phi_2317_ = bitcast<f32>(((bitcast<u32>(_e3577) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3695_ = type_14(0i, 5i);
+                                        phi_3698_ = bitcast<f32>(((bitcast<u32>(_e4903) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e3585 = phi_2314_;
-                                            let _e3587 = phi_2317_;
-                                            local_41 = _e3587;
-                                            if (_e3585.member < _e3585.member_1) {
-                                                let _e3594 = (_e3585.member + 1i);
-                                                if ((false == (_e3594 > _e3585.member)) != false) {
-                                                    phi_2338_ = true;
+                                            let _e4911 = phi_3695_;
+                                            let _e4913 = phi_3698_;
+                                            local_27 = _e4913;
+                                            if (_e4911.member < _e4911.member_1) {
+                                                let _e4920 = (_e4911.member + 1i);
+                                                if ((false == (_e4920 > _e4911.member)) != false) {
+                                                    phi_3719_ = true;
                                                 } else {
-                                                    phi_2338_ = false;
+                                                    phi_3719_ = false;
                                                 }
-                                                let _e3599 = phi_2338_;
-                                                if _e3599 {
-                                                    phi_2344_ = type_15(0u, type_15().member_1);
+                                                let _e4925 = phi_3719_;
+                                                if _e4925 {
+                                                    phi_3725_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_2344_ = type_15(1u, _e3594);
+                                                    phi_3725_ = type_15(1u, _e4920);
                                                 }
-                                                let _e3604 = phi_2344_;
-                                                phi_2315_ = type_14(_e3604.member_1, _e3585.member_1);
-                                                phi_2358_ = type_15(1u, _e3585.member);
+                                                let _e4930 = phi_3725_;
+                                                phi_3696_ = type_14(_e4930.member_1, _e4911.member_1);
+                                                phi_3739_ = type_15(1u, _e4911.member);
                                             } else {
-                                                phi_2315_ = _e3585;
-                                                phi_2358_ = type_15(0u, type_15().member_1);
+                                                phi_3696_ = _e4911;
+                                                phi_3739_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e3610 = phi_2315_;
-                                            let _e3612 = phi_2358_;
-                                            let _e3615 = (bitcast<i32>(_e3612.member) != 0i);
-                                            if _e3615 {
-                                                phi_2318_ = (0.5f * (_e3587 + (_e3577 / _e3587)));
+                                            let _e4936 = phi_3696_;
+                                            let _e4938 = phi_3739_;
+                                            let _e4941 = (bitcast<i32>(_e4938.member) != 0i);
+                                            if _e4941 {
+                                                phi_3699_ = (0.5f * (_e4913 + (_e4903 / _e4913)));
                                             } else {
-                                                phi_2318_ = f32();
+                                                phi_3699_ = f32();
                                             }
-                                            let _e3620 = phi_2318_;
+                                            let _e4946 = phi_3699_;
                                             continue;
                                             continuing {
-                                                phi_2314_ = _e3610;
-                                                phi_2317_ = _e3620;
-                                                break if !(_e3615);
+                                                phi_3695_ = _e4936;
+                                                phi_3698_ = _e4946;
+                                                break if !(_e4941);
                                             }
                                         }
-                                        let _e3625 = local_41;
-                                        phi_2371_ = (_e3625 * (1f + (8f * 0.000000059604645f)));
+                                        let _e4951 = local_27;
+                                        phi_3752_ = (_e4951 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e3632 = phi_2371_;
-                                    let _e3638 = local_12.member[0u];
-                                    if (_e3638[0] < 0f) {
-                                        phi_2387_ = -(_e3638[0]);
+                                    let _e4958 = phi_3752_;
+                                    let _e4964 = local_12.member[0u];
+                                    if (_e4964[0] < 0f) {
+                                        phi_3768_ = -(_e4964[0]);
                                     } else {
-                                        phi_2387_ = _e3638[0];
+                                        phi_3768_ = _e4964[0];
                                     }
-                                    let _e3645 = phi_2387_;
-                                    if (_e3638[1] < 0f) {
-                                        phi_2394_ = -(_e3638[1]);
+                                    let _e4971 = phi_3768_;
+                                    if (_e4964[1] < 0f) {
+                                        phi_3775_ = -(_e4964[1]);
                                     } else {
-                                        phi_2394_ = _e3638[1];
+                                        phi_3775_ = _e4964[1];
                                     }
-                                    let _e3649 = phi_2394_;
-                                    if (_e3645 > _e3649) {
-                                        phi_2399_ = _e3645;
+                                    let _e4975 = phi_3775_;
+                                    if (_e4971 > _e4975) {
+                                        phi_3780_ = _e4971;
                                     } else {
-                                        phi_2399_ = _e3649;
+                                        phi_3780_ = _e4975;
                                     }
-                                    let _e3652 = phi_2399_;
-                                    if (_e3638[2] < 0f) {
-                                        phi_2406_ = -(_e3638[2]);
+                                    let _e4978 = phi_3780_;
+                                    if (_e4964[2] < 0f) {
+                                        phi_3787_ = -(_e4964[2]);
                                     } else {
-                                        phi_2406_ = _e3638[2];
+                                        phi_3787_ = _e4964[2];
                                     }
-                                    let _e3656 = phi_2406_;
-                                    if (_e3652 > _e3656) {
-                                        phi_2411_ = _e3652;
+                                    let _e4982 = phi_3787_;
+                                    if (_e4978 > _e4982) {
+                                        phi_3792_ = _e4978;
                                     } else {
-                                        phi_2411_ = _e3656;
+                                        phi_3792_ = _e4982;
                                     }
-                                    let _e3659 = phi_2411_;
-                                    let _e3662 = local_12.member[1u];
-                                    if (_e3662[0] < 0f) {
-                                        phi_2424_ = -(_e3662[0]);
+                                    let _e4985 = phi_3792_;
+                                    let _e4988 = local_12.member[1u];
+                                    if (_e4988[0] < 0f) {
+                                        phi_3805_ = -(_e4988[0]);
                                     } else {
-                                        phi_2424_ = _e3662[0];
+                                        phi_3805_ = _e4988[0];
                                     }
-                                    let _e3669 = phi_2424_;
-                                    if (_e3662[1] < 0f) {
-                                        phi_2431_ = -(_e3662[1]);
+                                    let _e4995 = phi_3805_;
+                                    if (_e4988[1] < 0f) {
+                                        phi_3812_ = -(_e4988[1]);
                                     } else {
-                                        phi_2431_ = _e3662[1];
+                                        phi_3812_ = _e4988[1];
                                     }
-                                    let _e3673 = phi_2431_;
-                                    if (_e3669 > _e3673) {
-                                        phi_2436_ = _e3669;
+                                    let _e4999 = phi_3812_;
+                                    if (_e4995 > _e4999) {
+                                        phi_3817_ = _e4995;
                                     } else {
-                                        phi_2436_ = _e3673;
+                                        phi_3817_ = _e4999;
                                     }
-                                    let _e3676 = phi_2436_;
-                                    if (_e3662[2] < 0f) {
-                                        phi_2443_ = -(_e3662[2]);
+                                    let _e5002 = phi_3817_;
+                                    if (_e4988[2] < 0f) {
+                                        phi_3824_ = -(_e4988[2]);
                                     } else {
-                                        phi_2443_ = _e3662[2];
+                                        phi_3824_ = _e4988[2];
                                     }
-                                    let _e3680 = phi_2443_;
-                                    if (_e3676 > _e3680) {
-                                        phi_2448_ = _e3676;
+                                    let _e5006 = phi_3824_;
+                                    if (_e5002 > _e5006) {
+                                        phi_3829_ = _e5002;
                                     } else {
-                                        phi_2448_ = _e3680;
+                                        phi_3829_ = _e5006;
                                     }
-                                    let _e3683 = phi_2448_;
-                                    if (_e3659 > _e3683) {
-                                        phi_2453_ = _e3659;
+                                    let _e5009 = phi_3829_;
+                                    if (_e4985 > _e5009) {
+                                        phi_3834_ = _e4985;
                                     } else {
-                                        phi_2453_ = _e3683;
+                                        phi_3834_ = _e5009;
                                     }
-                                    let _e3686 = phi_2453_;
-                                    let _e3688 = local_12.member_3;
-                                    let _e3692 = local_12.member_1[0u];
-                                    if (_e3692[0] < 0f) {
-                                        phi_2470_ = -(_e3692[0]);
+                                    let _e5012 = phi_3834_;
+                                    let _e5014 = local_12.member_3;
+                                    let _e5018 = local_12.member_1[0u];
+                                    if (_e5018[0] < 0f) {
+                                        phi_3851_ = -(_e5018[0]);
                                     } else {
-                                        phi_2470_ = _e3692[0];
+                                        phi_3851_ = _e5018[0];
                                     }
-                                    let _e3699 = phi_2470_;
-                                    if (_e3692[1] < 0f) {
-                                        phi_2477_ = -(_e3692[1]);
+                                    let _e5025 = phi_3851_;
+                                    if (_e5018[1] < 0f) {
+                                        phi_3858_ = -(_e5018[1]);
                                     } else {
-                                        phi_2477_ = _e3692[1];
+                                        phi_3858_ = _e5018[1];
                                     }
-                                    let _e3703 = phi_2477_;
-                                    if (_e3699 > _e3703) {
-                                        phi_2482_ = _e3699;
+                                    let _e5029 = phi_3858_;
+                                    if (_e5025 > _e5029) {
+                                        phi_3863_ = _e5025;
                                     } else {
-                                        phi_2482_ = _e3703;
+                                        phi_3863_ = _e5029;
                                     }
-                                    let _e3706 = phi_2482_;
-                                    if (_e3692[2] < 0f) {
-                                        phi_2489_ = -(_e3692[2]);
+                                    let _e5032 = phi_3863_;
+                                    if (_e5018[2] < 0f) {
+                                        phi_3870_ = -(_e5018[2]);
                                     } else {
-                                        phi_2489_ = _e3692[2];
+                                        phi_3870_ = _e5018[2];
                                     }
-                                    let _e3710 = phi_2489_;
-                                    if (_e3706 > _e3710) {
-                                        phi_2494_ = _e3706;
+                                    let _e5036 = phi_3870_;
+                                    if (_e5032 > _e5036) {
+                                        phi_3875_ = _e5032;
                                     } else {
-                                        phi_2494_ = _e3710;
+                                        phi_3875_ = _e5036;
                                     }
-                                    let _e3713 = phi_2494_;
-                                    let _e3716 = local_12.member_1[1u];
-                                    if (_e3716[0] < 0f) {
-                                        phi_2508_ = -(_e3716[0]);
+                                    let _e5039 = phi_3875_;
+                                    let _e5042 = local_12.member_1[1u];
+                                    if (_e5042[0] < 0f) {
+                                        phi_3889_ = -(_e5042[0]);
                                     } else {
-                                        phi_2508_ = _e3716[0];
+                                        phi_3889_ = _e5042[0];
                                     }
-                                    let _e3723 = phi_2508_;
-                                    if (_e3716[1] < 0f) {
-                                        phi_2515_ = -(_e3716[1]);
+                                    let _e5049 = phi_3889_;
+                                    if (_e5042[1] < 0f) {
+                                        phi_3896_ = -(_e5042[1]);
                                     } else {
-                                        phi_2515_ = _e3716[1];
+                                        phi_3896_ = _e5042[1];
                                     }
-                                    let _e3727 = phi_2515_;
-                                    if (_e3723 > _e3727) {
-                                        phi_2520_ = _e3723;
+                                    let _e5053 = phi_3896_;
+                                    if (_e5049 > _e5053) {
+                                        phi_3901_ = _e5049;
                                     } else {
-                                        phi_2520_ = _e3727;
+                                        phi_3901_ = _e5053;
                                     }
-                                    let _e3730 = phi_2520_;
-                                    if (_e3716[2] < 0f) {
-                                        phi_2527_ = -(_e3716[2]);
+                                    let _e5056 = phi_3901_;
+                                    if (_e5042[2] < 0f) {
+                                        phi_3908_ = -(_e5042[2]);
                                     } else {
-                                        phi_2527_ = _e3716[2];
+                                        phi_3908_ = _e5042[2];
                                     }
-                                    let _e3734 = phi_2527_;
-                                    if (_e3730 > _e3734) {
-                                        phi_2532_ = _e3730;
+                                    let _e5060 = phi_3908_;
+                                    if (_e5056 > _e5060) {
+                                        phi_3913_ = _e5056;
                                     } else {
-                                        phi_2532_ = _e3734;
+                                        phi_3913_ = _e5060;
                                     }
-                                    let _e3737 = phi_2532_;
-                                    if (_e3713 > _e3737) {
-                                        phi_2537_ = _e3713;
+                                    let _e5063 = phi_3913_;
+                                    if (_e5039 > _e5063) {
+                                        phi_3918_ = _e5039;
                                     } else {
-                                        phi_2537_ = _e3737;
+                                        phi_3918_ = _e5063;
                                     }
-                                    let _e3740 = phi_2537_;
-                                    let _e3742 = local_12.member_3;
-                                    let _e3746 = local_12.member_2[0u];
-                                    if (_e3746[0] < 0f) {
-                                        phi_2554_ = -(_e3746[0]);
+                                    let _e5066 = phi_3918_;
+                                    let _e5068 = local_12.member_3;
+                                    let _e5072 = local_12.member_2[0u];
+                                    if (_e5072[0] < 0f) {
+                                        phi_3935_ = -(_e5072[0]);
                                     } else {
-                                        phi_2554_ = _e3746[0];
+                                        phi_3935_ = _e5072[0];
                                     }
-                                    let _e3753 = phi_2554_;
-                                    if (_e3746[1] < 0f) {
-                                        phi_2561_ = -(_e3746[1]);
+                                    let _e5079 = phi_3935_;
+                                    if (_e5072[1] < 0f) {
+                                        phi_3942_ = -(_e5072[1]);
                                     } else {
-                                        phi_2561_ = _e3746[1];
+                                        phi_3942_ = _e5072[1];
                                     }
-                                    let _e3757 = phi_2561_;
-                                    if (_e3753 > _e3757) {
-                                        phi_2566_ = _e3753;
+                                    let _e5083 = phi_3942_;
+                                    if (_e5079 > _e5083) {
+                                        phi_3947_ = _e5079;
                                     } else {
-                                        phi_2566_ = _e3757;
+                                        phi_3947_ = _e5083;
                                     }
-                                    let _e3760 = phi_2566_;
-                                    if (_e3746[2] < 0f) {
-                                        phi_2573_ = -(_e3746[2]);
+                                    let _e5086 = phi_3947_;
+                                    if (_e5072[2] < 0f) {
+                                        phi_3954_ = -(_e5072[2]);
                                     } else {
-                                        phi_2573_ = _e3746[2];
+                                        phi_3954_ = _e5072[2];
                                     }
-                                    let _e3764 = phi_2573_;
-                                    if (_e3760 > _e3764) {
-                                        phi_2578_ = _e3760;
+                                    let _e5090 = phi_3954_;
+                                    if (_e5086 > _e5090) {
+                                        phi_3959_ = _e5086;
                                     } else {
-                                        phi_2578_ = _e3764;
+                                        phi_3959_ = _e5090;
                                     }
-                                    let _e3767 = phi_2578_;
-                                    let _e3770 = local_12.member_2[1u];
-                                    if (_e3770[0] < 0f) {
-                                        phi_2592_ = -(_e3770[0]);
+                                    let _e5093 = phi_3959_;
+                                    let _e5096 = local_12.member_2[1u];
+                                    if (_e5096[0] < 0f) {
+                                        phi_3973_ = -(_e5096[0]);
                                     } else {
-                                        phi_2592_ = _e3770[0];
+                                        phi_3973_ = _e5096[0];
                                     }
-                                    let _e3777 = phi_2592_;
-                                    if (_e3770[1] < 0f) {
-                                        phi_2599_ = -(_e3770[1]);
+                                    let _e5103 = phi_3973_;
+                                    if (_e5096[1] < 0f) {
+                                        phi_3980_ = -(_e5096[1]);
                                     } else {
-                                        phi_2599_ = _e3770[1];
+                                        phi_3980_ = _e5096[1];
                                     }
-                                    let _e3781 = phi_2599_;
-                                    if (_e3777 > _e3781) {
-                                        phi_2604_ = _e3777;
+                                    let _e5107 = phi_3980_;
+                                    if (_e5103 > _e5107) {
+                                        phi_3985_ = _e5103;
                                     } else {
-                                        phi_2604_ = _e3781;
+                                        phi_3985_ = _e5107;
                                     }
-                                    let _e3784 = phi_2604_;
-                                    if (_e3770[2] < 0f) {
-                                        phi_2611_ = -(_e3770[2]);
+                                    let _e5110 = phi_3985_;
+                                    if (_e5096[2] < 0f) {
+                                        phi_3992_ = -(_e5096[2]);
                                     } else {
-                                        phi_2611_ = _e3770[2];
+                                        phi_3992_ = _e5096[2];
                                     }
-                                    let _e3788 = phi_2611_;
-                                    if (_e3784 > _e3788) {
-                                        phi_2616_ = _e3784;
+                                    let _e5114 = phi_3992_;
+                                    if (_e5110 > _e5114) {
+                                        phi_3997_ = _e5110;
                                     } else {
-                                        phi_2616_ = _e3788;
+                                        phi_3997_ = _e5114;
                                     }
-                                    let _e3791 = phi_2616_;
-                                    if (_e3767 > _e3791) {
-                                        phi_2621_ = _e3767;
+                                    let _e5117 = phi_3997_;
+                                    if (_e5093 > _e5117) {
+                                        phi_4002_ = _e5093;
                                     } else {
-                                        phi_2621_ = _e3791;
+                                        phi_4002_ = _e5117;
                                     }
-                                    let _e3794 = phi_2621_;
-                                    let _e3796 = local_12.member_3;
-                                    let _e3803 = local_12.member_3;
-                                    let _e3810 = (((_e3632 * (1f + (0.000000059604645f * 8f))) + (((((((_e3686 + _e3688) + (_e3740 + _e3742)) + (_e3794 + _e3796)) * (0.000000059604645f * 16f)) + (_e3803 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e250);
-                                    if _e3810 {
-                                        phi_2641_ = false;
+                                    let _e5120 = phi_4002_;
+                                    let _e5122 = local_12.member_3;
+                                    let _e5129 = local_12.member_3;
+                                    let _e5136 = (((_e4958 * (1f + (0.000000059604645f * 8f))) + (((((((_e5012 + _e5014) + (_e5066 + _e5068)) + (_e5120 + _e5122)) * (0.000000059604645f * 16f)) + (_e5129 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1);
+                                    if _e5136 {
+                                        phi_4022_ = false;
                                     } else {
-                                        phi_2641_ = true;
+                                        phi_4022_ = true;
                                     }
-                                    let _e3812 = phi_2641_;
-                                    phi_2642_ = _e3812;
-                                    phi_2643_ = _e3810;
+                                    let _e5138 = phi_4022_;
+                                    phi_4023_ = _e5138;
+                                    phi_4024_ = _e5136;
                                 } else {
-                                    phi_2642_ = false;
-                                    phi_2643_ = false;
+                                    phi_4023_ = false;
+                                    phi_4024_ = false;
                                 }
-                                let _e3814 = phi_2642_;
-                                let _e3816 = phi_2643_;
-                                local_42 = _e3816;
+                                let _e5140 = phi_4023_;
+                                let _e5142 = phi_4024_;
+                                local_28 = _e5142;
                                 continue;
                                 continuing {
-                                    phi_2140_ = _e3487;
-                                    break if !(_e3814);
+                                    phi_3521_ = _e4813;
+                                    break if !(_e5140);
                                 }
                             }
-                            let _e3819 = local_42;
-                            if _e3819 {
-                                phi_2648_ = type_34(1u, _e3463.member_1);
-                                phi_2649_ = false;
+                            let _e5145 = local_28;
+                            if _e5145 {
+                                phi_4029_ = type_35(1u, _e4789.member_1);
+                                phi_4030_ = false;
                             } else {
-                                phi_2648_ = type_34();
-                                phi_2649_ = true;
+                                phi_4029_ = type_35();
+                                phi_4030_ = true;
                             }
-                            let _e3822 = phi_2648_;
-                            let _e3824 = phi_2649_;
-                            if _e3824 {
-                                phi_2654_ = type_34(2u, _e3463.member_1);
-                                phi_2655_ = false;
+                            let _e5148 = phi_4029_;
+                            let _e5150 = phi_4030_;
+                            if _e5150 {
+                                phi_4035_ = type_35(2u, _e4789.member_1);
+                                phi_4036_ = false;
                             } else {
-                                phi_2654_ = type_34();
-                                phi_2655_ = true;
+                                phi_4035_ = type_35();
+                                phi_4036_ = true;
                             }
-                            let _e3827 = phi_2654_;
-                            let _e3829 = phi_2655_;
-                            phi_2657_ = _e3827;
-                            phi_2658_ = _e3822;
-                            phi_2659_ = _e3829;
+                            let _e5153 = phi_4035_;
+                            let _e5155 = phi_4036_;
+                            phi_4038_ = _e5153;
+                            phi_4039_ = _e5148;
+                            phi_4040_ = _e5155;
                         } else {
-                            phi_2657_ = type_34();
-                            phi_2658_ = type_34(0u, type_34().member_1);
-                            phi_2659_ = true;
+                            phi_4038_ = type_35();
+                            phi_4039_ = type_35(0u, type_35().member_1);
+                            phi_4040_ = true;
                         }
-                        let _e3831 = phi_2657_;
-                        let _e3833 = phi_2658_;
-                        let _e3835 = phi_2659_;
-                        if _e3835 {
-                            phi_2663_ = _e3833;
+                        let _e5157 = phi_4038_;
+                        let _e5159 = phi_4039_;
+                        let _e5161 = phi_4040_;
+                        if _e5161 {
+                            phi_4044_ = _e5159;
                         } else {
-                            phi_2663_ = _e3831;
+                            phi_4044_ = _e5157;
                         }
-                        let _e3837 = phi_2663_;
-                        phi_5480_ = _e3837;
+                        let _e5163 = phi_4044_;
+                        phi_7926_ = _e5163;
                     } else {
-                        if (_e348 < 0f) {
-                            phi_2673_ = -(_e348);
+                        if (_e593 < 0f) {
+                            phi_4054_ = -(_e593);
                         } else {
-                            phi_2673_ = _e348;
+                            phi_4054_ = _e593;
                         }
-                        let _e691 = phi_2673_;
-                        if (_e371 < 0f) {
-                            phi_2679_ = -(_e371);
+                        let _e936 = phi_4054_;
+                        if (_e616 < 0f) {
+                            phi_4060_ = -(_e616);
                         } else {
-                            phi_2679_ = _e371;
+                            phi_4060_ = _e616;
                         }
-                        let _e695 = phi_2679_;
-                        if (_e691 > _e695) {
-                            phi_2684_ = _e691;
+                        let _e940 = phi_4060_;
+                        if (_e936 > _e940) {
+                            phi_4065_ = _e936;
                         } else {
-                            phi_2684_ = _e695;
+                            phi_4065_ = _e940;
                         }
-                        let _e698 = phi_2684_;
-                        if (_e394 < 0f) {
-                            phi_2690_ = -(_e394);
+                        let _e943 = phi_4065_;
+                        if (_e639 < 0f) {
+                            phi_4071_ = -(_e639);
                         } else {
-                            phi_2690_ = _e394;
+                            phi_4071_ = _e639;
                         }
-                        let _e702 = phi_2690_;
-                        if (_e405 < 0f) {
-                            phi_2696_ = -(_e405);
+                        let _e947 = phi_4071_;
+                        if (_e650 < 0f) {
+                            phi_4077_ = -(_e650);
                         } else {
-                            phi_2696_ = _e405;
+                            phi_4077_ = _e650;
                         }
-                        let _e706 = phi_2696_;
-                        if (_e702 > _e706) {
-                            phi_2701_ = _e702;
+                        let _e951 = phi_4077_;
+                        if (_e947 > _e951) {
+                            phi_4082_ = _e947;
                         } else {
-                            phi_2701_ = _e706;
+                            phi_4082_ = _e951;
                         }
-                        let _e709 = phi_2701_;
-                        if (_e698 > _e709) {
-                            phi_2706_ = _e698;
+                        let _e954 = phi_4082_;
+                        if (_e943 > _e954) {
+                            phi_4087_ = _e943;
                         } else {
-                            phi_2706_ = _e709;
+                            phi_4087_ = _e954;
                         }
-                        let _e712 = phi_2706_;
-                        let _e713 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                        if (_e712 >= _e713) {
-                            phi_2714_ = (_e712 <= (1f / _e713));
+                        let _e957 = phi_4087_;
+                        let _e958 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e957 >= _e958) {
+                            phi_4095_ = (_e957 <= (1f / _e958));
                         } else {
-                            phi_2714_ = false;
+                            phi_4095_ = false;
                         }
-                        let _e718 = phi_2714_;
-                        if _e718 {
-                            phi_2719_ = (0.000000059604645f * 256f);
+                        let _e963 = phi_4095_;
+                        if _e963 {
+                            phi_4100_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_2719_ = 2f;
+                            phi_4100_ = 2f;
                         }
-                        let _e721 = phi_2719_;
-                        let _e723 = ((_e655 * 0.34f) + (_e712 * _e721));
-                        if _e718 {
-                            phi_2726_ = (1f / _e712);
+                        let _e966 = phi_4100_;
+                        let _e968 = ((_e900 * 0.34f) + (_e957 * _e966));
+                        if _e963 {
+                            phi_4107_ = (1f / _e957);
                         } else {
-                            phi_2726_ = 0f;
+                            phi_4107_ = 0f;
                         }
-                        let _e726 = phi_2726_;
-                        let _e732 = ((_e371 - (3f * _e348)) * _e726);
-                        let _e733 = ((_e394 - _e371) * _e726);
-                        let _e734 = (((3f * _e405) - _e394) * _e726);
+                        let _e971 = phi_4107_;
+                        let _e977 = ((_e616 - (3f * _e593)) * _e971);
+                        let _e978 = ((_e639 - _e616) * _e971);
+                        let _e979 = (((3f * _e650) - _e639) * _e971);
                         local_6[0u] = 0f;
                         local_6[1u] = 1f;
                         local_6[2u] = 1f;
                         local_6[3u] = 1f;
-                        let _e741 = ((_e733 * _e733) - (_e732 * _e734));
-                        if (_e741 > 0f) {
-                            if (_e741 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e741 > 0f) {
-                                    phi_2759_ = (0.000000000000000000106433627f * 2f);
+                        let _e986 = ((_e978 * _e978) - (_e977 * _e979));
+                        if (_e986 > 0f) {
+                            if (_e986 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e986 > 0f) {
+                                    phi_4140_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_2759_ = 0f;
+                                    phi_4140_ = 0f;
                                 }
-                                let _e795 = phi_2759_;
-                                phi_2823_ = _e795;
+                                let _e1040 = phi_4140_;
+                                phi_4204_ = _e1040;
                             } else {
-                                phi_2766_ = type_14(0i, 5i);
-                                phi_2769_ = bitcast<f32>(((bitcast<u32>(_e741) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_4147_ = type_14(0i, 5i);
+                                phi_4150_ = bitcast<f32>(((bitcast<u32>(_e986) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e750 = phi_2766_;
-                                    let _e752 = phi_2769_;
-                                    local_13 = _e752;
-                                    if (_e750.member < _e750.member_1) {
-                                        let _e759 = (_e750.member + 1i);
-                                        if ((false == (_e759 > _e750.member)) != false) {
-                                            phi_2790_ = true;
+                                    let _e995 = phi_4147_;
+                                    let _e997 = phi_4150_;
+                                    local_13 = _e997;
+                                    if (_e995.member < _e995.member_1) {
+                                        let _e1004 = (_e995.member + 1i);
+                                        if ((false == (_e1004 > _e995.member)) != false) {
+                                            phi_4171_ = true;
                                         } else {
-                                            phi_2790_ = false;
+                                            phi_4171_ = false;
                                         }
-                                        let _e764 = phi_2790_;
-                                        if _e764 {
-                                            phi_2796_ = type_15(0u, type_15().member_1);
+                                        let _e1009 = phi_4171_;
+                                        if _e1009 {
+                                            phi_4177_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_2796_ = type_15(1u, _e759);
+                                            phi_4177_ = type_15(1u, _e1004);
                                         }
-                                        let _e769 = phi_2796_;
-                                        phi_2767_ = type_14(_e769.member_1, _e750.member_1);
-                                        phi_2810_ = type_15(1u, _e750.member);
+                                        let _e1014 = phi_4177_;
+                                        phi_4148_ = type_14(_e1014.member_1, _e995.member_1);
+                                        phi_4191_ = type_15(1u, _e995.member);
                                     } else {
-                                        phi_2767_ = _e750;
-                                        phi_2810_ = type_15(0u, type_15().member_1);
+                                        phi_4148_ = _e995;
+                                        phi_4191_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e775 = phi_2767_;
-                                    let _e777 = phi_2810_;
-                                    let _e780 = (bitcast<i32>(_e777.member) != 0i);
-                                    if _e780 {
-                                        phi_2770_ = (0.5f * (_e752 + (_e741 / _e752)));
+                                    let _e1020 = phi_4148_;
+                                    let _e1022 = phi_4191_;
+                                    let _e1025 = (bitcast<i32>(_e1022.member) != 0i);
+                                    if _e1025 {
+                                        phi_4151_ = (0.5f * (_e997 + (_e986 / _e997)));
                                     } else {
-                                        phi_2770_ = f32();
+                                        phi_4151_ = f32();
                                     }
-                                    let _e785 = phi_2770_;
+                                    let _e1030 = phi_4151_;
                                     continue;
                                     continuing {
-                                        phi_2766_ = _e775;
-                                        phi_2769_ = _e785;
-                                        break if !(_e780);
+                                        phi_4147_ = _e1020;
+                                        phi_4150_ = _e1030;
+                                        break if !(_e1025);
                                     }
                                 }
-                                let _e790 = local_13;
-                                phi_2823_ = (_e790 * (1f + (8f * 0.000000059604645f)));
+                                let _e1035 = local_13;
+                                phi_4204_ = (_e1035 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e797 = phi_2823_;
-                            if (_e733 < 0f) {
-                                phi_2829_ = -(_e797);
+                            let _e1042 = phi_4204_;
+                            if (_e978 < 0f) {
+                                phi_4210_ = -(_e1042);
                             } else {
-                                phi_2829_ = _e797;
+                                phi_4210_ = _e1042;
                             }
-                            let _e801 = phi_2829_;
-                            let _e803 = -((_e733 + _e801));
-                            local_7[0u] = (_e803 / (_e803 + _e734));
-                            local_7[1u] = (_e732 / (_e732 + _e803));
-                            let _e812 = local_7[1u];
-                            let _e813 = local_7[0u];
-                            if (_e812 < _e813) {
-                                let _e816 = local_7[1u];
-                                let _e818 = local_7[0u];
-                                local_7[0u] = _e816;
-                                local_7[1u] = _e818;
+                            let _e1046 = phi_4210_;
+                            let _e1048 = -((_e978 + _e1046));
+                            local_7[0u] = (_e1048 / (_e1048 + _e979));
+                            local_7[1u] = (_e977 / (_e977 + _e1048));
+                            let _e1057 = local_7[1u];
+                            let _e1058 = local_7[0u];
+                            if (_e1057 < _e1058) {
+                                let _e1061 = local_7[1u];
+                                let _e1063 = local_7[0u];
+                                local_7[0u] = _e1061;
+                                local_7[1u] = _e1063;
                             }
-                            phi_2854_ = type_9(0u, 2u);
-                            phi_2857_ = 1u;
+                            phi_4235_ = type_9(0u, 2u);
+                            phi_4238_ = 1u;
                             loop {
-                                let _e822 = phi_2854_;
-                                let _e824 = phi_2857_;
-                                local_43 = _e824;
-                                if (_e822.member < _e822.member_1) {
-                                    phi_2855_ = type_9((_e822.member + 1u), _e822.member_1);
-                                    phi_2880_ = type_9(1u, _e822.member);
+                                let _e1067 = phi_4235_;
+                                let _e1069 = phi_4238_;
+                                local_29 = _e1069;
+                                if (_e1067.member < _e1067.member_1) {
+                                    phi_4236_ = type_9((_e1067.member + 1u), _e1067.member_1);
+                                    phi_4261_ = type_9(1u, _e1067.member);
                                 } else {
-                                    phi_2855_ = _e822;
-                                    phi_2880_ = type_9(0u, type_9().member_1);
+                                    phi_4236_ = _e1067;
+                                    phi_4261_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e836 = phi_2855_;
-                                let _e838 = phi_2880_;
-                                let _e842 = (bitcast<i32>(_e838.member) != 0i);
-                                if _e842 {
-                                    let _e844 = local_7[_e838.member_1];
-                                    if (_e844 > 0f) {
-                                        let _e847 = local_7[_e838.member_1];
-                                        if (_e847 < 1f) {
-                                            let _e850 = local_7[_e838.member_1];
-                                            local_6[_e824] = _e850;
-                                            phi_2924_ = (_e824 + 1u);
+                                let _e1081 = phi_4236_;
+                                let _e1083 = phi_4261_;
+                                let _e1087 = (bitcast<i32>(_e1083.member) != 0i);
+                                if _e1087 {
+                                    let _e1089 = local_7[_e1083.member_1];
+                                    if (_e1089 > 0f) {
+                                        let _e1092 = local_7[_e1083.member_1];
+                                        if (_e1092 < 1f) {
+                                            let _e1095 = local_7[_e1083.member_1];
+                                            local_6[_e1069] = _e1095;
+                                            phi_4305_ = (_e1069 + 1u);
                                         } else {
-                                            phi_2924_ = _e824;
+                                            phi_4305_ = _e1069;
                                         }
-                                        let _e854 = phi_2924_;
-                                        phi_2925_ = _e854;
+                                        let _e1099 = phi_4305_;
+                                        phi_4306_ = _e1099;
                                     } else {
-                                        phi_2925_ = _e824;
+                                        phi_4306_ = _e1069;
                                     }
-                                    let _e856 = phi_2925_;
-                                    phi_2858_ = _e856;
+                                    let _e1101 = phi_4306_;
+                                    phi_4239_ = _e1101;
                                 } else {
-                                    phi_2858_ = u32();
+                                    phi_4239_ = u32();
                                 }
-                                let _e858 = phi_2858_;
+                                let _e1103 = phi_4239_;
                                 continue;
                                 continuing {
-                                    phi_2854_ = _e836;
-                                    phi_2857_ = _e858;
-                                    break if !(_e842);
+                                    phi_4235_ = _e1081;
+                                    phi_4238_ = _e1103;
+                                    break if !(_e1087);
                                 }
                             }
-                            let _e4051 = local_43;
-                            phi_2926_ = _e4051;
+                            let _e5423 = local_29;
+                            phi_4307_ = _e5423;
                         } else {
-                            phi_2926_ = 1u;
+                            phi_4307_ = 1u;
                         }
-                        let _e861 = phi_2926_;
-                        local_6[_e861] = 1f;
-                        let _e863 = local_6;
-                        local_8 = _e863;
-                        phi_2946_ = type_9(0u, _e861);
+                        let _e1106 = phi_4307_;
+                        local_6[_e1106] = 1f;
+                        let _e1108 = local_6;
+                        local_8 = _e1108;
+                        phi_4327_ = type_9(0u, _e1106);
                         loop {
-                            let _e866 = phi_2946_;
-                            if (_e866.member < _e866.member_1) {
-                                phi_2947_ = type_9((_e866.member + 1u), _e866.member_1);
-                                phi_2970_ = type_9(1u, _e866.member);
+                            let _e1111 = phi_4327_;
+                            if (_e1111.member < _e1111.member_1) {
+                                phi_4328_ = type_9((_e1111.member + 1u), _e1111.member_1);
+                                phi_4351_ = type_9(1u, _e1111.member);
                             } else {
-                                phi_2947_ = _e866;
-                                phi_2970_ = type_9(0u, type_9().member_1);
+                                phi_4328_ = _e1111;
+                                phi_4351_ = type_9(0u, type_9().member_1);
                             }
-                            let _e878 = phi_2947_;
-                            let _e880 = phi_2970_;
-                            if (bitcast<i32>(_e880.member) != 0i) {
-                                let _e886 = local_8[_e880.member_1];
-                                let _e889 = local_8[(_e880.member_1 + 1u)];
-                                let _e890 = (1f - _e886);
-                                let _e901 = ((((_e348 * _e890) + (_e371 * _e886)) * (_e890 * _e890)) + (((_e394 * _e890) + (_e405 * _e886)) * (_e886 * _e886)));
-                                let _e902 = (1f - _e889);
-                                let _e913 = ((((_e348 * _e902) + (_e371 * _e889)) * (_e902 * _e902)) + (((_e394 * _e902) + (_e405 * _e889)) * (_e889 * _e889)));
-                                if (_e901 < 0f) {
-                                    phi_3022_ = -(_e901);
+                            let _e1123 = phi_4328_;
+                            let _e1125 = phi_4351_;
+                            if (bitcast<i32>(_e1125.member) != 0i) {
+                                let _e1131 = local_8[_e1125.member_1];
+                                let _e1134 = local_8[(_e1125.member_1 + 1u)];
+                                let _e1135 = (1f - _e1131);
+                                let _e1146 = ((((_e593 * _e1135) + (_e616 * _e1131)) * (_e1135 * _e1135)) + (((_e639 * _e1135) + (_e650 * _e1131)) * (_e1131 * _e1131)));
+                                let _e1147 = (1f - _e1134);
+                                let _e1158 = ((((_e593 * _e1147) + (_e616 * _e1134)) * (_e1147 * _e1147)) + (((_e639 * _e1147) + (_e650 * _e1134)) * (_e1134 * _e1134)));
+                                if (_e1146 < 0f) {
+                                    phi_4403_ = -(_e1146);
                                 } else {
-                                    phi_3022_ = _e901;
+                                    phi_4403_ = _e1146;
                                 }
-                                let _e917 = phi_3022_;
-                                let _e918 = (_e917 > _e723);
-                                if (_e913 < 0f) {
-                                    phi_3029_ = -(_e913);
+                                let _e1162 = phi_4403_;
+                                let _e1163 = (_e1162 > _e968);
+                                if (_e1158 < 0f) {
+                                    phi_4410_ = -(_e1158);
                                 } else {
-                                    phi_3029_ = _e913;
+                                    phi_4410_ = _e1158;
                                 }
-                                let _e922 = phi_3029_;
-                                let _e923 = (_e922 > _e723);
-                                if _e918 {
-                                    if _e923 {
-                                        phi_3040_ = ((_e901 > 0f) != (_e913 > 0f));
-                                        phi_3041_ = false;
+                                let _e1167 = phi_4410_;
+                                let _e1168 = (_e1167 > _e968);
+                                if _e1163 {
+                                    if _e1168 {
+                                        phi_4421_ = ((_e1146 > 0f) != (_e1158 > 0f));
+                                        phi_4422_ = false;
                                     } else {
-                                        phi_3040_ = bool();
-                                        phi_3041_ = true;
+                                        phi_4421_ = bool();
+                                        phi_4422_ = true;
                                     }
-                                    let _e928 = phi_3040_;
-                                    let _e930 = phi_3041_;
-                                    phi_3042_ = _e928;
-                                    phi_3043_ = _e930;
+                                    let _e1173 = phi_4421_;
+                                    let _e1175 = phi_4422_;
+                                    phi_4423_ = _e1173;
+                                    phi_4424_ = _e1175;
                                 } else {
-                                    phi_3042_ = bool();
-                                    phi_3043_ = true;
+                                    phi_4423_ = bool();
+                                    phi_4424_ = true;
                                 }
-                                let _e932 = phi_3042_;
-                                let _e934 = phi_3043_;
-                                if _e934 {
-                                    phi_3047_ = false;
+                                let _e1177 = phi_4423_;
+                                let _e1179 = phi_4424_;
+                                if _e1179 {
+                                    phi_4428_ = false;
                                 } else {
-                                    phi_3047_ = _e932;
+                                    phi_4428_ = _e1177;
                                 }
-                                let _e936 = phi_3047_;
-                                if _e918 {
-                                    if _e923 {
-                                        if _e936 {
-                                            phi_3058_ = type_35();
+                                let _e1181 = phi_4428_;
+                                if _e1163 {
+                                    if _e1168 {
+                                        if _e1181 {
+                                            phi_4439_ = type_37();
                                         } else {
-                                            phi_3058_ = type_35(1f, 0f, _e936);
+                                            phi_4439_ = type_37(1f, 0f, _e1181);
                                         }
-                                        let _e939 = phi_3058_;
-                                        phi_3059_ = _e939;
-                                        phi_3060_ = _e936;
+                                        let _e1184 = phi_4439_;
+                                        phi_4440_ = _e1184;
+                                        phi_4441_ = _e1181;
                                     } else {
-                                        phi_3059_ = type_35();
-                                        phi_3060_ = true;
+                                        phi_4440_ = type_37();
+                                        phi_4441_ = true;
                                     }
-                                    let _e941 = phi_3059_;
-                                    let _e943 = phi_3060_;
-                                    phi_3061_ = _e941;
-                                    phi_3062_ = _e943;
+                                    let _e1186 = phi_4440_;
+                                    let _e1188 = phi_4441_;
+                                    phi_4442_ = _e1186;
+                                    phi_4443_ = _e1188;
                                 } else {
-                                    phi_3061_ = type_35();
-                                    phi_3062_ = true;
+                                    phi_4442_ = type_37();
+                                    phi_4443_ = true;
                                 }
-                                let _e945 = phi_3061_;
-                                let _e947 = phi_3062_;
-                                if _e947 {
-                                    if _e918 {
-                                        if (_e901 < 0f) {
-                                            phi_3073_ = -1f;
+                                let _e1190 = phi_4442_;
+                                let _e1192 = phi_4443_;
+                                if _e1192 {
+                                    if _e1163 {
+                                        if (_e1146 < 0f) {
+                                            phi_4454_ = -1f;
                                         } else {
-                                            phi_3073_ = 1f;
+                                            phi_4454_ = 1f;
                                         }
-                                        let _e950 = phi_3073_;
-                                        let _e953 = (_e394 - _e371);
-                                        phi_3083_ = type_9(0u, 64u);
-                                        phi_3086_ = _e889;
-                                        phi_3088_ = _e886;
-                                        phi_3090_ = (0.5f * (_e886 + _e889));
+                                        let _e1195 = phi_4454_;
+                                        let _e1198 = (_e639 - _e616);
+                                        phi_4464_ = type_9(0u, 64u);
+                                        phi_4467_ = _e1134;
+                                        phi_4469_ = _e1131;
+                                        phi_4471_ = (0.5f * (_e1131 + _e1134));
                                         loop {
-                                            let _e959 = phi_3083_;
-                                            let _e961 = phi_3086_;
-                                            let _e963 = phi_3088_;
-                                            let _e965 = phi_3090_;
-                                            local_45 = _e963;
-                                            if (_e959.member < _e959.member_1) {
-                                                phi_3084_ = type_9((_e959.member + 1u), _e959.member_1);
-                                                phi_3113_ = type_9(1u, _e959.member);
+                                            let _e1204 = phi_4464_;
+                                            let _e1206 = phi_4467_;
+                                            let _e1208 = phi_4469_;
+                                            let _e1210 = phi_4471_;
+                                            local_31 = _e1208;
+                                            if (_e1204.member < _e1204.member_1) {
+                                                phi_4465_ = type_9((_e1204.member + 1u), _e1204.member_1);
+                                                phi_4494_ = type_9(1u, _e1204.member);
                                             } else {
-                                                phi_3084_ = _e959;
-                                                phi_3113_ = type_9(0u, type_9().member_1);
+                                                phi_4465_ = _e1204;
+                                                phi_4494_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e977 = phi_3084_;
-                                            let _e979 = phi_3113_;
-                                            if (bitcast<i32>(_e979.member) != 0i) {
-                                                let _e983 = (1f - _e965);
-                                                let _e996 = ((_e950 * ((((_e348 * _e983) + (_e371 * _e965)) * (_e983 * _e983)) + (((_e394 * _e983) + (_e405 * _e965)) * (_e965 * _e965)))) - _e723);
-                                                if (_e996 > 0f) {
-                                                    phi_3138_ = _e961;
-                                                    phi_3139_ = _e965;
+                                            let _e1222 = phi_4465_;
+                                            let _e1224 = phi_4494_;
+                                            if (bitcast<i32>(_e1224.member) != 0i) {
+                                                let _e1228 = (1f - _e1210);
+                                                let _e1241 = ((_e1195 * ((((_e593 * _e1228) + (_e616 * _e1210)) * (_e1228 * _e1228)) + (((_e639 * _e1228) + (_e650 * _e1210)) * (_e1210 * _e1210)))) - _e968);
+                                                if (_e1241 > 0f) {
+                                                    phi_4519_ = _e1206;
+                                                    phi_4520_ = _e1210;
                                                 } else {
-                                                    phi_3138_ = _e965;
-                                                    phi_3139_ = _e963;
+                                                    phi_4519_ = _e1210;
+                                                    phi_4520_ = _e1208;
                                                 }
-                                                let _e999 = phi_3138_;
-                                                let _e1001 = phi_3139_;
-                                                let _e1003 = ((_e999 - _e1001) > 0.00000000000022737368f);
-                                                if _e1003 {
-                                                    let _e1004 = (1f - _e965);
-                                                    let _e1016 = (-(_e996) / (_e950 * (((((_e371 - (3f * _e348)) * _e1004) + (_e953 * _e965)) * _e1004) + (((_e953 * _e1004) + (((3f * _e405) - _e394) * _e965)) * _e965))));
-                                                    if (_e996 > 0f) {
-                                                        phi_3165_ = (0.5f * 0.00000000000022737368f);
+                                                let _e1244 = phi_4519_;
+                                                let _e1246 = phi_4520_;
+                                                let _e1248 = ((_e1244 - _e1246) > 0.00000000000022737368f);
+                                                if _e1248 {
+                                                    let _e1249 = (1f - _e1210);
+                                                    let _e1261 = (-(_e1241) / (_e1195 * (((((_e616 - (3f * _e593)) * _e1249) + (_e1198 * _e1210)) * _e1249) + (((_e1198 * _e1249) + (((3f * _e650) - _e639) * _e1210)) * _e1210))));
+                                                    if (_e1241 > 0f) {
+                                                        phi_4546_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_3165_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_4546_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1022 = phi_3165_;
-                                                    let _e1024 = ((_e965 + _e1016) + _e1022);
-                                                    if (_e1024 > _e1001) {
-                                                        if (_e1024 < _e999) {
-                                                            if (_e1016 < 0f) {
-                                                                phi_3181_ = -(_e1016);
+                                                    let _e1267 = phi_4546_;
+                                                    let _e1269 = ((_e1210 + _e1261) + _e1267);
+                                                    if (_e1269 > _e1246) {
+                                                        if (_e1269 < _e1244) {
+                                                            if (_e1261 < 0f) {
+                                                                phi_4562_ = -(_e1261);
                                                             } else {
-                                                                phi_3181_ = _e1016;
+                                                                phi_4562_ = _e1261;
                                                             }
-                                                            let _e1030 = phi_3181_;
-                                                            if (_e1030 < (0.5f * (_e999 - _e1001))) {
-                                                                phi_3188_ = false;
+                                                            let _e1275 = phi_4562_;
+                                                            if (_e1275 < (0.5f * (_e1244 - _e1246))) {
+                                                                phi_4569_ = false;
                                                             } else {
-                                                                phi_3188_ = true;
+                                                                phi_4569_ = true;
                                                             }
-                                                            let _e1035 = phi_3188_;
-                                                            phi_3189_ = _e1035;
+                                                            let _e1280 = phi_4569_;
+                                                            phi_4570_ = _e1280;
                                                         } else {
-                                                            phi_3189_ = true;
+                                                            phi_4570_ = true;
                                                         }
-                                                        let _e1037 = phi_3189_;
-                                                        phi_3190_ = _e1037;
+                                                        let _e1282 = phi_4570_;
+                                                        phi_4571_ = _e1282;
                                                     } else {
-                                                        phi_3190_ = true;
+                                                        phi_4571_ = true;
                                                     }
-                                                    let _e1039 = phi_3190_;
-                                                    if _e1039 {
-                                                        phi_3196_ = (0.5f * (_e1001 + _e999));
+                                                    let _e1284 = phi_4571_;
+                                                    if _e1284 {
+                                                        phi_4577_ = (0.5f * (_e1246 + _e1244));
                                                     } else {
-                                                        phi_3196_ = _e1024;
+                                                        phi_4577_ = _e1269;
                                                     }
-                                                    let _e1043 = phi_3196_;
-                                                    phi_3197_ = _e1043;
-                                                    phi_3198_ = false;
+                                                    let _e1288 = phi_4577_;
+                                                    phi_4578_ = _e1288;
+                                                    phi_4579_ = false;
                                                 } else {
-                                                    phi_3197_ = f32();
-                                                    phi_3198_ = true;
+                                                    phi_4578_ = f32();
+                                                    phi_4579_ = true;
                                                 }
-                                                let _e1045 = phi_3197_;
-                                                let _e1047 = phi_3198_;
-                                                phi_3087_ = _e999;
-                                                phi_3089_ = _e1001;
-                                                phi_3091_ = _e1045;
-                                                phi_3199_ = _e1001;
-                                                phi_3200_ = _e1003;
-                                                phi_3201_ = _e1047;
+                                                let _e1290 = phi_4578_;
+                                                let _e1292 = phi_4579_;
+                                                phi_4468_ = _e1244;
+                                                phi_4470_ = _e1246;
+                                                phi_4472_ = _e1290;
+                                                phi_4580_ = _e1246;
+                                                phi_4581_ = _e1248;
+                                                phi_4582_ = _e1292;
                                             } else {
-                                                phi_3087_ = f32();
-                                                phi_3089_ = f32();
-                                                phi_3091_ = f32();
-                                                phi_3199_ = f32();
-                                                phi_3200_ = false;
-                                                phi_3201_ = false;
+                                                phi_4468_ = f32();
+                                                phi_4470_ = f32();
+                                                phi_4472_ = f32();
+                                                phi_4580_ = f32();
+                                                phi_4581_ = false;
+                                                phi_4582_ = false;
                                             }
-                                            let _e1049 = phi_3087_;
-                                            let _e1051 = phi_3089_;
-                                            let _e1053 = phi_3091_;
-                                            let _e1055 = phi_3199_;
-                                            let _e1057 = phi_3200_;
-                                            let _e1059 = phi_3201_;
-                                            local_14 = _e1059;
-                                            local_44 = _e1055;
+                                            let _e1294 = phi_4468_;
+                                            let _e1296 = phi_4470_;
+                                            let _e1298 = phi_4472_;
+                                            let _e1300 = phi_4580_;
+                                            let _e1302 = phi_4581_;
+                                            let _e1304 = phi_4582_;
+                                            local_14 = _e1304;
+                                            local_30 = _e1300;
                                             continue;
                                             continuing {
-                                                phi_3083_ = _e977;
-                                                phi_3086_ = _e1049;
-                                                phi_3088_ = _e1051;
-                                                phi_3090_ = _e1053;
-                                                break if !(_e1057);
+                                                phi_4464_ = _e1222;
+                                                phi_4467_ = _e1294;
+                                                phi_4469_ = _e1296;
+                                                phi_4471_ = _e1298;
+                                                break if !(_e1302);
                                             }
                                         }
-                                        let _e1062 = local_14;
-                                        if _e1062 {
-                                            let _e4093 = local_44;
-                                            phi_3205_ = _e4093;
+                                        let _e1307 = local_14;
+                                        if _e1307 {
+                                            let _e5465 = local_30;
+                                            phi_4586_ = _e5465;
                                         } else {
-                                            let _e4095 = local_45;
-                                            phi_3205_ = _e4095;
+                                            let _e5467 = local_31;
+                                            phi_4586_ = _e5467;
                                         }
-                                        let _e1064 = phi_3205_;
-                                        phi_3206_ = _e1064;
+                                        let _e1309 = phi_4586_;
+                                        phi_4587_ = _e1309;
                                     } else {
-                                        phi_3206_ = _e886;
+                                        phi_4587_ = _e1131;
                                     }
-                                    let _e1066 = phi_3206_;
-                                    if _e923 {
-                                        phi_3213_ = type_9(0u, 64u);
-                                        phi_3216_ = (2f * 0.00000000000022737368f);
+                                    let _e1311 = phi_4587_;
+                                    if _e1168 {
+                                        if (_e1158 < 0f) {
+                                            phi_4595_ = -1f;
+                                        } else {
+                                            phi_4595_ = 1f;
+                                        }
+                                        let _e1314 = phi_4595_;
+                                        phi_4599_ = type_9(0u, 64u);
+                                        phi_4602_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1069 = phi_3213_;
-                                            let _e1071 = phi_3216_;
-                                            if (_e1069.member < _e1069.member_1) {
-                                                phi_3214_ = type_9((_e1069.member + 1u), _e1069.member_1);
-                                                phi_3239_ = type_9(1u, _e1069.member);
+                                            let _e1317 = phi_4599_;
+                                            let _e1319 = phi_4602_;
+                                            if (_e1317.member < _e1317.member_1) {
+                                                phi_4600_ = type_9((_e1317.member + 1u), _e1317.member_1);
+                                                phi_4625_ = type_9(1u, _e1317.member);
                                             } else {
-                                                phi_3214_ = _e1069;
-                                                phi_3239_ = type_9(0u, type_9().member_1);
+                                                phi_4600_ = _e1317;
+                                                phi_4625_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1083 = phi_3214_;
-                                            let _e1085 = phi_3239_;
-                                            if (bitcast<i32>(_e1085.member) != 0i) {
-                                                let _e1089 = (_e1066 + _e1071);
-                                                if (_e1089 < _e889) {
-                                                    let _e1091 = (1f - _e1089);
-                                                    let _e1102 = ((((_e348 * _e1091) + (_e371 * _e1089)) * (_e1091 * _e1091)) + (((_e394 * _e1091) + (_e405 * _e1089)) * (_e1089 * _e1089)));
-                                                    let _e1103 = (1f - _e1066);
-                                                    let _e1114 = ((((_e348 * _e1103) + (_e371 * _e1066)) * (_e1103 * _e1103)) + (((_e394 * _e1103) + (_e405 * _e1066)) * (_e1066 * _e1066)));
-                                                    if (_e1102 < 0f) {
-                                                        phi_3280_ = -(_e1102);
+                                            let _e1331 = phi_4600_;
+                                            let _e1333 = phi_4625_;
+                                            if (bitcast<i32>(_e1333.member) != 0i) {
+                                                let _e1337 = (_e1311 + _e1319);
+                                                if (_e1337 < _e1134) {
+                                                    let _e1339 = (1f - _e1337);
+                                                    let _e1352 = ((_e1314 * ((((_e593 * _e1339) + (_e616 * _e1337)) * (_e1339 * _e1339)) + (((_e639 * _e1339) + (_e650 * _e1337)) * (_e1337 * _e1337)))) > _e968);
+                                                    if _e1352 {
+                                                        phi_4655_ = f32();
+                                                        phi_4656_ = false;
                                                     } else {
-                                                        phi_3280_ = _e1102;
+                                                        phi_4655_ = (_e1319 + _e1319);
+                                                        phi_4656_ = true;
                                                     }
-                                                    let _e1118 = phi_3280_;
-                                                    if (_e1118 > _e723) {
-                                                        if (_e1114 < 0f) {
-                                                            phi_3290_ = -(_e1114);
-                                                        } else {
-                                                            phi_3290_ = _e1114;
-                                                        }
-                                                        let _e1123 = phi_3290_;
-                                                        if (_e1123 > _e723) {
-                                                            phi_3298_ = ((_e1102 > 0f) == (_e1114 > 0f));
-                                                        } else {
-                                                            phi_3298_ = false;
-                                                        }
-                                                        let _e1129 = phi_3298_;
-                                                        phi_3300_ = !(_e1129);
-                                                    } else {
-                                                        phi_3300_ = false;
-                                                    }
-                                                    let _e1132 = phi_3300_;
-                                                    if _e1132 {
-                                                        phi_3305_ = f32();
-                                                        phi_3306_ = false;
-                                                    } else {
-                                                        phi_3305_ = (_e1071 + _e1071);
-                                                        phi_3306_ = true;
-                                                    }
-                                                    let _e1135 = phi_3305_;
-                                                    let _e1137 = phi_3306_;
-                                                    phi_3307_ = _e1135;
-                                                    phi_3308_ = _e1137;
-                                                    phi_3309_ = _e1132;
-                                                    phi_3310_ = false;
+                                                    let _e1355 = phi_4655_;
+                                                    let _e1357 = phi_4656_;
+                                                    phi_4657_ = _e1355;
+                                                    phi_4658_ = _e1357;
+                                                    phi_4659_ = _e1352;
+                                                    phi_4660_ = false;
                                                 } else {
-                                                    phi_3307_ = f32();
-                                                    phi_3308_ = false;
-                                                    phi_3309_ = false;
-                                                    phi_3310_ = true;
+                                                    phi_4657_ = f32();
+                                                    phi_4658_ = false;
+                                                    phi_4659_ = false;
+                                                    phi_4660_ = true;
                                                 }
-                                                let _e1139 = phi_3307_;
-                                                let _e1141 = phi_3308_;
-                                                let _e1143 = phi_3309_;
-                                                let _e1145 = phi_3310_;
-                                                phi_3311_ = _e1089;
-                                                phi_3217_ = _e1139;
-                                                phi_3312_ = _e1141;
-                                                phi_3313_ = _e1143;
-                                                phi_3314_ = _e1145;
-                                                phi_3315_ = false;
+                                                let _e1359 = phi_4657_;
+                                                let _e1361 = phi_4658_;
+                                                let _e1363 = phi_4659_;
+                                                let _e1365 = phi_4660_;
+                                                phi_4661_ = _e1337;
+                                                phi_4603_ = _e1359;
+                                                phi_4662_ = _e1361;
+                                                phi_4663_ = _e1363;
+                                                phi_4664_ = _e1365;
+                                                phi_4665_ = false;
                                             } else {
-                                                phi_3311_ = f32();
-                                                phi_3217_ = f32();
-                                                phi_3312_ = false;
-                                                phi_3313_ = false;
-                                                phi_3314_ = false;
-                                                phi_3315_ = true;
+                                                phi_4661_ = f32();
+                                                phi_4603_ = f32();
+                                                phi_4662_ = false;
+                                                phi_4663_ = false;
+                                                phi_4664_ = false;
+                                                phi_4665_ = true;
                                             }
-                                            let _e1147 = phi_3311_;
-                                            let _e1149 = phi_3217_;
-                                            let _e1151 = phi_3312_;
-                                            let _e1153 = phi_3313_;
-                                            let _e1155 = phi_3314_;
-                                            let _e1157 = phi_3315_;
-                                            local_15 = _e1153;
-                                            local_46 = _e1155;
-                                            local_47 = _e1157;
-                                            local_48 = _e1147;
+                                            let _e1367 = phi_4661_;
+                                            let _e1369 = phi_4603_;
+                                            let _e1371 = phi_4662_;
+                                            let _e1373 = phi_4663_;
+                                            let _e1375 = phi_4664_;
+                                            let _e1377 = phi_4665_;
+                                            local_15 = _e1373;
+                                            local_32 = _e1375;
+                                            local_33 = _e1377;
+                                            local_34 = _e1367;
                                             continue;
                                             continuing {
-                                                phi_3213_ = _e1083;
-                                                phi_3216_ = _e1149;
-                                                break if !(_e1151);
+                                                phi_4599_ = _e1331;
+                                                phi_4602_ = _e1369;
+                                                break if !(_e1371);
                                             }
                                         }
-                                        let _e1160 = local_15;
-                                        if _e1160 {
-                                            phi_3319_ = false;
-                                            phi_3320_ = false;
+                                        let _e1380 = local_15;
+                                        if _e1380 {
+                                            phi_4669_ = false;
+                                            phi_4670_ = false;
                                         } else {
-                                            let _e4120 = local_46;
-                                            phi_3319_ = _e4120;
-                                            let _e4123 = local_47;
-                                            phi_3320_ = _e4123;
+                                            let _e5489 = local_32;
+                                            phi_4669_ = _e5489;
+                                            let _e5492 = local_33;
+                                            phi_4670_ = _e5492;
                                         }
-                                        let _e1162 = phi_3319_;
-                                        let _e1164 = phi_3320_;
-                                        if _e1162 {
-                                            phi_3324_ = true;
+                                        let _e1382 = phi_4669_;
+                                        let _e1384 = phi_4670_;
+                                        if _e1382 {
+                                            phi_4674_ = true;
                                         } else {
-                                            phi_3324_ = _e1164;
+                                            phi_4674_ = _e1384;
                                         }
-                                        let _e1166 = phi_3324_;
-                                        if _e1166 {
-                                            phi_3328_ = _e889;
+                                        let _e1386 = phi_4674_;
+                                        if _e1386 {
+                                            phi_4678_ = _e1134;
                                         } else {
-                                            let _e4127 = local_48;
-                                            phi_3328_ = _e4127;
+                                            let _e5496 = local_34;
+                                            phi_4678_ = _e5496;
                                         }
-                                        let _e1168 = phi_3328_;
-                                        phi_3329_ = _e1168;
+                                        let _e1388 = phi_4678_;
+                                        phi_4679_ = _e1388;
                                     } else {
-                                        phi_3329_ = _e889;
+                                        phi_4679_ = _e1134;
                                     }
-                                    let _e1170 = phi_3329_;
-                                    phi_3331_ = type_35(_e1066, _e1170, _e936);
+                                    let _e1390 = phi_4679_;
+                                    phi_4681_ = type_37(_e1311, _e1390, _e1181);
                                 } else {
-                                    phi_3331_ = _e945;
+                                    phi_4681_ = _e1190;
                                 }
-                                let _e1173 = phi_3331_;
-                                if (_e1173.member > _e1173.member_1) {
-                                    phi_5436_ = f32();
-                                    phi_5437_ = true;
-                                    phi_5438_ = false;
-                                    phi_5439_ = false;
-                                    phi_5440_ = false;
+                                let _e1393 = phi_4681_;
+                                if (_e1393.member > _e1393.member_1) {
+                                    phi_7882_ = f32();
+                                    phi_7883_ = true;
+                                    phi_7884_ = false;
+                                    phi_7885_ = false;
+                                    phi_7886_ = false;
                                 } else {
-                                    let _e1180 = ((_e1173.member_1 - _e1173.member) * 0.5f);
-                                    let _e1181 = (_e1173.member + _e1180);
-                                    let _e1183 = (_e1180 + (0.000000059604645f * 4f));
-                                    let _e1185 = local_12.member_3;
-                                    let _e1188 = local_12.member[0u];
-                                    if (_e1188[0] < 0f) {
-                                        phi_3360_ = -(_e1188[0]);
+                                    let _e1400 = ((_e1393.member_1 - _e1393.member) * 0.5f);
+                                    let _e1401 = (_e1393.member + _e1400);
+                                    let _e1403 = (_e1400 + (0.000000059604645f * 4f));
+                                    let _e1405 = local_12.member_3;
+                                    let _e1408 = local_12.member[0u];
+                                    if (_e1408[0] < 0f) {
+                                        phi_4710_ = -(_e1408[0]);
                                     } else {
-                                        phi_3360_ = _e1188[0];
+                                        phi_4710_ = _e1408[0];
                                     }
-                                    let _e1195 = phi_3360_;
-                                    if (_e1188[1] < 0f) {
-                                        phi_3367_ = -(_e1188[1]);
+                                    let _e1415 = phi_4710_;
+                                    if (_e1408[1] < 0f) {
+                                        phi_4717_ = -(_e1408[1]);
                                     } else {
-                                        phi_3367_ = _e1188[1];
+                                        phi_4717_ = _e1408[1];
                                     }
-                                    let _e1199 = phi_3367_;
-                                    if (_e1195 > _e1199) {
-                                        phi_3372_ = _e1195;
+                                    let _e1419 = phi_4717_;
+                                    if (_e1415 > _e1419) {
+                                        phi_4722_ = _e1415;
                                     } else {
-                                        phi_3372_ = _e1199;
+                                        phi_4722_ = _e1419;
                                     }
-                                    let _e1202 = phi_3372_;
-                                    if (_e1188[2] < 0f) {
-                                        phi_3379_ = -(_e1188[2]);
+                                    let _e1422 = phi_4722_;
+                                    if (_e1408[2] < 0f) {
+                                        phi_4729_ = -(_e1408[2]);
                                     } else {
-                                        phi_3379_ = _e1188[2];
+                                        phi_4729_ = _e1408[2];
                                     }
-                                    let _e1206 = phi_3379_;
-                                    if (_e1202 > _e1206) {
-                                        phi_3384_ = _e1202;
+                                    let _e1426 = phi_4729_;
+                                    if (_e1422 > _e1426) {
+                                        phi_4734_ = _e1422;
                                     } else {
-                                        phi_3384_ = _e1206;
+                                        phi_4734_ = _e1426;
                                     }
-                                    let _e1209 = phi_3384_;
-                                    let _e1211 = local_12.member[1u];
-                                    if (_e1211[0] < 0f) {
-                                        phi_3397_ = -(_e1211[0]);
+                                    let _e1429 = phi_4734_;
+                                    let _e1431 = local_12.member[1u];
+                                    if (_e1431[0] < 0f) {
+                                        phi_4747_ = -(_e1431[0]);
                                     } else {
-                                        phi_3397_ = _e1211[0];
+                                        phi_4747_ = _e1431[0];
                                     }
-                                    let _e1218 = phi_3397_;
-                                    if (_e1211[1] < 0f) {
-                                        phi_3404_ = -(_e1211[1]);
+                                    let _e1438 = phi_4747_;
+                                    if (_e1431[1] < 0f) {
+                                        phi_4754_ = -(_e1431[1]);
                                     } else {
-                                        phi_3404_ = _e1211[1];
+                                        phi_4754_ = _e1431[1];
                                     }
-                                    let _e1222 = phi_3404_;
-                                    if (_e1218 > _e1222) {
-                                        phi_3409_ = _e1218;
+                                    let _e1442 = phi_4754_;
+                                    if (_e1438 > _e1442) {
+                                        phi_4759_ = _e1438;
                                     } else {
-                                        phi_3409_ = _e1222;
+                                        phi_4759_ = _e1442;
                                     }
-                                    let _e1225 = phi_3409_;
-                                    if (_e1211[2] < 0f) {
-                                        phi_3416_ = -(_e1211[2]);
+                                    let _e1445 = phi_4759_;
+                                    if (_e1431[2] < 0f) {
+                                        phi_4766_ = -(_e1431[2]);
                                     } else {
-                                        phi_3416_ = _e1211[2];
+                                        phi_4766_ = _e1431[2];
                                     }
-                                    let _e1229 = phi_3416_;
-                                    if (_e1225 > _e1229) {
-                                        phi_3421_ = _e1225;
+                                    let _e1449 = phi_4766_;
+                                    if (_e1445 > _e1449) {
+                                        phi_4771_ = _e1445;
                                     } else {
-                                        phi_3421_ = _e1229;
+                                        phi_4771_ = _e1449;
                                     }
-                                    let _e1232 = phi_3421_;
-                                    if (_e1209 > _e1232) {
-                                        phi_3426_ = _e1209;
+                                    let _e1452 = phi_4771_;
+                                    if (_e1429 > _e1452) {
+                                        phi_4776_ = _e1429;
                                     } else {
-                                        phi_3426_ = _e1232;
+                                        phi_4776_ = _e1452;
                                     }
-                                    let _e1235 = phi_3426_;
-                                    let _e1238 = local_12.member[0u];
-                                    let _e1243 = local_12.member[1u];
-                                    let _e1253 = (_e1238[0] + ((_e1243[0] - _e1238[0]) * _e1181));
-                                    let _e1254 = (_e1238[1] + ((_e1243[1] - _e1238[1]) * _e1181));
-                                    let _e1255 = (_e1238[2] + ((_e1243[2] - _e1238[2]) * _e1181));
-                                    let _e1257 = local_12.member[1u];
-                                    let _e1262 = local_12.member[0u];
-                                    let _e1266 = (_e1257[0] - _e1262[0]);
-                                    let _e1267 = (_e1257[1] - _e1262[1]);
-                                    let _e1268 = (_e1257[2] - _e1262[2]);
-                                    if (_e1266 < 0f) {
-                                        phi_3485_ = -(_e1266);
+                                    let _e1455 = phi_4776_;
+                                    let _e1458 = local_12.member[0u];
+                                    let _e1463 = local_12.member[1u];
+                                    let _e1473 = (_e1458[0] + ((_e1463[0] - _e1458[0]) * _e1401));
+                                    let _e1474 = (_e1458[1] + ((_e1463[1] - _e1458[1]) * _e1401));
+                                    let _e1475 = (_e1458[2] + ((_e1463[2] - _e1458[2]) * _e1401));
+                                    let _e1477 = local_12.member[1u];
+                                    let _e1482 = local_12.member[0u];
+                                    let _e1486 = (_e1477[0] - _e1482[0]);
+                                    let _e1487 = (_e1477[1] - _e1482[1]);
+                                    let _e1488 = (_e1477[2] - _e1482[2]);
+                                    if (_e1486 < 0f) {
+                                        phi_4835_ = -(_e1486);
                                     } else {
-                                        phi_3485_ = _e1266;
+                                        phi_4835_ = _e1486;
                                     }
-                                    let _e1272 = phi_3485_;
-                                    if (_e1267 < 0f) {
-                                        phi_3491_ = -(_e1267);
+                                    let _e1492 = phi_4835_;
+                                    if (_e1487 < 0f) {
+                                        phi_4841_ = -(_e1487);
                                     } else {
-                                        phi_3491_ = _e1267;
+                                        phi_4841_ = _e1487;
                                     }
-                                    let _e1276 = phi_3491_;
-                                    if (_e1272 > _e1276) {
-                                        phi_3496_ = _e1272;
+                                    let _e1496 = phi_4841_;
+                                    if (_e1492 > _e1496) {
+                                        phi_4846_ = _e1492;
                                     } else {
-                                        phi_3496_ = _e1276;
+                                        phi_4846_ = _e1496;
                                     }
-                                    let _e1279 = phi_3496_;
-                                    if (_e1268 < 0f) {
-                                        phi_3502_ = -(_e1268);
+                                    let _e1499 = phi_4846_;
+                                    if (_e1488 < 0f) {
+                                        phi_4852_ = -(_e1488);
                                     } else {
-                                        phi_3502_ = _e1268;
+                                        phi_4852_ = _e1488;
                                     }
-                                    let _e1283 = phi_3502_;
-                                    if (_e1279 > _e1283) {
-                                        phi_3507_ = _e1279;
+                                    let _e1503 = phi_4852_;
+                                    if (_e1499 > _e1503) {
+                                        phi_4857_ = _e1499;
                                     } else {
-                                        phi_3507_ = _e1283;
+                                        phi_4857_ = _e1503;
                                     }
-                                    let _e1286 = phi_3507_;
-                                    let _e1292 = ((((_e1183 * _e1286) * 1.01f) + ((_e1235 + _e1185) * (0.000000059604645f * 8f))) + _e1185);
-                                    if (_e1253 < 0f) {
-                                        phi_3519_ = -(_e1253);
+                                    let _e1506 = phi_4857_;
+                                    let _e1512 = ((((_e1403 * _e1506) * 1.01f) + ((_e1455 + _e1405) * (0.000000059604645f * 8f))) + _e1405);
+                                    if (_e1473 < 0f) {
+                                        phi_4869_ = -(_e1473);
                                     } else {
-                                        phi_3519_ = _e1253;
+                                        phi_4869_ = _e1473;
                                     }
-                                    let _e1296 = phi_3519_;
-                                    if (_e1254 < 0f) {
-                                        phi_3525_ = -(_e1254);
+                                    let _e1516 = phi_4869_;
+                                    if (_e1474 < 0f) {
+                                        phi_4875_ = -(_e1474);
                                     } else {
-                                        phi_3525_ = _e1254;
+                                        phi_4875_ = _e1474;
                                     }
-                                    let _e1300 = phi_3525_;
-                                    if (_e1296 > _e1300) {
-                                        phi_3530_ = _e1296;
+                                    let _e1520 = phi_4875_;
+                                    if (_e1516 > _e1520) {
+                                        phi_4880_ = _e1516;
                                     } else {
-                                        phi_3530_ = _e1300;
+                                        phi_4880_ = _e1520;
                                     }
-                                    let _e1303 = phi_3530_;
-                                    if (_e1255 < 0f) {
-                                        phi_3536_ = -(_e1255);
+                                    let _e1523 = phi_4880_;
+                                    if (_e1475 < 0f) {
+                                        phi_4886_ = -(_e1475);
                                     } else {
-                                        phi_3536_ = _e1255;
+                                        phi_4886_ = _e1475;
                                     }
-                                    let _e1307 = phi_3536_;
-                                    if (_e1303 > _e1307) {
-                                        phi_3541_ = _e1303;
+                                    let _e1527 = phi_4886_;
+                                    if (_e1523 > _e1527) {
+                                        phi_4891_ = _e1523;
                                     } else {
-                                        phi_3541_ = _e1307;
+                                        phi_4891_ = _e1527;
                                     }
-                                    let _e1310 = phi_3541_;
-                                    local_2 = type_29(array<f32, 3>(_e1253, _e1254, _e1255), _e1292, (_e1310 + _e1292));
-                                    let _e1316 = local_12.member_3;
-                                    let _e1318 = local_12.member_1[0u];
-                                    if (_e1318[0] < 0f) {
-                                        phi_3567_ = -(_e1318[0]);
+                                    let _e1530 = phi_4891_;
+                                    local_2 = type_29(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
+                                    let _e1536 = local_12.member_3;
+                                    let _e1538 = local_12.member_1[0u];
+                                    if (_e1538[0] < 0f) {
+                                        phi_4917_ = -(_e1538[0]);
                                     } else {
-                                        phi_3567_ = _e1318[0];
+                                        phi_4917_ = _e1538[0];
                                     }
-                                    let _e1325 = phi_3567_;
-                                    if (_e1318[1] < 0f) {
-                                        phi_3574_ = -(_e1318[1]);
+                                    let _e1545 = phi_4917_;
+                                    if (_e1538[1] < 0f) {
+                                        phi_4924_ = -(_e1538[1]);
                                     } else {
-                                        phi_3574_ = _e1318[1];
+                                        phi_4924_ = _e1538[1];
                                     }
-                                    let _e1329 = phi_3574_;
-                                    if (_e1325 > _e1329) {
-                                        phi_3579_ = _e1325;
+                                    let _e1549 = phi_4924_;
+                                    if (_e1545 > _e1549) {
+                                        phi_4929_ = _e1545;
                                     } else {
-                                        phi_3579_ = _e1329;
+                                        phi_4929_ = _e1549;
                                     }
-                                    let _e1332 = phi_3579_;
-                                    if (_e1318[2] < 0f) {
-                                        phi_3586_ = -(_e1318[2]);
+                                    let _e1552 = phi_4929_;
+                                    if (_e1538[2] < 0f) {
+                                        phi_4936_ = -(_e1538[2]);
                                     } else {
-                                        phi_3586_ = _e1318[2];
+                                        phi_4936_ = _e1538[2];
                                     }
-                                    let _e1336 = phi_3586_;
-                                    if (_e1332 > _e1336) {
-                                        phi_3591_ = _e1332;
+                                    let _e1556 = phi_4936_;
+                                    if (_e1552 > _e1556) {
+                                        phi_4941_ = _e1552;
                                     } else {
-                                        phi_3591_ = _e1336;
+                                        phi_4941_ = _e1556;
                                     }
-                                    let _e1339 = phi_3591_;
-                                    let _e1341 = local_12.member_1[1u];
-                                    if (_e1341[0] < 0f) {
-                                        phi_3604_ = -(_e1341[0]);
+                                    let _e1559 = phi_4941_;
+                                    let _e1561 = local_12.member_1[1u];
+                                    if (_e1561[0] < 0f) {
+                                        phi_4954_ = -(_e1561[0]);
                                     } else {
-                                        phi_3604_ = _e1341[0];
+                                        phi_4954_ = _e1561[0];
                                     }
-                                    let _e1348 = phi_3604_;
-                                    if (_e1341[1] < 0f) {
-                                        phi_3611_ = -(_e1341[1]);
+                                    let _e1568 = phi_4954_;
+                                    if (_e1561[1] < 0f) {
+                                        phi_4961_ = -(_e1561[1]);
                                     } else {
-                                        phi_3611_ = _e1341[1];
+                                        phi_4961_ = _e1561[1];
                                     }
-                                    let _e1352 = phi_3611_;
-                                    if (_e1348 > _e1352) {
-                                        phi_3616_ = _e1348;
+                                    let _e1572 = phi_4961_;
+                                    if (_e1568 > _e1572) {
+                                        phi_4966_ = _e1568;
                                     } else {
-                                        phi_3616_ = _e1352;
+                                        phi_4966_ = _e1572;
                                     }
-                                    let _e1355 = phi_3616_;
-                                    if (_e1341[2] < 0f) {
-                                        phi_3623_ = -(_e1341[2]);
+                                    let _e1575 = phi_4966_;
+                                    if (_e1561[2] < 0f) {
+                                        phi_4973_ = -(_e1561[2]);
                                     } else {
-                                        phi_3623_ = _e1341[2];
+                                        phi_4973_ = _e1561[2];
                                     }
-                                    let _e1359 = phi_3623_;
-                                    if (_e1355 > _e1359) {
-                                        phi_3628_ = _e1355;
+                                    let _e1579 = phi_4973_;
+                                    if (_e1575 > _e1579) {
+                                        phi_4978_ = _e1575;
                                     } else {
-                                        phi_3628_ = _e1359;
+                                        phi_4978_ = _e1579;
                                     }
-                                    let _e1362 = phi_3628_;
-                                    if (_e1339 > _e1362) {
-                                        phi_3633_ = _e1339;
+                                    let _e1582 = phi_4978_;
+                                    if (_e1559 > _e1582) {
+                                        phi_4983_ = _e1559;
                                     } else {
-                                        phi_3633_ = _e1362;
+                                        phi_4983_ = _e1582;
                                     }
-                                    let _e1365 = phi_3633_;
-                                    let _e1368 = local_12.member_1[0u];
-                                    let _e1373 = local_12.member_1[1u];
-                                    let _e1383 = (_e1368[0] + ((_e1373[0] - _e1368[0]) * _e1181));
-                                    let _e1384 = (_e1368[1] + ((_e1373[1] - _e1368[1]) * _e1181));
-                                    let _e1385 = (_e1368[2] + ((_e1373[2] - _e1368[2]) * _e1181));
-                                    let _e1387 = local_12.member_1[1u];
-                                    let _e1392 = local_12.member_1[0u];
-                                    let _e1396 = (_e1387[0] - _e1392[0]);
-                                    let _e1397 = (_e1387[1] - _e1392[1]);
-                                    let _e1398 = (_e1387[2] - _e1392[2]);
-                                    if (_e1396 < 0f) {
-                                        phi_3692_ = -(_e1396);
+                                    let _e1585 = phi_4983_;
+                                    let _e1588 = local_12.member_1[0u];
+                                    let _e1593 = local_12.member_1[1u];
+                                    let _e1603 = (_e1588[0] + ((_e1593[0] - _e1588[0]) * _e1401));
+                                    let _e1604 = (_e1588[1] + ((_e1593[1] - _e1588[1]) * _e1401));
+                                    let _e1605 = (_e1588[2] + ((_e1593[2] - _e1588[2]) * _e1401));
+                                    let _e1607 = local_12.member_1[1u];
+                                    let _e1612 = local_12.member_1[0u];
+                                    let _e1616 = (_e1607[0] - _e1612[0]);
+                                    let _e1617 = (_e1607[1] - _e1612[1]);
+                                    let _e1618 = (_e1607[2] - _e1612[2]);
+                                    if (_e1616 < 0f) {
+                                        phi_5042_ = -(_e1616);
                                     } else {
-                                        phi_3692_ = _e1396;
+                                        phi_5042_ = _e1616;
                                     }
-                                    let _e1402 = phi_3692_;
-                                    if (_e1397 < 0f) {
-                                        phi_3698_ = -(_e1397);
+                                    let _e1622 = phi_5042_;
+                                    if (_e1617 < 0f) {
+                                        phi_5048_ = -(_e1617);
                                     } else {
-                                        phi_3698_ = _e1397;
+                                        phi_5048_ = _e1617;
                                     }
-                                    let _e1406 = phi_3698_;
-                                    if (_e1402 > _e1406) {
-                                        phi_3703_ = _e1402;
+                                    let _e1626 = phi_5048_;
+                                    if (_e1622 > _e1626) {
+                                        phi_5053_ = _e1622;
                                     } else {
-                                        phi_3703_ = _e1406;
+                                        phi_5053_ = _e1626;
                                     }
-                                    let _e1409 = phi_3703_;
-                                    if (_e1398 < 0f) {
-                                        phi_3709_ = -(_e1398);
+                                    let _e1629 = phi_5053_;
+                                    if (_e1618 < 0f) {
+                                        phi_5059_ = -(_e1618);
                                     } else {
-                                        phi_3709_ = _e1398;
+                                        phi_5059_ = _e1618;
                                     }
-                                    let _e1413 = phi_3709_;
-                                    if (_e1409 > _e1413) {
-                                        phi_3714_ = _e1409;
+                                    let _e1633 = phi_5059_;
+                                    if (_e1629 > _e1633) {
+                                        phi_5064_ = _e1629;
                                     } else {
-                                        phi_3714_ = _e1413;
+                                        phi_5064_ = _e1633;
                                     }
-                                    let _e1416 = phi_3714_;
-                                    let _e1422 = ((((_e1183 * _e1416) * 1.01f) + ((_e1365 + _e1316) * (0.000000059604645f * 8f))) + _e1316);
-                                    if (_e1383 < 0f) {
-                                        phi_3726_ = -(_e1383);
+                                    let _e1636 = phi_5064_;
+                                    let _e1642 = ((((_e1403 * _e1636) * 1.01f) + ((_e1585 + _e1536) * (0.000000059604645f * 8f))) + _e1536);
+                                    if (_e1603 < 0f) {
+                                        phi_5076_ = -(_e1603);
                                     } else {
-                                        phi_3726_ = _e1383;
+                                        phi_5076_ = _e1603;
                                     }
-                                    let _e1426 = phi_3726_;
-                                    if (_e1384 < 0f) {
-                                        phi_3732_ = -(_e1384);
+                                    let _e1646 = phi_5076_;
+                                    if (_e1604 < 0f) {
+                                        phi_5082_ = -(_e1604);
                                     } else {
-                                        phi_3732_ = _e1384;
+                                        phi_5082_ = _e1604;
                                     }
-                                    let _e1430 = phi_3732_;
-                                    if (_e1426 > _e1430) {
-                                        phi_3737_ = _e1426;
+                                    let _e1650 = phi_5082_;
+                                    if (_e1646 > _e1650) {
+                                        phi_5087_ = _e1646;
                                     } else {
-                                        phi_3737_ = _e1430;
+                                        phi_5087_ = _e1650;
                                     }
-                                    let _e1433 = phi_3737_;
-                                    if (_e1385 < 0f) {
-                                        phi_3743_ = -(_e1385);
+                                    let _e1653 = phi_5087_;
+                                    if (_e1605 < 0f) {
+                                        phi_5093_ = -(_e1605);
                                     } else {
-                                        phi_3743_ = _e1385;
+                                        phi_5093_ = _e1605;
                                     }
-                                    let _e1437 = phi_3743_;
-                                    if (_e1433 > _e1437) {
-                                        phi_3748_ = _e1433;
+                                    let _e1657 = phi_5093_;
+                                    if (_e1653 > _e1657) {
+                                        phi_5098_ = _e1653;
                                     } else {
-                                        phi_3748_ = _e1437;
+                                        phi_5098_ = _e1657;
                                     }
-                                    let _e1440 = phi_3748_;
-                                    local_3 = type_29(array<f32, 3>(_e1383, _e1384, _e1385), _e1422, (_e1440 + _e1422));
-                                    let _e1446 = local_12.member_3;
-                                    let _e1448 = local_12.member_2[0u];
-                                    if (_e1448[0] < 0f) {
-                                        phi_3774_ = -(_e1448[0]);
+                                    let _e1660 = phi_5098_;
+                                    local_3 = type_29(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
+                                    let _e1666 = local_12.member_3;
+                                    let _e1668 = local_12.member_2[0u];
+                                    if (_e1668[0] < 0f) {
+                                        phi_5124_ = -(_e1668[0]);
                                     } else {
-                                        phi_3774_ = _e1448[0];
+                                        phi_5124_ = _e1668[0];
                                     }
-                                    let _e1455 = phi_3774_;
-                                    if (_e1448[1] < 0f) {
-                                        phi_3781_ = -(_e1448[1]);
+                                    let _e1675 = phi_5124_;
+                                    if (_e1668[1] < 0f) {
+                                        phi_5131_ = -(_e1668[1]);
                                     } else {
-                                        phi_3781_ = _e1448[1];
+                                        phi_5131_ = _e1668[1];
                                     }
-                                    let _e1459 = phi_3781_;
-                                    if (_e1455 > _e1459) {
-                                        phi_3786_ = _e1455;
+                                    let _e1679 = phi_5131_;
+                                    if (_e1675 > _e1679) {
+                                        phi_5136_ = _e1675;
                                     } else {
-                                        phi_3786_ = _e1459;
+                                        phi_5136_ = _e1679;
                                     }
-                                    let _e1462 = phi_3786_;
-                                    if (_e1448[2] < 0f) {
-                                        phi_3793_ = -(_e1448[2]);
+                                    let _e1682 = phi_5136_;
+                                    if (_e1668[2] < 0f) {
+                                        phi_5143_ = -(_e1668[2]);
                                     } else {
-                                        phi_3793_ = _e1448[2];
+                                        phi_5143_ = _e1668[2];
                                     }
-                                    let _e1466 = phi_3793_;
-                                    if (_e1462 > _e1466) {
-                                        phi_3798_ = _e1462;
+                                    let _e1686 = phi_5143_;
+                                    if (_e1682 > _e1686) {
+                                        phi_5148_ = _e1682;
                                     } else {
-                                        phi_3798_ = _e1466;
+                                        phi_5148_ = _e1686;
                                     }
-                                    let _e1469 = phi_3798_;
-                                    let _e1471 = local_12.member_2[1u];
-                                    if (_e1471[0] < 0f) {
-                                        phi_3811_ = -(_e1471[0]);
+                                    let _e1689 = phi_5148_;
+                                    let _e1691 = local_12.member_2[1u];
+                                    if (_e1691[0] < 0f) {
+                                        phi_5161_ = -(_e1691[0]);
                                     } else {
-                                        phi_3811_ = _e1471[0];
+                                        phi_5161_ = _e1691[0];
                                     }
-                                    let _e1478 = phi_3811_;
-                                    if (_e1471[1] < 0f) {
-                                        phi_3818_ = -(_e1471[1]);
+                                    let _e1698 = phi_5161_;
+                                    if (_e1691[1] < 0f) {
+                                        phi_5168_ = -(_e1691[1]);
                                     } else {
-                                        phi_3818_ = _e1471[1];
+                                        phi_5168_ = _e1691[1];
                                     }
-                                    let _e1482 = phi_3818_;
-                                    if (_e1478 > _e1482) {
-                                        phi_3823_ = _e1478;
+                                    let _e1702 = phi_5168_;
+                                    if (_e1698 > _e1702) {
+                                        phi_5173_ = _e1698;
                                     } else {
-                                        phi_3823_ = _e1482;
+                                        phi_5173_ = _e1702;
                                     }
-                                    let _e1485 = phi_3823_;
-                                    if (_e1471[2] < 0f) {
-                                        phi_3830_ = -(_e1471[2]);
+                                    let _e1705 = phi_5173_;
+                                    if (_e1691[2] < 0f) {
+                                        phi_5180_ = -(_e1691[2]);
                                     } else {
-                                        phi_3830_ = _e1471[2];
+                                        phi_5180_ = _e1691[2];
                                     }
-                                    let _e1489 = phi_3830_;
-                                    if (_e1485 > _e1489) {
-                                        phi_3835_ = _e1485;
+                                    let _e1709 = phi_5180_;
+                                    if (_e1705 > _e1709) {
+                                        phi_5185_ = _e1705;
                                     } else {
-                                        phi_3835_ = _e1489;
+                                        phi_5185_ = _e1709;
                                     }
-                                    let _e1492 = phi_3835_;
-                                    if (_e1469 > _e1492) {
-                                        phi_3840_ = _e1469;
+                                    let _e1712 = phi_5185_;
+                                    if (_e1689 > _e1712) {
+                                        phi_5190_ = _e1689;
                                     } else {
-                                        phi_3840_ = _e1492;
+                                        phi_5190_ = _e1712;
                                     }
-                                    let _e1495 = phi_3840_;
-                                    let _e1498 = local_12.member_2[0u];
-                                    let _e1503 = local_12.member_2[1u];
-                                    let _e1513 = (_e1498[0] + ((_e1503[0] - _e1498[0]) * _e1181));
-                                    let _e1514 = (_e1498[1] + ((_e1503[1] - _e1498[1]) * _e1181));
-                                    let _e1515 = (_e1498[2] + ((_e1503[2] - _e1498[2]) * _e1181));
-                                    let _e1517 = local_12.member_2[1u];
-                                    let _e1522 = local_12.member_2[0u];
-                                    let _e1526 = (_e1517[0] - _e1522[0]);
-                                    let _e1527 = (_e1517[1] - _e1522[1]);
-                                    let _e1528 = (_e1517[2] - _e1522[2]);
-                                    if (_e1526 < 0f) {
-                                        phi_3899_ = -(_e1526);
+                                    let _e1715 = phi_5190_;
+                                    let _e1718 = local_12.member_2[0u];
+                                    let _e1723 = local_12.member_2[1u];
+                                    let _e1733 = (_e1718[0] + ((_e1723[0] - _e1718[0]) * _e1401));
+                                    let _e1734 = (_e1718[1] + ((_e1723[1] - _e1718[1]) * _e1401));
+                                    let _e1735 = (_e1718[2] + ((_e1723[2] - _e1718[2]) * _e1401));
+                                    let _e1737 = local_12.member_2[1u];
+                                    let _e1742 = local_12.member_2[0u];
+                                    let _e1746 = (_e1737[0] - _e1742[0]);
+                                    let _e1747 = (_e1737[1] - _e1742[1]);
+                                    let _e1748 = (_e1737[2] - _e1742[2]);
+                                    if (_e1746 < 0f) {
+                                        phi_5249_ = -(_e1746);
                                     } else {
-                                        phi_3899_ = _e1526;
+                                        phi_5249_ = _e1746;
                                     }
-                                    let _e1532 = phi_3899_;
-                                    if (_e1527 < 0f) {
-                                        phi_3905_ = -(_e1527);
+                                    let _e1752 = phi_5249_;
+                                    if (_e1747 < 0f) {
+                                        phi_5255_ = -(_e1747);
                                     } else {
-                                        phi_3905_ = _e1527;
+                                        phi_5255_ = _e1747;
                                     }
-                                    let _e1536 = phi_3905_;
-                                    if (_e1532 > _e1536) {
-                                        phi_3910_ = _e1532;
+                                    let _e1756 = phi_5255_;
+                                    if (_e1752 > _e1756) {
+                                        phi_5260_ = _e1752;
                                     } else {
-                                        phi_3910_ = _e1536;
+                                        phi_5260_ = _e1756;
                                     }
-                                    let _e1539 = phi_3910_;
-                                    if (_e1528 < 0f) {
-                                        phi_3916_ = -(_e1528);
+                                    let _e1759 = phi_5260_;
+                                    if (_e1748 < 0f) {
+                                        phi_5266_ = -(_e1748);
                                     } else {
-                                        phi_3916_ = _e1528;
+                                        phi_5266_ = _e1748;
                                     }
-                                    let _e1543 = phi_3916_;
-                                    if (_e1539 > _e1543) {
-                                        phi_3921_ = _e1539;
+                                    let _e1763 = phi_5266_;
+                                    if (_e1759 > _e1763) {
+                                        phi_5271_ = _e1759;
                                     } else {
-                                        phi_3921_ = _e1543;
+                                        phi_5271_ = _e1763;
                                     }
-                                    let _e1546 = phi_3921_;
-                                    let _e1552 = ((((_e1183 * _e1546) * 1.01f) + ((_e1495 + _e1446) * (0.000000059604645f * 8f))) + _e1446);
-                                    if (_e1513 < 0f) {
-                                        phi_3933_ = -(_e1513);
+                                    let _e1766 = phi_5271_;
+                                    let _e1772 = ((((_e1403 * _e1766) * 1.01f) + ((_e1715 + _e1666) * (0.000000059604645f * 8f))) + _e1666);
+                                    if (_e1733 < 0f) {
+                                        phi_5283_ = -(_e1733);
                                     } else {
-                                        phi_3933_ = _e1513;
+                                        phi_5283_ = _e1733;
                                     }
-                                    let _e1556 = phi_3933_;
-                                    if (_e1514 < 0f) {
-                                        phi_3939_ = -(_e1514);
+                                    let _e1776 = phi_5283_;
+                                    if (_e1734 < 0f) {
+                                        phi_5289_ = -(_e1734);
                                     } else {
-                                        phi_3939_ = _e1514;
+                                        phi_5289_ = _e1734;
                                     }
-                                    let _e1560 = phi_3939_;
-                                    if (_e1556 > _e1560) {
-                                        phi_3944_ = _e1556;
+                                    let _e1780 = phi_5289_;
+                                    if (_e1776 > _e1780) {
+                                        phi_5294_ = _e1776;
                                     } else {
-                                        phi_3944_ = _e1560;
+                                        phi_5294_ = _e1780;
                                     }
-                                    let _e1563 = phi_3944_;
-                                    if (_e1515 < 0f) {
-                                        phi_3950_ = -(_e1515);
+                                    let _e1783 = phi_5294_;
+                                    if (_e1735 < 0f) {
+                                        phi_5300_ = -(_e1735);
                                     } else {
-                                        phi_3950_ = _e1515;
+                                        phi_5300_ = _e1735;
                                     }
-                                    let _e1567 = phi_3950_;
-                                    if (_e1563 > _e1567) {
-                                        phi_3955_ = _e1563;
+                                    let _e1787 = phi_5300_;
+                                    if (_e1783 > _e1787) {
+                                        phi_5305_ = _e1783;
                                     } else {
-                                        phi_3955_ = _e1567;
+                                        phi_5305_ = _e1787;
                                     }
-                                    let _e1570 = phi_3955_;
-                                    local_4 = type_29(array<f32, 3>(_e1513, _e1514, _e1515), _e1552, (_e1570 + _e1552));
-                                    let _e1575 = local_3.member;
-                                    let _e1580 = local_4.member;
-                                    let _e1586 = ((_e1575[1] * _e1580[2]) - (_e1575[2] * _e1580[1]));
-                                    let _e1589 = ((_e1575[2] * _e1580[0]) - (_e1575[0] * _e1580[2]));
-                                    let _e1592 = ((_e1575[0] * _e1580[1]) - (_e1575[1] * _e1580[0]));
-                                    if (_e1586 < 0f) {
-                                        phi_4004_ = -(_e1586);
+                                    let _e1790 = phi_5305_;
+                                    local_4 = type_29(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
+                                    let _e1795 = local_3.member;
+                                    let _e1800 = local_4.member;
+                                    let _e1806 = ((_e1795[1] * _e1800[2]) - (_e1795[2] * _e1800[1]));
+                                    let _e1809 = ((_e1795[2] * _e1800[0]) - (_e1795[0] * _e1800[2]));
+                                    let _e1812 = ((_e1795[0] * _e1800[1]) - (_e1795[1] * _e1800[0]));
+                                    if (_e1806 < 0f) {
+                                        phi_5354_ = -(_e1806);
                                     } else {
-                                        phi_4004_ = _e1586;
+                                        phi_5354_ = _e1806;
                                     }
-                                    let _e1596 = phi_4004_;
-                                    if (_e1589 < 0f) {
-                                        phi_4010_ = -(_e1589);
+                                    let _e1816 = phi_5354_;
+                                    if (_e1809 < 0f) {
+                                        phi_5360_ = -(_e1809);
                                     } else {
-                                        phi_4010_ = _e1589;
+                                        phi_5360_ = _e1809;
                                     }
-                                    let _e1600 = phi_4010_;
-                                    if (_e1596 > _e1600) {
-                                        if (_e1586 < 0f) {
-                                            phi_4020_ = -(_e1586);
+                                    let _e1820 = phi_5360_;
+                                    if (_e1816 > _e1820) {
+                                        if (_e1806 < 0f) {
+                                            phi_5370_ = -(_e1806);
                                         } else {
-                                            phi_4020_ = _e1586;
+                                            phi_5370_ = _e1806;
                                         }
-                                        let _e1618 = phi_4020_;
-                                        if (_e1592 < 0f) {
-                                            phi_4026_ = -(_e1592);
+                                        let _e1838 = phi_5370_;
+                                        if (_e1812 < 0f) {
+                                            phi_5376_ = -(_e1812);
                                         } else {
-                                            phi_4026_ = _e1592;
+                                            phi_5376_ = _e1812;
                                         }
-                                        let _e1622 = phi_4026_;
-                                        if (_e1618 > _e1622) {
-                                            phi_4031_ = 2u;
-                                            phi_4032_ = 1u;
+                                        let _e1842 = phi_5376_;
+                                        if (_e1838 > _e1842) {
+                                            phi_5381_ = 2u;
+                                            phi_5382_ = 1u;
                                         } else {
-                                            phi_4031_ = 1u;
-                                            phi_4032_ = 0u;
+                                            phi_5381_ = 1u;
+                                            phi_5382_ = 0u;
                                         }
-                                        let _e1625 = phi_4031_;
-                                        let _e1627 = phi_4032_;
-                                        phi_4051_ = _e1625;
-                                        phi_4052_ = _e1627;
+                                        let _e1845 = phi_5381_;
+                                        let _e1847 = phi_5382_;
+                                        phi_5401_ = _e1845;
+                                        phi_5402_ = _e1847;
                                     } else {
-                                        if (_e1589 < 0f) {
-                                            phi_4038_ = -(_e1589);
+                                        if (_e1809 < 0f) {
+                                            phi_5388_ = -(_e1809);
                                         } else {
-                                            phi_4038_ = _e1589;
+                                            phi_5388_ = _e1809;
                                         }
-                                        let _e1605 = phi_4038_;
-                                        if (_e1592 < 0f) {
-                                            phi_4044_ = -(_e1592);
+                                        let _e1825 = phi_5388_;
+                                        if (_e1812 < 0f) {
+                                            phi_5394_ = -(_e1812);
                                         } else {
-                                            phi_4044_ = _e1592;
+                                            phi_5394_ = _e1812;
                                         }
-                                        let _e1609 = phi_4044_;
-                                        if (_e1605 > _e1609) {
-                                            phi_4049_ = 0u;
-                                            phi_4050_ = 2u;
+                                        let _e1829 = phi_5394_;
+                                        if (_e1825 > _e1829) {
+                                            phi_5399_ = 0u;
+                                            phi_5400_ = 2u;
                                         } else {
-                                            phi_4049_ = 1u;
-                                            phi_4050_ = 0u;
+                                            phi_5399_ = 1u;
+                                            phi_5400_ = 0u;
                                         }
-                                        let _e1612 = phi_4049_;
-                                        let _e1614 = phi_4050_;
-                                        phi_4051_ = _e1612;
-                                        phi_4052_ = _e1614;
+                                        let _e1832 = phi_5399_;
+                                        let _e1834 = phi_5400_;
+                                        phi_5401_ = _e1832;
+                                        phi_5402_ = _e1834;
                                     }
-                                    let _e1629 = phi_4051_;
-                                    let _e1631 = phi_4052_;
-                                    let _e1634 = local_3.member[_e1631];
-                                    let _e1637 = local_4.member[_e1629];
-                                    let _e1641 = local_3.member[_e1629];
-                                    let _e1644 = local_4.member[_e1631];
-                                    let _e1646 = ((_e1634 * _e1637) - (_e1641 * _e1644));
-                                    let _e1648 = local_3.member_1;
-                                    let _e1650 = local_4.member_2;
-                                    let _e1653 = local_3.member_2;
-                                    let _e1655 = local_4.member_1;
-                                    let _e1660 = local_3.member_2;
-                                    let _e1662 = local_4.member_2;
-                                    let _e1669 = local_3.member_2;
-                                    let _e1672 = local_4.member_2;
-                                    let _e1676 = (((((_e1648 * _e1650) + (_e1653 * _e1655)) * 2.01f) + ((_e1660 * _e1662) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1669) * (1f + _e1672))));
-                                    if (_e1646 < 0f) {
-                                        phi_4119_ = -(_e1646);
+                                    let _e1849 = phi_5401_;
+                                    let _e1851 = phi_5402_;
+                                    let _e1854 = local_3.member[_e1851];
+                                    let _e1857 = local_4.member[_e1849];
+                                    let _e1861 = local_3.member[_e1849];
+                                    let _e1864 = local_4.member[_e1851];
+                                    let _e1866 = ((_e1854 * _e1857) - (_e1861 * _e1864));
+                                    let _e1868 = local_3.member_1;
+                                    let _e1870 = local_4.member_2;
+                                    let _e1873 = local_3.member_2;
+                                    let _e1875 = local_4.member_1;
+                                    let _e1880 = local_3.member_2;
+                                    let _e1883 = local_4.member_2;
+                                    let _e1891 = local_3.member_2;
+                                    let _e1894 = local_4.member_2;
+                                    let _e1898 = (((((_e1868 * _e1870) + (_e1873 * _e1875)) * 2.01f) + (((_e1880 * 2f) * (_e1883 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1891) * (1f + _e1894))));
+                                    if (_e1866 < 0f) {
+                                        phi_5471_ = -(_e1866);
                                     } else {
-                                        phi_4119_ = _e1646;
+                                        phi_5471_ = _e1866;
                                     }
-                                    let _e1680 = phi_4119_;
-                                    if (_e1680 > _e1676) {
-                                        if (_e1646 < 0f) {
-                                            phi_4128_ = -1f;
+                                    let _e1902 = phi_5471_;
+                                    if (_e1902 > _e1898) {
+                                        if (_e1866 < 0f) {
+                                            phi_5480_ = -1f;
                                         } else {
-                                            phi_4128_ = 1f;
+                                            phi_5480_ = 1f;
                                         }
-                                        let _e1684 = phi_4128_;
-                                        let _e1687 = local_2.member[_e1631];
-                                        let _e1690 = local_4.member[_e1629];
-                                        let _e1694 = local_2.member[_e1629];
-                                        let _e1697 = local_4.member[_e1631];
-                                        let _e1701 = local_2.member_1;
-                                        let _e1703 = local_4.member_2;
-                                        let _e1706 = local_2.member_2;
-                                        let _e1708 = local_4.member_1;
-                                        let _e1713 = local_2.member_2;
-                                        let _e1715 = local_4.member_2;
-                                        let _e1722 = local_2.member_2;
-                                        let _e1725 = local_4.member_2;
-                                        let _e1729 = (((((_e1701 * _e1703) + (_e1706 * _e1708)) * 2.01f) + ((_e1713 * _e1715) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1722) * (1f + _e1725))));
-                                        let _e1732 = local_3.member[_e1631];
-                                        let _e1735 = local_2.member[_e1629];
-                                        let _e1739 = local_3.member[_e1629];
-                                        let _e1742 = local_2.member[_e1631];
-                                        let _e1746 = local_3.member_1;
-                                        let _e1748 = local_2.member_2;
-                                        let _e1751 = local_3.member_2;
-                                        let _e1753 = local_2.member_1;
-                                        let _e1758 = local_3.member_2;
-                                        let _e1760 = local_2.member_2;
-                                        let _e1767 = local_3.member_2;
-                                        let _e1770 = local_2.member_2;
-                                        let _e1774 = (((((_e1746 * _e1748) + (_e1751 * _e1753)) * 2.01f) + ((_e1758 * _e1760) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1767) * (1f + _e1770))));
-                                        let _e1775 = (_e1646 * _e1684);
-                                        let _e1776 = (((_e1687 * _e1690) - (_e1694 * _e1697)) * _e1684);
-                                        let _e1777 = (((_e1732 * _e1735) - (_e1739 * _e1742)) * _e1684);
-                                        if (_e1775 < 0f) {
-                                            phi_4259_ = -(_e1775);
+                                        let _e1906 = phi_5480_;
+                                        let _e1909 = local_2.member[_e1851];
+                                        let _e1912 = local_4.member[_e1849];
+                                        let _e1916 = local_2.member[_e1849];
+                                        let _e1919 = local_4.member[_e1851];
+                                        let _e1923 = local_2.member_1;
+                                        let _e1925 = local_4.member_2;
+                                        let _e1928 = local_2.member_2;
+                                        let _e1930 = local_4.member_1;
+                                        let _e1935 = local_2.member_2;
+                                        let _e1938 = local_4.member_2;
+                                        let _e1946 = local_2.member_2;
+                                        let _e1949 = local_4.member_2;
+                                        let _e1953 = (((((_e1923 * _e1925) + (_e1928 * _e1930)) * 2.01f) + (((_e1935 * 2f) * (_e1938 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1946) * (1f + _e1949))));
+                                        let _e1956 = local_3.member[_e1851];
+                                        let _e1959 = local_2.member[_e1849];
+                                        let _e1963 = local_3.member[_e1849];
+                                        let _e1966 = local_2.member[_e1851];
+                                        let _e1970 = local_3.member_1;
+                                        let _e1972 = local_2.member_2;
+                                        let _e1975 = local_3.member_2;
+                                        let _e1977 = local_2.member_1;
+                                        let _e1982 = local_3.member_2;
+                                        let _e1985 = local_2.member_2;
+                                        let _e1993 = local_3.member_2;
+                                        let _e1996 = local_2.member_2;
+                                        let _e2000 = (((((_e1970 * _e1972) + (_e1975 * _e1977)) * 2.01f) + (((_e1982 * 2f) * (_e1985 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1993) * (1f + _e1996))));
+                                        let _e2001 = (_e1866 * _e1906);
+                                        let _e2002 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1906);
+                                        let _e2003 = (((_e1956 * _e1959) - (_e1963 * _e1966)) * _e1906);
+                                        if (_e2001 < 0f) {
+                                            phi_5615_ = -(_e2001);
                                         } else {
-                                            phi_4259_ = _e1775;
+                                            phi_5615_ = _e2001;
                                         }
-                                        let _e1781 = phi_4259_;
-                                        if (_e1776 < 0f) {
-                                            phi_4265_ = -(_e1776);
+                                        let _e2007 = phi_5615_;
+                                        if (_e2002 < 0f) {
+                                            phi_5621_ = -(_e2002);
                                         } else {
-                                            phi_4265_ = _e1776;
+                                            phi_5621_ = _e2002;
                                         }
-                                        let _e1785 = phi_4265_;
-                                        if (_e1777 < 0f) {
-                                            phi_4272_ = -(_e1777);
+                                        let _e2011 = phi_5621_;
+                                        if (_e2003 < 0f) {
+                                            phi_5628_ = -(_e2003);
                                         } else {
-                                            phi_4272_ = _e1777;
+                                            phi_5628_ = _e2003;
                                         }
-                                        let _e1790 = phi_4272_;
-                                        let _e1793 = (((_e1781 + _e1785) + _e1790) * (0.000000059604645f * 4f));
-                                        local_5[0u].member = _e1776;
-                                        local_5[0u].member_1 = _e1729;
-                                        local_5[1u].member = _e1777;
-                                        local_5[1u].member_1 = _e1774;
-                                        local_5[2u].member = (_e1775 - _e1776);
-                                        local_5[2u].member_1 = ((_e1676 + _e1729) + _e1793);
-                                        local_5[3u].member = (_e1775 - _e1777);
-                                        local_5[3u].member_1 = ((_e1676 + _e1774) + _e1793);
-                                        phi_4315_ = type_9(0u, 4u);
-                                        phi_4318_ = true;
+                                        let _e2016 = phi_5628_;
+                                        let _e2019 = (((_e2007 + _e2011) + _e2016) * (0.000000059604645f * 4f));
+                                        local_5[0u].member = _e2002;
+                                        local_5[0u].member_1 = _e1953;
+                                        local_5[1u].member = _e2003;
+                                        local_5[1u].member_1 = _e2000;
+                                        local_5[2u].member = (_e2001 - _e2002);
+                                        local_5[2u].member_1 = ((_e1898 + _e1953) + _e2019);
+                                        local_5[3u].member = (_e2001 - _e2003);
+                                        local_5[3u].member_1 = ((_e1898 + _e2000) + _e2019);
+                                        phi_5671_ = type_9(0u, 4u);
+                                        phi_5674_ = true;
                                         loop {
-                                            let _e1814 = phi_4315_;
-                                            let _e1816 = phi_4318_;
-                                            local_17 = _e1816;
-                                            if (_e1814.member < _e1814.member_1) {
-                                                phi_4316_ = type_9((_e1814.member + 1u), _e1814.member_1);
-                                                phi_4341_ = type_9(1u, _e1814.member);
+                                            let _e2040 = phi_5671_;
+                                            let _e2042 = phi_5674_;
+                                            local_17 = _e2042;
+                                            if (_e2040.member < _e2040.member_1) {
+                                                phi_5672_ = type_9((_e2040.member + 1u), _e2040.member_1);
+                                                phi_5697_ = type_9(1u, _e2040.member);
                                             } else {
-                                                phi_4316_ = _e1814;
-                                                phi_4341_ = type_9(0u, type_9().member_1);
+                                                phi_5672_ = _e2040;
+                                                phi_5697_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1828 = phi_4316_;
-                                            let _e1830 = phi_4341_;
-                                            if (bitcast<i32>(_e1830.member) != 0i) {
-                                                let _e1837 = local_5[_e1830.member_1].member;
-                                                let _e1840 = local_5[_e1830.member_1].member_1;
-                                                let _e1842 = (_e1837 < -(_e1840));
-                                                if _e1842 {
-                                                    phi_4368_ = bool();
-                                                    phi_4369_ = false;
+                                            let _e2054 = phi_5672_;
+                                            let _e2056 = phi_5697_;
+                                            if (bitcast<i32>(_e2056.member) != 0i) {
+                                                let _e2063 = local_5[_e2056.member_1].member;
+                                                let _e2066 = local_5[_e2056.member_1].member_1;
+                                                let _e2068 = (_e2063 < -(_e2066));
+                                                if _e2068 {
+                                                    phi_5724_ = bool();
+                                                    phi_5725_ = false;
                                                 } else {
-                                                    phi_4368_ = (_e1816 && (_e1837 > _e1840));
-                                                    phi_4369_ = true;
+                                                    phi_5724_ = (_e2042 && (_e2063 > _e2066));
+                                                    phi_5725_ = true;
                                                 }
-                                                let _e1846 = phi_4368_;
-                                                let _e1848 = phi_4369_;
-                                                phi_4319_ = _e1846;
-                                                phi_4370_ = _e1848;
-                                                phi_4371_ = _e1842;
+                                                let _e2072 = phi_5724_;
+                                                let _e2074 = phi_5725_;
+                                                phi_5675_ = _e2072;
+                                                phi_5726_ = _e2074;
+                                                phi_5727_ = _e2068;
                                             } else {
-                                                phi_4319_ = bool();
-                                                phi_4370_ = false;
-                                                phi_4371_ = false;
+                                                phi_5675_ = bool();
+                                                phi_5726_ = false;
+                                                phi_5727_ = false;
                                             }
-                                            let _e1850 = phi_4319_;
-                                            let _e1852 = phi_4370_;
-                                            let _e1854 = phi_4371_;
-                                            local_16 = _e1854;
+                                            let _e2076 = phi_5675_;
+                                            let _e2078 = phi_5726_;
+                                            let _e2080 = phi_5727_;
+                                            local_16 = _e2080;
                                             continue;
                                             continuing {
-                                                phi_4315_ = _e1828;
-                                                phi_4318_ = _e1850;
-                                                break if !(_e1852);
+                                                phi_5671_ = _e2054;
+                                                phi_5674_ = _e2076;
+                                                break if !(_e2078);
                                             }
                                         }
-                                        let _e1857 = local_16;
-                                        if _e1857 {
-                                            phi_4375_ = false;
+                                        let _e2083 = local_16;
+                                        if _e2083 {
+                                            phi_5731_ = false;
                                         } else {
-                                            phi_4375_ = true;
+                                            phi_5731_ = true;
                                         }
-                                        let _e1859 = phi_4375_;
-                                        if _e1859 {
-                                            let _e1861 = local_17;
-                                            if _e1861 {
-                                                phi_4382_ = 1u;
+                                        let _e2085 = phi_5731_;
+                                        if _e2085 {
+                                            let _e2087 = local_17;
+                                            if _e2087 {
+                                                phi_5738_ = 1u;
                                             } else {
-                                                phi_4382_ = 2u;
+                                                phi_5738_ = 2u;
                                             }
-                                            let _e1863 = phi_4382_;
-                                            phi_4383_ = _e1863;
-                                            phi_4384_ = false;
+                                            let _e2089 = phi_5738_;
+                                            phi_5739_ = _e2089;
+                                            phi_5740_ = false;
                                         } else {
-                                            phi_4383_ = u32();
-                                            phi_4384_ = true;
+                                            phi_5739_ = u32();
+                                            phi_5740_ = true;
                                         }
-                                        let _e1865 = phi_4383_;
-                                        let _e1867 = phi_4384_;
-                                        phi_4385_ = _e1865;
-                                        phi_4386_ = 0u;
-                                        phi_4387_ = _e1867;
+                                        let _e2091 = phi_5739_;
+                                        let _e2093 = phi_5740_;
+                                        phi_5741_ = _e2091;
+                                        phi_5742_ = 0u;
+                                        phi_5743_ = _e2093;
                                     } else {
-                                        phi_4385_ = u32();
-                                        phi_4386_ = 2u;
-                                        phi_4387_ = true;
+                                        phi_5741_ = u32();
+                                        phi_5742_ = 2u;
+                                        phi_5743_ = true;
                                     }
-                                    let _e1869 = phi_4385_;
-                                    let _e1871 = phi_4386_;
-                                    let _e1873 = phi_4387_;
-                                    if _e1873 {
-                                        phi_4391_ = _e1871;
+                                    let _e2095 = phi_5741_;
+                                    let _e2097 = phi_5742_;
+                                    let _e2099 = phi_5743_;
+                                    if _e2099 {
+                                        phi_5747_ = _e2097;
                                     } else {
-                                        phi_4391_ = _e1869;
+                                        phi_5747_ = _e2095;
                                     }
-                                    let _e1875 = phi_4391_;
-                                    let _e1876 = (_e1875 == 0u);
-                                    if _e1876 {
-                                        phi_5432_ = f32();
-                                        phi_5433_ = false;
-                                        phi_5434_ = false;
-                                        phi_5435_ = false;
+                                    let _e2101 = phi_5747_;
+                                    let _e2102 = (_e2101 == 0u);
+                                    if _e2102 {
+                                        phi_7878_ = f32();
+                                        phi_7879_ = false;
+                                        phi_7880_ = false;
+                                        phi_7881_ = false;
                                     } else {
-                                        if (_e1875 == 1u) {
-                                            if _e1173.member_2 {
-                                                if ((_e1173.member_1 - _e1173.member) <= 0.0000005f) {
-                                                    phi_4411_ = false;
+                                        if (_e2101 == 1u) {
+                                            if _e1393.member_2 {
+                                                if ((_e1393.member_1 - _e1393.member) <= 0.0000005f) {
+                                                    phi_5767_ = false;
                                                 } else {
-                                                    phi_4411_ = true;
+                                                    phi_5767_ = true;
                                                 }
-                                                let _e1884 = phi_4411_;
-                                                phi_4412_ = _e1884;
+                                                let _e2110 = phi_5767_;
+                                                phi_5768_ = _e2110;
                                             } else {
-                                                phi_4412_ = true;
+                                                phi_5768_ = true;
                                             }
-                                            let _e1886 = phi_4412_;
-                                            phi_4413_ = _e1886;
+                                            let _e2112 = phi_5768_;
+                                            phi_5769_ = _e2112;
                                         } else {
-                                            phi_4413_ = true;
+                                            phi_5769_ = true;
                                         }
-                                        let _e1888 = phi_4413_;
-                                        if _e1888 {
-                                            let _e1893 = local_12.member[0u];
-                                            let _e1899 = local_12.member_1[0u];
-                                            let _e1905 = local_12.member_2[0u];
-                                            let _e1909 = (_e1893[0] - _e1899[0]);
-                                            let _e1910 = (_e1893[1] - _e1899[1]);
-                                            let _e1911 = (_e1893[2] - _e1899[2]);
-                                            local = array<array<f32, 3>, 4>(_e1893, array<f32, 3>(_e1909, _e1910, _e1911), array<f32, 3>((_e1893[0] - _e1905[0]), (_e1893[1] - _e1905[1]), (_e1893[2] - _e1905[2])), array<f32, 3>((_e1909 - _e1905[0]), (_e1910 - _e1905[1]), (_e1911 - _e1905[2])));
-                                            let _e1924 = local_12.member[1u];
-                                            let _e1930 = local_12.member_1[1u];
-                                            let _e1936 = local_12.member_2[1u];
-                                            let _e1940 = (_e1924[0] - _e1930[0]);
-                                            let _e1941 = (_e1924[1] - _e1930[1]);
-                                            let _e1942 = (_e1924[2] - _e1930[2]);
-                                            local_1 = array<array<f32, 3>, 4>(_e1924, array<f32, 3>(_e1940, _e1941, _e1942), array<f32, 3>((_e1924[0] - _e1936[0]), (_e1924[1] - _e1936[1]), (_e1924[2] - _e1936[2])), array<f32, 3>((_e1940 - _e1936[0]), (_e1941 - _e1936[1]), (_e1942 - _e1936[2])));
-                                            let _e1955 = local_12.member[0u];
-                                            if (_e1955[0] < 0f) {
-                                                phi_4609_ = -(_e1955[0]);
+                                        let _e2114 = phi_5769_;
+                                        if _e2114 {
+                                            let _e2119 = local_12.member[0u];
+                                            let _e2125 = local_12.member_1[0u];
+                                            let _e2131 = local_12.member_2[0u];
+                                            let _e2135 = (_e2119[0] - _e2125[0]);
+                                            let _e2136 = (_e2119[1] - _e2125[1]);
+                                            let _e2137 = (_e2119[2] - _e2125[2]);
+                                            let _e2146 = local_12.member[1u];
+                                            let _e2152 = local_12.member_1[1u];
+                                            let _e2158 = local_12.member_2[1u];
+                                            let _e2162 = (_e2146[0] - _e2152[0]);
+                                            let _e2163 = (_e2146[1] - _e2152[1]);
+                                            let _e2164 = (_e2146[2] - _e2152[2]);
+                                            let _e2173 = local_12.member[0u];
+                                            if (_e2173[0] < 0f) {
+                                                phi_5917_ = -(_e2173[0]);
                                             } else {
-                                                phi_4609_ = _e1955[0];
+                                                phi_5917_ = _e2173[0];
                                             }
-                                            let _e1962 = phi_4609_;
-                                            if (_e1955[1] < 0f) {
-                                                phi_4616_ = -(_e1955[1]);
+                                            let _e2180 = phi_5917_;
+                                            if (_e2173[1] < 0f) {
+                                                phi_5924_ = -(_e2173[1]);
                                             } else {
-                                                phi_4616_ = _e1955[1];
+                                                phi_5924_ = _e2173[1];
                                             }
-                                            let _e1966 = phi_4616_;
-                                            if (_e1962 > _e1966) {
-                                                phi_4621_ = _e1962;
+                                            let _e2184 = phi_5924_;
+                                            if (_e2180 > _e2184) {
+                                                phi_5929_ = _e2180;
                                             } else {
-                                                phi_4621_ = _e1966;
+                                                phi_5929_ = _e2184;
                                             }
-                                            let _e1969 = phi_4621_;
-                                            if (_e1955[2] < 0f) {
-                                                phi_4628_ = -(_e1955[2]);
+                                            let _e2187 = phi_5929_;
+                                            if (_e2173[2] < 0f) {
+                                                phi_5936_ = -(_e2173[2]);
                                             } else {
-                                                phi_4628_ = _e1955[2];
+                                                phi_5936_ = _e2173[2];
                                             }
-                                            let _e1973 = phi_4628_;
-                                            if (_e1969 > _e1973) {
-                                                phi_4633_ = _e1969;
+                                            let _e2191 = phi_5936_;
+                                            if (_e2187 > _e2191) {
+                                                phi_5941_ = _e2187;
                                             } else {
-                                                phi_4633_ = _e1973;
+                                                phi_5941_ = _e2191;
                                             }
-                                            let _e1976 = phi_4633_;
-                                            let _e1979 = local_12.member[1u];
-                                            if (_e1979[0] < 0f) {
-                                                phi_4646_ = -(_e1979[0]);
+                                            let _e2194 = phi_5941_;
+                                            let _e2197 = local_12.member[1u];
+                                            if (_e2197[0] < 0f) {
+                                                phi_5954_ = -(_e2197[0]);
                                             } else {
-                                                phi_4646_ = _e1979[0];
+                                                phi_5954_ = _e2197[0];
                                             }
-                                            let _e1986 = phi_4646_;
-                                            if (_e1979[1] < 0f) {
-                                                phi_4653_ = -(_e1979[1]);
+                                            let _e2204 = phi_5954_;
+                                            if (_e2197[1] < 0f) {
+                                                phi_5961_ = -(_e2197[1]);
                                             } else {
-                                                phi_4653_ = _e1979[1];
+                                                phi_5961_ = _e2197[1];
                                             }
-                                            let _e1990 = phi_4653_;
-                                            if (_e1986 > _e1990) {
-                                                phi_4658_ = _e1986;
+                                            let _e2208 = phi_5961_;
+                                            if (_e2204 > _e2208) {
+                                                phi_5966_ = _e2204;
                                             } else {
-                                                phi_4658_ = _e1990;
+                                                phi_5966_ = _e2208;
                                             }
-                                            let _e1993 = phi_4658_;
-                                            if (_e1979[2] < 0f) {
-                                                phi_4665_ = -(_e1979[2]);
+                                            let _e2211 = phi_5966_;
+                                            if (_e2197[2] < 0f) {
+                                                phi_5973_ = -(_e2197[2]);
                                             } else {
-                                                phi_4665_ = _e1979[2];
+                                                phi_5973_ = _e2197[2];
                                             }
-                                            let _e1997 = phi_4665_;
-                                            if (_e1993 > _e1997) {
-                                                phi_4670_ = _e1993;
+                                            let _e2215 = phi_5973_;
+                                            if (_e2211 > _e2215) {
+                                                phi_5978_ = _e2211;
                                             } else {
-                                                phi_4670_ = _e1997;
+                                                phi_5978_ = _e2215;
                                             }
-                                            let _e2000 = phi_4670_;
-                                            if (_e1976 > _e2000) {
-                                                phi_4675_ = _e1976;
+                                            let _e2218 = phi_5978_;
+                                            if (_e2194 > _e2218) {
+                                                phi_5983_ = _e2194;
                                             } else {
-                                                phi_4675_ = _e2000;
+                                                phi_5983_ = _e2218;
                                             }
-                                            let _e2003 = phi_4675_;
-                                            let _e2005 = local_12.member_3;
-                                            let _e2009 = local_12.member_1[0u];
-                                            if (_e2009[0] < 0f) {
-                                                phi_4692_ = -(_e2009[0]);
+                                            let _e2221 = phi_5983_;
+                                            let _e2223 = local_12.member_3;
+                                            let _e2227 = local_12.member_1[0u];
+                                            if (_e2227[0] < 0f) {
+                                                phi_6000_ = -(_e2227[0]);
                                             } else {
-                                                phi_4692_ = _e2009[0];
+                                                phi_6000_ = _e2227[0];
                                             }
-                                            let _e2016 = phi_4692_;
-                                            if (_e2009[1] < 0f) {
-                                                phi_4699_ = -(_e2009[1]);
+                                            let _e2234 = phi_6000_;
+                                            if (_e2227[1] < 0f) {
+                                                phi_6007_ = -(_e2227[1]);
                                             } else {
-                                                phi_4699_ = _e2009[1];
+                                                phi_6007_ = _e2227[1];
                                             }
-                                            let _e2020 = phi_4699_;
-                                            if (_e2016 > _e2020) {
-                                                phi_4704_ = _e2016;
+                                            let _e2238 = phi_6007_;
+                                            if (_e2234 > _e2238) {
+                                                phi_6012_ = _e2234;
                                             } else {
-                                                phi_4704_ = _e2020;
+                                                phi_6012_ = _e2238;
                                             }
-                                            let _e2023 = phi_4704_;
-                                            if (_e2009[2] < 0f) {
-                                                phi_4711_ = -(_e2009[2]);
+                                            let _e2241 = phi_6012_;
+                                            if (_e2227[2] < 0f) {
+                                                phi_6019_ = -(_e2227[2]);
                                             } else {
-                                                phi_4711_ = _e2009[2];
+                                                phi_6019_ = _e2227[2];
                                             }
-                                            let _e2027 = phi_4711_;
-                                            if (_e2023 > _e2027) {
-                                                phi_4716_ = _e2023;
+                                            let _e2245 = phi_6019_;
+                                            if (_e2241 > _e2245) {
+                                                phi_6024_ = _e2241;
                                             } else {
-                                                phi_4716_ = _e2027;
+                                                phi_6024_ = _e2245;
                                             }
-                                            let _e2030 = phi_4716_;
-                                            let _e2033 = local_12.member_1[1u];
-                                            if (_e2033[0] < 0f) {
-                                                phi_4730_ = -(_e2033[0]);
+                                            let _e2248 = phi_6024_;
+                                            let _e2251 = local_12.member_1[1u];
+                                            if (_e2251[0] < 0f) {
+                                                phi_6038_ = -(_e2251[0]);
                                             } else {
-                                                phi_4730_ = _e2033[0];
+                                                phi_6038_ = _e2251[0];
                                             }
-                                            let _e2040 = phi_4730_;
-                                            if (_e2033[1] < 0f) {
-                                                phi_4737_ = -(_e2033[1]);
+                                            let _e2258 = phi_6038_;
+                                            if (_e2251[1] < 0f) {
+                                                phi_6045_ = -(_e2251[1]);
                                             } else {
-                                                phi_4737_ = _e2033[1];
+                                                phi_6045_ = _e2251[1];
                                             }
-                                            let _e2044 = phi_4737_;
-                                            if (_e2040 > _e2044) {
-                                                phi_4742_ = _e2040;
+                                            let _e2262 = phi_6045_;
+                                            if (_e2258 > _e2262) {
+                                                phi_6050_ = _e2258;
                                             } else {
-                                                phi_4742_ = _e2044;
+                                                phi_6050_ = _e2262;
                                             }
-                                            let _e2047 = phi_4742_;
-                                            if (_e2033[2] < 0f) {
-                                                phi_4749_ = -(_e2033[2]);
+                                            let _e2265 = phi_6050_;
+                                            if (_e2251[2] < 0f) {
+                                                phi_6057_ = -(_e2251[2]);
                                             } else {
-                                                phi_4749_ = _e2033[2];
+                                                phi_6057_ = _e2251[2];
                                             }
-                                            let _e2051 = phi_4749_;
-                                            if (_e2047 > _e2051) {
-                                                phi_4754_ = _e2047;
+                                            let _e2269 = phi_6057_;
+                                            if (_e2265 > _e2269) {
+                                                phi_6062_ = _e2265;
                                             } else {
-                                                phi_4754_ = _e2051;
+                                                phi_6062_ = _e2269;
                                             }
-                                            let _e2054 = phi_4754_;
-                                            if (_e2030 > _e2054) {
-                                                phi_4759_ = _e2030;
+                                            let _e2272 = phi_6062_;
+                                            if (_e2248 > _e2272) {
+                                                phi_6067_ = _e2248;
                                             } else {
-                                                phi_4759_ = _e2054;
+                                                phi_6067_ = _e2272;
                                             }
-                                            let _e2057 = phi_4759_;
-                                            let _e2059 = local_12.member_3;
-                                            let _e2063 = local_12.member_2[0u];
-                                            if (_e2063[0] < 0f) {
-                                                phi_4776_ = -(_e2063[0]);
+                                            let _e2275 = phi_6067_;
+                                            let _e2277 = local_12.member_3;
+                                            let _e2281 = local_12.member_2[0u];
+                                            if (_e2281[0] < 0f) {
+                                                phi_6084_ = -(_e2281[0]);
                                             } else {
-                                                phi_4776_ = _e2063[0];
+                                                phi_6084_ = _e2281[0];
                                             }
-                                            let _e2070 = phi_4776_;
-                                            if (_e2063[1] < 0f) {
-                                                phi_4783_ = -(_e2063[1]);
+                                            let _e2288 = phi_6084_;
+                                            if (_e2281[1] < 0f) {
+                                                phi_6091_ = -(_e2281[1]);
                                             } else {
-                                                phi_4783_ = _e2063[1];
+                                                phi_6091_ = _e2281[1];
                                             }
-                                            let _e2074 = phi_4783_;
-                                            if (_e2070 > _e2074) {
-                                                phi_4788_ = _e2070;
+                                            let _e2292 = phi_6091_;
+                                            if (_e2288 > _e2292) {
+                                                phi_6096_ = _e2288;
                                             } else {
-                                                phi_4788_ = _e2074;
+                                                phi_6096_ = _e2292;
                                             }
-                                            let _e2077 = phi_4788_;
-                                            if (_e2063[2] < 0f) {
-                                                phi_4795_ = -(_e2063[2]);
+                                            let _e2295 = phi_6096_;
+                                            if (_e2281[2] < 0f) {
+                                                phi_6103_ = -(_e2281[2]);
                                             } else {
-                                                phi_4795_ = _e2063[2];
+                                                phi_6103_ = _e2281[2];
                                             }
-                                            let _e2081 = phi_4795_;
-                                            if (_e2077 > _e2081) {
-                                                phi_4800_ = _e2077;
+                                            let _e2299 = phi_6103_;
+                                            if (_e2295 > _e2299) {
+                                                phi_6108_ = _e2295;
                                             } else {
-                                                phi_4800_ = _e2081;
+                                                phi_6108_ = _e2299;
                                             }
-                                            let _e2084 = phi_4800_;
-                                            let _e2087 = local_12.member_2[1u];
-                                            if (_e2087[0] < 0f) {
-                                                phi_4814_ = -(_e2087[0]);
+                                            let _e2302 = phi_6108_;
+                                            let _e2305 = local_12.member_2[1u];
+                                            if (_e2305[0] < 0f) {
+                                                phi_6122_ = -(_e2305[0]);
                                             } else {
-                                                phi_4814_ = _e2087[0];
+                                                phi_6122_ = _e2305[0];
                                             }
-                                            let _e2094 = phi_4814_;
-                                            if (_e2087[1] < 0f) {
-                                                phi_4821_ = -(_e2087[1]);
+                                            let _e2312 = phi_6122_;
+                                            if (_e2305[1] < 0f) {
+                                                phi_6129_ = -(_e2305[1]);
                                             } else {
-                                                phi_4821_ = _e2087[1];
+                                                phi_6129_ = _e2305[1];
                                             }
-                                            let _e2098 = phi_4821_;
-                                            if (_e2094 > _e2098) {
-                                                phi_4826_ = _e2094;
+                                            let _e2316 = phi_6129_;
+                                            if (_e2312 > _e2316) {
+                                                phi_6134_ = _e2312;
                                             } else {
-                                                phi_4826_ = _e2098;
+                                                phi_6134_ = _e2316;
                                             }
-                                            let _e2101 = phi_4826_;
-                                            if (_e2087[2] < 0f) {
-                                                phi_4833_ = -(_e2087[2]);
+                                            let _e2319 = phi_6134_;
+                                            if (_e2305[2] < 0f) {
+                                                phi_6141_ = -(_e2305[2]);
                                             } else {
-                                                phi_4833_ = _e2087[2];
+                                                phi_6141_ = _e2305[2];
                                             }
-                                            let _e2105 = phi_4833_;
-                                            if (_e2101 > _e2105) {
-                                                phi_4838_ = _e2101;
+                                            let _e2323 = phi_6141_;
+                                            if (_e2319 > _e2323) {
+                                                phi_6146_ = _e2319;
                                             } else {
-                                                phi_4838_ = _e2105;
+                                                phi_6146_ = _e2323;
                                             }
-                                            let _e2108 = phi_4838_;
-                                            if (_e2084 > _e2108) {
-                                                phi_4843_ = _e2084;
+                                            let _e2326 = phi_6146_;
+                                            if (_e2302 > _e2326) {
+                                                phi_6151_ = _e2302;
                                             } else {
-                                                phi_4843_ = _e2108;
+                                                phi_6151_ = _e2326;
                                             }
-                                            let _e2111 = phi_4843_;
-                                            let _e2113 = local_12.member_3;
-                                            let _e2120 = local_12.member_3;
-                                            phi_4859_ = type_9(0u, 48u);
-                                            phi_4862_ = _e1173.member;
+                                            let _e2329 = phi_6151_;
+                                            let _e2331 = local_12.member_3;
+                                            let _e2338 = local_12.member_3;
+                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            phi_6190_ = type_9(0u, 96u);
+                                            phi_6193_ = _e1393.member;
+                                            phi_6195_ = _e1393.member;
+                                            phi_6197_ = _e1393.member;
                                             loop {
-                                                let _e2126 = phi_4859_;
-                                                let _e2128 = phi_4862_;
-                                                local_61 = _e2128;
-                                                local_24 = _e2128;
-                                                local_25 = _e2128;
-                                                local_26 = _e2128;
-                                                local_27 = _e2128;
-                                                if (_e2126.member < _e2126.member_1) {
-                                                    phi_4860_ = type_9((_e2126.member + 1u), _e2126.member_1);
-                                                    phi_4885_ = type_9(1u, _e2126.member);
+                                                let _e2344 = phi_6190_;
+                                                let _e2346 = phi_6193_;
+                                                let _e2348 = phi_6195_;
+                                                let _e2350 = phi_6197_;
+                                                local_36 = _e2348;
+                                                local_20 = _e2346;
+                                                if (_e2344.member < _e2344.member_1) {
+                                                    phi_6191_ = type_9((_e2344.member + 1u), _e2344.member_1);
+                                                    phi_6220_ = type_9(1u, _e2344.member);
                                                 } else {
-                                                    phi_4860_ = _e2126;
-                                                    phi_4885_ = type_9(0u, type_9().member_1);
+                                                    phi_6191_ = _e2344;
+                                                    phi_6220_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2140 = phi_4860_;
-                                                let _e2142 = phi_4885_;
-                                                if (bitcast<i32>(_e2142.member) != 0i) {
-                                                    let _e2148 = local_12.member[0u];
-                                                    let _e2154 = local_12.member[1u];
-                                                    let _e2170 = local_12.member_1[0u];
-                                                    let _e2176 = local_12.member_1[1u];
-                                                    let _e2192 = local_12.member_2[0u];
-                                                    let _e2198 = local_12.member_2[1u];
-                                                    let _e2212 = function_2(array<f32, 3>((_e2148[0] + ((_e2154[0] - _e2148[0]) * _e2128)), (_e2148[1] + ((_e2154[1] - _e2148[1]) * _e2128)), (_e2148[2] + ((_e2154[2] - _e2148[2]) * _e2128))), array<f32, 3>((_e2170[0] + ((_e2176[0] - _e2170[0]) * _e2128)), (_e2170[1] + ((_e2176[1] - _e2170[1]) * _e2128)), (_e2170[2] + ((_e2176[2] - _e2170[2]) * _e2128))), array<f32, 3>((_e2192[0] + ((_e2198[0] - _e2192[0]) * _e2128)), (_e2192[1] + ((_e2198[1] - _e2192[1]) * _e2128)), (_e2192[2] + ((_e2198[2] - _e2192[2]) * _e2128))), 1u);
-                                                    if (_e2212[0] < 0f) {
-                                                        phi_4996_ = -(_e2212[0]);
+                                                let _e2362 = phi_6191_;
+                                                let _e2364 = phi_6220_;
+                                                if (bitcast<i32>(_e2364.member) != 0i) {
+                                                    let _e2371 = local_12.member[0u];
+                                                    let _e2377 = local_12.member[1u];
+                                                    let _e2393 = local_12.member_1[0u];
+                                                    let _e2399 = local_12.member_1[1u];
+                                                    let _e2415 = local_12.member_2[0u];
+                                                    let _e2421 = local_12.member_2[1u];
+                                                    let _e2435 = function_2(array<f32, 3>((_e2371[0] + ((_e2377[0] - _e2371[0]) * _e2346)), (_e2371[1] + ((_e2377[1] - _e2371[1]) * _e2346)), (_e2371[2] + ((_e2377[2] - _e2371[2]) * _e2346))), array<f32, 3>((_e2393[0] + ((_e2399[0] - _e2393[0]) * _e2346)), (_e2393[1] + ((_e2399[1] - _e2393[1]) * _e2346)), (_e2393[2] + ((_e2399[2] - _e2393[2]) * _e2346))), array<f32, 3>((_e2415[0] + ((_e2421[0] - _e2415[0]) * _e2346)), (_e2415[1] + ((_e2421[1] - _e2415[1]) * _e2346)), (_e2415[2] + ((_e2421[2] - _e2415[2]) * _e2346))), 1u);
+                                                    if (_e2435[0] < 0f) {
+                                                        phi_6332_ = -(_e2435[0]);
                                                     } else {
-                                                        phi_4996_ = _e2212[0];
+                                                        phi_6332_ = _e2435[0];
                                                     }
-                                                    let _e2217 = phi_4996_;
-                                                    if (_e2212[1] < 0f) {
-                                                        phi_5003_ = -(_e2212[1]);
+                                                    let _e2440 = phi_6332_;
+                                                    if (_e2435[1] < 0f) {
+                                                        phi_6339_ = -(_e2435[1]);
                                                     } else {
-                                                        phi_5003_ = _e2212[1];
+                                                        phi_6339_ = _e2435[1];
                                                     }
-                                                    let _e2222 = phi_5003_;
-                                                    if (_e2212[2] < 0f) {
-                                                        phi_5011_ = -(_e2212[2]);
+                                                    let _e2445 = phi_6339_;
+                                                    if (_e2435[2] < 0f) {
+                                                        phi_6347_ = -(_e2435[2]);
                                                     } else {
-                                                        phi_5011_ = _e2212[2];
+                                                        phi_6347_ = _e2435[2];
                                                     }
-                                                    let _e2228 = phi_5011_;
-                                                    let _e2229 = ((_e2217 + _e2222) + _e2228);
-                                                    if (_e2229 > 0f) {
-                                                        if ((bitcast<u32>(_e2229) & 2139095040u) != 2139095040u) {
-                                                            let _e2234 = (1f / _e2229);
-                                                            let _e2236 = (_e2212[0] * _e2234);
-                                                            let _e2238 = (_e2212[1] * _e2234);
-                                                            let _e2240 = (_e2212[2] * _e2234);
-                                                            let _e2245 = (((_e2236 * _e2236) + (_e2238 * _e2238)) + (_e2240 * _e2240));
-                                                            if (_e2245 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2245 > 0f) {
-                                                                    phi_5048_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2451 = phi_6347_;
+                                                    let _e2452 = ((_e2440 + _e2445) + _e2451);
+                                                    if (_e2452 > 0f) {
+                                                        if ((bitcast<u32>(_e2452) & 2139095040u) != 2139095040u) {
+                                                            let _e2457 = (1f / _e2452);
+                                                            let _e2459 = (_e2435[0] * _e2457);
+                                                            let _e2461 = (_e2435[1] * _e2457);
+                                                            let _e2463 = (_e2435[2] * _e2457);
+                                                            let _e2468 = (((_e2459 * _e2459) + (_e2461 * _e2461)) + (_e2463 * _e2463));
+                                                            if (_e2468 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2468 > 0f) {
+                                                                    phi_6384_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_5048_ = 0f;
+                                                                    phi_6384_ = 0f;
                                                                 }
-                                                                let _e2298 = phi_5048_;
-                                                                phi_5112_ = _e2298;
+                                                                let _e2521 = phi_6384_;
+                                                                phi_6448_ = _e2521;
                                                             } else {
-                                                                phi_5055_ = type_14(0i, 5i);
-                                                                phi_5058_ = bitcast<f32>(((bitcast<u32>(_e2245) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_6391_ = type_14(0i, 5i);
+                                                                phi_6394_ = bitcast<f32>(((bitcast<u32>(_e2468) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2253 = phi_5055_;
-                                                                    let _e2255 = phi_5058_;
-                                                                    local_18 = _e2255;
-                                                                    if (_e2253.member < _e2253.member_1) {
-                                                                        let _e2262 = (_e2253.member + 1i);
-                                                                        if ((false == (_e2262 > _e2253.member)) != false) {
-                                                                            phi_5079_ = true;
+                                                                    let _e2476 = phi_6391_;
+                                                                    let _e2478 = phi_6394_;
+                                                                    local_18 = _e2478;
+                                                                    if (_e2476.member < _e2476.member_1) {
+                                                                        let _e2485 = (_e2476.member + 1i);
+                                                                        if ((false == (_e2485 > _e2476.member)) != false) {
+                                                                            phi_6415_ = true;
                                                                         } else {
-                                                                            phi_5079_ = false;
+                                                                            phi_6415_ = false;
                                                                         }
-                                                                        let _e2267 = phi_5079_;
-                                                                        if _e2267 {
-                                                                            phi_5085_ = type_15(0u, type_15().member_1);
+                                                                        let _e2490 = phi_6415_;
+                                                                        if _e2490 {
+                                                                            phi_6421_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_5085_ = type_15(1u, _e2262);
+                                                                            phi_6421_ = type_15(1u, _e2485);
                                                                         }
-                                                                        let _e2272 = phi_5085_;
-                                                                        phi_5056_ = type_14(_e2272.member_1, _e2253.member_1);
-                                                                        phi_5099_ = type_15(1u, _e2253.member);
+                                                                        let _e2495 = phi_6421_;
+                                                                        phi_6392_ = type_14(_e2495.member_1, _e2476.member_1);
+                                                                        phi_6435_ = type_15(1u, _e2476.member);
                                                                     } else {
-                                                                        phi_5056_ = _e2253;
-                                                                        phi_5099_ = type_15(0u, type_15().member_1);
+                                                                        phi_6392_ = _e2476;
+                                                                        phi_6435_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2278 = phi_5056_;
-                                                                    let _e2280 = phi_5099_;
-                                                                    let _e2283 = (bitcast<i32>(_e2280.member) != 0i);
-                                                                    if _e2283 {
-                                                                        phi_5059_ = (0.5f * (_e2255 + (_e2245 / _e2255)));
+                                                                    let _e2501 = phi_6392_;
+                                                                    let _e2503 = phi_6435_;
+                                                                    let _e2506 = (bitcast<i32>(_e2503.member) != 0i);
+                                                                    if _e2506 {
+                                                                        phi_6395_ = (0.5f * (_e2478 + (_e2468 / _e2478)));
                                                                     } else {
-                                                                        phi_5059_ = f32();
+                                                                        phi_6395_ = f32();
                                                                     }
-                                                                    let _e2288 = phi_5059_;
+                                                                    let _e2511 = phi_6395_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5055_ = _e2278;
-                                                                        phi_5058_ = _e2288;
-                                                                        break if !(_e2283);
+                                                                        phi_6391_ = _e2501;
+                                                                        phi_6394_ = _e2511;
+                                                                        break if !(_e2506);
                                                                     }
                                                                 }
-                                                                let _e2293 = local_18;
-                                                                phi_5112_ = (_e2293 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2516 = local_18;
+                                                                phi_6448_ = (_e2516 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2300 = phi_5112_;
-                                                            phi_5121_ = type_9(0u, 4u);
-                                                            phi_5124_ = 2f;
-                                                            loop {
-                                                                let _e2308 = phi_5121_;
-                                                                let _e2310 = phi_5124_;
-                                                                local_20 = _e2310;
-                                                                local_21 = _e2310;
-                                                                local_22 = _e2310;
-                                                                local_51 = _e2310;
-                                                                local_52 = _e2310;
-                                                                if (_e2308.member < _e2308.member_1) {
-                                                                    phi_5122_ = type_9((_e2308.member + 1u), _e2308.member_1);
-                                                                    phi_5147_ = type_9(1u, _e2308.member);
-                                                                } else {
-                                                                    phi_5122_ = _e2308;
-                                                                    phi_5147_ = type_9(0u, type_9().member_1);
-                                                                }
-                                                                let _e2322 = phi_5122_;
-                                                                let _e2324 = phi_5147_;
-                                                                if (bitcast<i32>(_e2324.member) != 0i) {
-                                                                    let _e2330 = local[_e2324.member_1];
-                                                                    let _e2338 = (((_e2236 * _e2330[0]) + (_e2238 * _e2330[1])) + (_e2240 * _e2330[2]));
-                                                                    let _e2340 = local_1[_e2324.member_1];
-                                                                    let _e2348 = (((_e2236 * _e2340[0]) + (_e2238 * _e2340[1])) + (_e2240 * _e2340[2]));
-                                                                    if (_e2338 < 0f) {
-                                                                        phi_5198_ = -(_e2338);
-                                                                    } else {
-                                                                        phi_5198_ = _e2338;
-                                                                    }
-                                                                    let _e2352 = phi_5198_;
-                                                                    if (_e2348 < 0f) {
-                                                                        phi_5204_ = -(_e2348);
-                                                                    } else {
-                                                                        phi_5204_ = _e2348;
-                                                                    }
-                                                                    let _e2356 = phi_5204_;
-                                                                    let _e2360 = (((((((((_e2003 + _e2005) + (_e2057 + _e2059)) + (_e2111 + _e2113)) * (0.000000059604645f * 16f)) + (_e2120 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2300) * (1f + (0.000000059604645f * 8f)))) + ((_e2352 + _e2356) * (0.000000059604645f * 8f)));
-                                                                    if (_e2338 > _e2360) {
-                                                                        if (_e2348 > _e2360) {
-                                                                            phi_5217_ = false;
-                                                                        } else {
-                                                                            phi_5217_ = true;
-                                                                        }
-                                                                        let _e2364 = phi_5217_;
-                                                                        phi_5218_ = _e2364;
-                                                                    } else {
-                                                                        phi_5218_ = true;
-                                                                    }
-                                                                    let _e2366 = phi_5218_;
-                                                                    if _e2366 {
-                                                                        if ((_e2338 + ((_e2348 - _e2338) * _e2128)) > _e2360) {
-                                                                            if (_e2348 < _e2338) {
-                                                                                let _e2374 = ((_e2338 - _e2348) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                                                if _e2374 {
-                                                                                    let _e2380 = (((_e2338 - _e2360) / (_e2338 - _e2348)) * (1f - (0.000000059604645f * 16f)));
-                                                                                    if (_e2310 < _e2380) {
-                                                                                        phi_5249_ = _e2310;
-                                                                                    } else {
-                                                                                        phi_5249_ = _e2380;
-                                                                                    }
-                                                                                    let _e2383 = phi_5249_;
-                                                                                    phi_5250_ = _e2383;
-                                                                                } else {
-                                                                                    phi_5250_ = f32();
-                                                                                }
-                                                                                let _e2385 = phi_5250_;
-                                                                                phi_5251_ = _e2385;
-                                                                                phi_5252_ = _e2374;
-                                                                            } else {
-                                                                                phi_5251_ = _e2310;
-                                                                                phi_5252_ = true;
-                                                                            }
-                                                                            let _e2387 = phi_5251_;
-                                                                            let _e2389 = phi_5252_;
-                                                                            if _e2389 {
-                                                                                phi_5256_ = false;
-                                                                            } else {
-                                                                                phi_5256_ = true;
-                                                                            }
-                                                                            let _e2391 = phi_5256_;
-                                                                            phi_5257_ = _e2387;
-                                                                            phi_5258_ = _e2389;
-                                                                            phi_5259_ = _e2391;
-                                                                            phi_5260_ = false;
-                                                                        } else {
-                                                                            phi_5257_ = f32();
-                                                                            phi_5258_ = false;
-                                                                            phi_5259_ = false;
-                                                                            phi_5260_ = true;
-                                                                        }
-                                                                        let _e2393 = phi_5257_;
-                                                                        let _e2395 = phi_5258_;
-                                                                        let _e2397 = phi_5259_;
-                                                                        let _e2399 = phi_5260_;
-                                                                        phi_5261_ = _e2393;
-                                                                        phi_5262_ = _e2395;
-                                                                        phi_5263_ = _e2397;
-                                                                        phi_5264_ = _e2399;
-                                                                    } else {
-                                                                        phi_5261_ = _e2310;
-                                                                        phi_5262_ = true;
-                                                                        phi_5263_ = false;
-                                                                        phi_5264_ = false;
-                                                                    }
-                                                                    let _e2401 = phi_5261_;
-                                                                    let _e2403 = phi_5262_;
-                                                                    let _e2405 = phi_5263_;
-                                                                    let _e2407 = phi_5264_;
-                                                                    phi_5125_ = _e2401;
-                                                                    phi_5265_ = _e2403;
-                                                                    phi_5266_ = false;
-                                                                    phi_5267_ = _e2405;
-                                                                    phi_5268_ = _e2407;
-                                                                } else {
-                                                                    phi_5125_ = f32();
-                                                                    phi_5265_ = false;
-                                                                    phi_5266_ = true;
-                                                                    phi_5267_ = false;
-                                                                    phi_5268_ = false;
-                                                                }
-                                                                let _e2409 = phi_5125_;
-                                                                let _e2411 = phi_5265_;
-                                                                let _e2413 = phi_5266_;
-                                                                let _e2415 = phi_5267_;
-                                                                let _e2417 = phi_5268_;
-                                                                local_19 = _e2413;
-                                                                local_49 = _e2415;
-                                                                local_50 = _e2417;
-                                                                continue;
-                                                                continuing {
-                                                                    phi_5121_ = _e2322;
-                                                                    phi_5124_ = _e2409;
-                                                                    break if !(_e2411);
-                                                                }
-                                                            }
-                                                            let _e2420 = local_19;
-                                                            if _e2420 {
-                                                                let _e2422 = local_20;
-                                                                let _e2423 = (_e2422 > _e1173.member_1);
-                                                                if _e2423 {
-                                                                    phi_5289_ = false;
-                                                                    phi_5290_ = false;
-                                                                    phi_5291_ = false;
-                                                                } else {
-                                                                    let _e2425 = local_21;
-                                                                    if (_e2425 > _e2128) {
-                                                                        let _e2428 = local_22;
-                                                                        let _e2430 = ((_e2428 - _e2128) < 0.00000000023283064f);
-                                                                        if _e2430 {
-                                                                            phi_5285_ = false;
-                                                                        } else {
-                                                                            phi_5285_ = true;
-                                                                        }
-                                                                        let _e2432 = phi_5285_;
-                                                                        phi_5286_ = _e2432;
-                                                                        phi_5287_ = _e2430;
-                                                                        phi_5288_ = false;
-                                                                    } else {
-                                                                        phi_5286_ = false;
-                                                                        phi_5287_ = false;
-                                                                        phi_5288_ = true;
-                                                                    }
-                                                                    let _e2434 = phi_5286_;
-                                                                    let _e2436 = phi_5287_;
-                                                                    let _e2438 = phi_5288_;
-                                                                    phi_5289_ = _e2434;
-                                                                    phi_5290_ = _e2436;
-                                                                    phi_5291_ = _e2438;
-                                                                }
-                                                                let _e2440 = phi_5289_;
-                                                                let _e2442 = phi_5290_;
-                                                                let _e2444 = phi_5291_;
-                                                                phi_5292_ = _e2440;
-                                                                phi_5293_ = _e2423;
-                                                                phi_5294_ = _e2442;
-                                                                phi_5295_ = _e2444;
-                                                                phi_5296_ = false;
-                                                                phi_5297_ = false;
+                                                            let _e2523 = phi_6448_;
+                                                            let _e2524 = (0.000000059604645f * 12f);
+                                                            let _e2529 = ((((((((_e2221 + _e2223) + (_e2275 + _e2277)) + (_e2329 + _e2331)) * (0.000000059604645f * 16f)) + (_e2338 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2523) * (1f + _e2524)));
+                                                            let _e2534 = (((_e2459 * _e2119[0]) + (_e2461 * _e2119[1])) + (_e2463 * _e2119[2]));
+                                                            let _e2539 = (((_e2459 * _e2135) + (_e2461 * _e2136)) + (_e2463 * _e2137));
+                                                            let _e2544 = (((_e2459 * (_e2119[0] - _e2131[0])) + (_e2461 * (_e2119[1] - _e2131[1]))) + (_e2463 * (_e2119[2] - _e2131[2])));
+                                                            let _e2549 = (((_e2459 * (_e2135 - _e2131[0])) + (_e2461 * (_e2136 - _e2131[1]))) + (_e2463 * (_e2137 - _e2131[2])));
+                                                            let _e2555 = (((_e2459 * _e2146[0]) + (_e2461 * _e2146[1])) + (_e2463 * _e2146[2]));
+                                                            let _e2560 = (((_e2459 * _e2162) + (_e2461 * _e2163)) + (_e2463 * _e2164));
+                                                            let _e2565 = (((_e2459 * (_e2146[0] - _e2158[0])) + (_e2461 * (_e2146[1] - _e2158[1]))) + (_e2463 * (_e2146[2] - _e2158[2])));
+                                                            let _e2570 = (((_e2459 * (_e2162 - _e2158[0])) + (_e2461 * (_e2163 - _e2158[1]))) + (_e2463 * (_e2164 - _e2158[2])));
+                                                            if (_e2534 < 0f) {
+                                                                phi_6514_ = -(_e2534);
                                                             } else {
-                                                                phi_5292_ = false;
-                                                                phi_5293_ = false;
-                                                                phi_5294_ = false;
-                                                                phi_5295_ = false;
-                                                                let _e4325 = local_49;
-                                                                phi_5296_ = _e4325;
-                                                                let _e4328 = local_50;
-                                                                phi_5297_ = _e4328;
+                                                                phi_6514_ = _e2534;
                                                             }
-                                                            let _e2446 = phi_5292_;
-                                                            let _e2448 = phi_5293_;
-                                                            let _e2450 = phi_5294_;
-                                                            let _e2452 = phi_5295_;
-                                                            let _e2454 = phi_5296_;
-                                                            let _e2456 = phi_5297_;
-                                                            let _e4331 = local_51;
-                                                            phi_5298_ = _e4331;
-                                                            let _e4334 = local_52;
-                                                            phi_5299_ = _e4334;
-                                                            phi_5300_ = _e2446;
-                                                            phi_5301_ = _e2448;
-                                                            phi_5302_ = _e2450;
-                                                            phi_5303_ = _e2452;
-                                                            phi_5304_ = _e2454;
-                                                            phi_5305_ = _e2456;
-                                                            phi_5306_ = false;
+                                                            let _e2575 = phi_6514_;
+                                                            if (_e2555 < 0f) {
+                                                                phi_6520_ = -(_e2555);
+                                                            } else {
+                                                                phi_6520_ = _e2555;
+                                                            }
+                                                            let _e2579 = phi_6520_;
+                                                            if (_e2539 < 0f) {
+                                                                phi_6529_ = -(_e2539);
+                                                            } else {
+                                                                phi_6529_ = _e2539;
+                                                            }
+                                                            let _e2586 = phi_6529_;
+                                                            if (_e2560 < 0f) {
+                                                                phi_6535_ = -(_e2560);
+                                                            } else {
+                                                                phi_6535_ = _e2560;
+                                                            }
+                                                            let _e2590 = phi_6535_;
+                                                            if (_e2544 < 0f) {
+                                                                phi_6544_ = -(_e2544);
+                                                            } else {
+                                                                phi_6544_ = _e2544;
+                                                            }
+                                                            let _e2597 = phi_6544_;
+                                                            if (_e2565 < 0f) {
+                                                                phi_6550_ = -(_e2565);
+                                                            } else {
+                                                                phi_6550_ = _e2565;
+                                                            }
+                                                            let _e2601 = phi_6550_;
+                                                            if (_e2549 < 0f) {
+                                                                phi_6559_ = -(_e2549);
+                                                            } else {
+                                                                phi_6559_ = _e2549;
+                                                            }
+                                                            let _e2608 = phi_6559_;
+                                                            if (_e2570 < 0f) {
+                                                                phi_6565_ = -(_e2570);
+                                                            } else {
+                                                                phi_6565_ = _e2570;
+                                                            }
+                                                            let _e2612 = phi_6565_;
+                                                            phi_6571_ = type_30(array<f32, 4>(_e2534, _e2539, _e2544, _e2549), array<f32, 4>(_e2555, _e2560, _e2565, _e2570), array<f32, 4>((_e2529 + ((_e2575 + _e2579) * _e2524)), (_e2529 + ((_e2586 + _e2590) * _e2524)), (_e2529 + ((_e2597 + _e2601) * _e2524)), (_e2529 + ((_e2608 + _e2612) * _e2524))));
+                                                            phi_6572_ = false;
                                                         } else {
-                                                            phi_5298_ = f32();
-                                                            phi_5299_ = f32();
-                                                            phi_5300_ = false;
-                                                            phi_5301_ = false;
-                                                            phi_5302_ = false;
-                                                            phi_5303_ = false;
-                                                            phi_5304_ = false;
-                                                            phi_5305_ = false;
-                                                            phi_5306_ = true;
+                                                            phi_6571_ = type_30();
+                                                            phi_6572_ = true;
                                                         }
-                                                        let _e2458 = phi_5298_;
-                                                        let _e2460 = phi_5299_;
-                                                        let _e2462 = phi_5300_;
-                                                        let _e2464 = phi_5301_;
-                                                        let _e2466 = phi_5302_;
-                                                        let _e2468 = phi_5303_;
-                                                        let _e2470 = phi_5304_;
-                                                        let _e2472 = phi_5305_;
-                                                        let _e2474 = phi_5306_;
-                                                        phi_5307_ = _e2458;
-                                                        phi_5308_ = _e2460;
-                                                        phi_5309_ = _e2462;
-                                                        phi_5310_ = _e2464;
-                                                        phi_5311_ = _e2466;
-                                                        phi_5312_ = _e2468;
-                                                        phi_5313_ = _e2470;
-                                                        phi_5314_ = _e2472;
-                                                        phi_5315_ = _e2474;
-                                                        phi_5316_ = false;
+                                                        let _e2619 = phi_6571_;
+                                                        let _e2621 = phi_6572_;
+                                                        phi_6573_ = _e2619;
+                                                        phi_6574_ = _e2621;
                                                     } else {
-                                                        phi_5307_ = f32();
-                                                        phi_5308_ = f32();
-                                                        phi_5309_ = false;
-                                                        phi_5310_ = false;
-                                                        phi_5311_ = false;
-                                                        phi_5312_ = false;
-                                                        phi_5313_ = false;
-                                                        phi_5314_ = false;
-                                                        phi_5315_ = false;
-                                                        phi_5316_ = true;
+                                                        phi_6573_ = type_30();
+                                                        phi_6574_ = true;
                                                     }
-                                                    let _e2476 = phi_5307_;
-                                                    let _e2478 = phi_5308_;
-                                                    let _e2480 = phi_5309_;
-                                                    let _e2482 = phi_5310_;
-                                                    let _e2484 = phi_5311_;
-                                                    let _e2486 = phi_5312_;
-                                                    let _e2488 = phi_5313_;
-                                                    let _e2490 = phi_5314_;
-                                                    let _e2492 = phi_5315_;
-                                                    let _e2494 = phi_5316_;
-                                                    phi_5317_ = _e2476;
-                                                    phi_4863_ = _e2478;
-                                                    phi_5318_ = _e2480;
-                                                    phi_5319_ = _e2482;
-                                                    phi_5320_ = _e2484;
-                                                    phi_5321_ = false;
-                                                    phi_5322_ = _e2486;
-                                                    phi_5323_ = _e2488;
-                                                    phi_5324_ = _e2490;
-                                                    phi_5325_ = _e2492;
-                                                    phi_5326_ = _e2494;
+                                                    let _e2623 = phi_6573_;
+                                                    let _e2625 = phi_6574_;
+                                                    if _e2625 {
+                                                        phi_6582_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                    } else {
+                                                        phi_6582_ = _e2623;
+                                                    }
+                                                    let _e2627 = phi_6582_;
+                                                    local_1 = type_30(array<f32, 4>(_e2627.member[0], _e2627.member[1], _e2627.member[2], _e2627.member[3]), array<f32, 4>(_e2627.member_1[0], _e2627.member_1[1], _e2627.member_1[2], _e2627.member_1[3]), array<f32, 4>(_e2627.member_2[0], _e2627.member_2[1], _e2627.member_2[2], _e2627.member_2[3]));
+                                                    let _e2647 = (_e2346 - _e2350);
+                                                    let _e2650 = local_1.member[0u];
+                                                    let _e2653 = local_1.member_1[0u];
+                                                    let _e2656 = local_1.member[0u];
+                                                    let _e2662 = local_1.member_2[0u];
+                                                    if (((_e2650 + ((_e2653 - _e2656) * _e2346)) - _e2662) > 0f) {
+                                                        let _e2667 = local_1.member[1u];
+                                                        let _e2670 = local_1.member_1[1u];
+                                                        let _e2673 = local_1.member[1u];
+                                                        let _e2679 = local_1.member_2[1u];
+                                                        if (((_e2667 + ((_e2670 - _e2673) * _e2346)) - _e2679) > 0f) {
+                                                            let _e2684 = local_1.member[2u];
+                                                            let _e2687 = local_1.member_1[2u];
+                                                            let _e2690 = local_1.member[2u];
+                                                            let _e2696 = local_1.member_2[2u];
+                                                            if (((_e2684 + ((_e2687 - _e2690) * _e2346)) - _e2696) > 0f) {
+                                                                let _e2701 = local_1.member[3u];
+                                                                let _e2704 = local_1.member_1[3u];
+                                                                let _e2707 = local_1.member[3u];
+                                                                let _e2713 = local_1.member_2[3u];
+                                                                phi_6752_ = (((_e2701 + ((_e2704 - _e2707) * _e2346)) - _e2713) > 0f);
+                                                                phi_6753_ = false;
+                                                            } else {
+                                                                phi_6752_ = bool();
+                                                                phi_6753_ = true;
+                                                            }
+                                                            let _e2717 = phi_6752_;
+                                                            let _e2719 = phi_6753_;
+                                                            phi_6754_ = _e2717;
+                                                            phi_6755_ = _e2719;
+                                                        } else {
+                                                            phi_6754_ = bool();
+                                                            phi_6755_ = true;
+                                                        }
+                                                        let _e2721 = phi_6754_;
+                                                        let _e2723 = phi_6755_;
+                                                        phi_6756_ = _e2721;
+                                                        phi_6757_ = _e2723;
+                                                    } else {
+                                                        phi_6756_ = bool();
+                                                        phi_6757_ = true;
+                                                    }
+                                                    let _e2725 = phi_6756_;
+                                                    let _e2727 = phi_6757_;
+                                                    if _e2727 {
+                                                        phi_6761_ = false;
+                                                    } else {
+                                                        phi_6761_ = _e2725;
+                                                    }
+                                                    let _e2729 = phi_6761_;
+                                                    if _e2729 {
+                                                        if (_e2346 <= _e2348) {
+                                                            phi_7071_ = true;
+                                                        } else {
+                                                            let _e2733 = local.member[0u];
+                                                            let _e2736 = local.member_1[0u];
+                                                            let _e2739 = local.member[0u];
+                                                            let _e2745 = local.member_2[0u];
+                                                            let _e2749 = local_1.member[0u];
+                                                            let _e2752 = local_1.member_1[0u];
+                                                            let _e2755 = local_1.member[0u];
+                                                            let _e2761 = local_1.member_2[0u];
+                                                            if ((((_e2733 + ((_e2736 - _e2739) * _e2346)) - _e2745) + ((_e2749 + ((_e2752 - _e2755) * _e2350)) - _e2761)) > 0f) {
+                                                                let _e2767 = local.member[1u];
+                                                                let _e2770 = local.member_1[1u];
+                                                                let _e2773 = local.member[1u];
+                                                                let _e2779 = local.member_2[1u];
+                                                                let _e2783 = local_1.member[1u];
+                                                                let _e2786 = local_1.member_1[1u];
+                                                                let _e2789 = local_1.member[1u];
+                                                                let _e2795 = local_1.member_2[1u];
+                                                                if ((((_e2767 + ((_e2770 - _e2773) * _e2346)) - _e2779) + ((_e2783 + ((_e2786 - _e2789) * _e2350)) - _e2795)) > 0f) {
+                                                                    let _e2801 = local.member[2u];
+                                                                    let _e2804 = local.member_1[2u];
+                                                                    let _e2807 = local.member[2u];
+                                                                    let _e2813 = local.member_2[2u];
+                                                                    let _e2817 = local_1.member[2u];
+                                                                    let _e2820 = local_1.member_1[2u];
+                                                                    let _e2823 = local_1.member[2u];
+                                                                    let _e2829 = local_1.member_2[2u];
+                                                                    if ((((_e2801 + ((_e2804 - _e2807) * _e2346)) - _e2813) + ((_e2817 + ((_e2820 - _e2823) * _e2350)) - _e2829)) > 0f) {
+                                                                        let _e2835 = local.member[3u];
+                                                                        let _e2838 = local.member_1[3u];
+                                                                        let _e2841 = local.member[3u];
+                                                                        let _e2847 = local.member_2[3u];
+                                                                        let _e2851 = local_1.member[3u];
+                                                                        let _e2854 = local_1.member_1[3u];
+                                                                        let _e2857 = local_1.member[3u];
+                                                                        let _e2863 = local_1.member_2[3u];
+                                                                        phi_7058_ = ((((_e2835 + ((_e2838 - _e2841) * _e2346)) - _e2847) + ((_e2851 + ((_e2854 - _e2857) * _e2350)) - _e2863)) > 0f);
+                                                                        phi_7059_ = false;
+                                                                    } else {
+                                                                        phi_7058_ = bool();
+                                                                        phi_7059_ = true;
+                                                                    }
+                                                                    let _e2868 = phi_7058_;
+                                                                    let _e2870 = phi_7059_;
+                                                                    phi_7060_ = _e2868;
+                                                                    phi_7061_ = _e2870;
+                                                                } else {
+                                                                    phi_7060_ = bool();
+                                                                    phi_7061_ = true;
+                                                                }
+                                                                let _e2872 = phi_7060_;
+                                                                let _e2874 = phi_7061_;
+                                                                phi_7062_ = _e2872;
+                                                                phi_7063_ = _e2874;
+                                                            } else {
+                                                                phi_7062_ = bool();
+                                                                phi_7063_ = true;
+                                                            }
+                                                            let _e2876 = phi_7062_;
+                                                            let _e2878 = phi_7063_;
+                                                            if _e2878 {
+                                                                phi_7067_ = false;
+                                                            } else {
+                                                                phi_7067_ = _e2876;
+                                                            }
+                                                            let _e2880 = phi_7067_;
+                                                            phi_7071_ = _e2880;
+                                                        }
+                                                        let _e2882 = phi_7071_;
+                                                        if _e2882 {
+                                                            if (_e2364.member_1 > 0u) {
+                                                                if (_e2346 >= _e1393.member_1) {
+                                                                    phi_7083_ = false;
+                                                                } else {
+                                                                    phi_7083_ = true;
+                                                                }
+                                                                let _e2886 = phi_7083_;
+                                                                phi_7084_ = _e2886;
+                                                            } else {
+                                                                phi_7084_ = true;
+                                                            }
+                                                            let _e2888 = phi_7084_;
+                                                            if _e2888 {
+                                                                local = type_30(array<f32, 4>(_e2627.member[0], _e2627.member[1], _e2627.member[2], _e2627.member[3]), array<f32, 4>(_e2627.member_1[0], _e2627.member_1[1], _e2627.member_1[2], _e2627.member_1[3]), array<f32, 4>(_e2627.member_2[0], _e2627.member_2[1], _e2627.member_2[2], _e2627.member_2[3]));
+                                                                let _e2910 = local.member[0u];
+                                                                let _e2913 = local.member_1[0u];
+                                                                let _e2916 = local.member_2[0u];
+                                                                if (_e2910 > _e2916) {
+                                                                    if (_e2913 > _e2916) {
+                                                                        phi_7158_ = false;
+                                                                    } else {
+                                                                        phi_7158_ = true;
+                                                                    }
+                                                                    let _e2920 = phi_7158_;
+                                                                    phi_7159_ = _e2920;
+                                                                } else {
+                                                                    phi_7159_ = true;
+                                                                }
+                                                                let _e2922 = phi_7159_;
+                                                                if _e2922 {
+                                                                    let _e2923 = (_e2913 >= _e2910);
+                                                                    if _e2923 {
+                                                                        phi_7181_ = f32();
+                                                                        phi_7182_ = false;
+                                                                    } else {
+                                                                        if ((_e2910 - _e2913) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7179_ = (((_e2910 - _e2916) / (_e2910 - _e2913)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7180_ = false;
+                                                                        } else {
+                                                                            phi_7179_ = f32();
+                                                                            phi_7180_ = true;
+                                                                        }
+                                                                        let _e2934 = phi_7179_;
+                                                                        let _e2936 = phi_7180_;
+                                                                        phi_7181_ = _e2934;
+                                                                        phi_7182_ = _e2936;
+                                                                    }
+                                                                    let _e2938 = phi_7181_;
+                                                                    let _e2940 = phi_7182_;
+                                                                    phi_7183_ = _e2938;
+                                                                    phi_7184_ = _e2923;
+                                                                    phi_7185_ = _e2940;
+                                                                } else {
+                                                                    phi_7183_ = f32();
+                                                                    phi_7184_ = true;
+                                                                    phi_7185_ = false;
+                                                                }
+                                                                let _e2942 = phi_7183_;
+                                                                let _e2944 = phi_7184_;
+                                                                let _e2946 = phi_7185_;
+                                                                if _e2944 {
+                                                                    phi_7189_ = 2f;
+                                                                    phi_7190_ = true;
+                                                                } else {
+                                                                    phi_7189_ = _e2346;
+                                                                    phi_7190_ = _e2946;
+                                                                }
+                                                                let _e2948 = phi_7189_;
+                                                                let _e2950 = phi_7190_;
+                                                                if _e2950 {
+                                                                    phi_7194_ = _e2948;
+                                                                } else {
+                                                                    phi_7194_ = _e2942;
+                                                                }
+                                                                let _e2952 = phi_7194_;
+                                                                let _e2955 = local.member[1u];
+                                                                let _e2958 = local.member_1[1u];
+                                                                let _e2961 = local.member_2[1u];
+                                                                if (_e2955 > _e2961) {
+                                                                    if (_e2958 > _e2961) {
+                                                                        phi_7226_ = false;
+                                                                    } else {
+                                                                        phi_7226_ = true;
+                                                                    }
+                                                                    let _e2965 = phi_7226_;
+                                                                    phi_7227_ = _e2965;
+                                                                } else {
+                                                                    phi_7227_ = true;
+                                                                }
+                                                                let _e2967 = phi_7227_;
+                                                                if _e2967 {
+                                                                    let _e2968 = (_e2958 >= _e2955);
+                                                                    if _e2968 {
+                                                                        phi_7249_ = f32();
+                                                                        phi_7250_ = false;
+                                                                    } else {
+                                                                        if ((_e2955 - _e2958) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7247_ = (((_e2955 - _e2961) / (_e2955 - _e2958)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7248_ = false;
+                                                                        } else {
+                                                                            phi_7247_ = f32();
+                                                                            phi_7248_ = true;
+                                                                        }
+                                                                        let _e2979 = phi_7247_;
+                                                                        let _e2981 = phi_7248_;
+                                                                        phi_7249_ = _e2979;
+                                                                        phi_7250_ = _e2981;
+                                                                    }
+                                                                    let _e2983 = phi_7249_;
+                                                                    let _e2985 = phi_7250_;
+                                                                    phi_7251_ = _e2983;
+                                                                    phi_7252_ = _e2968;
+                                                                    phi_7253_ = _e2985;
+                                                                } else {
+                                                                    phi_7251_ = f32();
+                                                                    phi_7252_ = true;
+                                                                    phi_7253_ = false;
+                                                                }
+                                                                let _e2987 = phi_7251_;
+                                                                let _e2989 = phi_7252_;
+                                                                let _e2991 = phi_7253_;
+                                                                if _e2989 {
+                                                                    phi_7257_ = 2f;
+                                                                    phi_7258_ = true;
+                                                                } else {
+                                                                    phi_7257_ = _e2346;
+                                                                    phi_7258_ = _e2991;
+                                                                }
+                                                                let _e2993 = phi_7257_;
+                                                                let _e2995 = phi_7258_;
+                                                                if _e2995 {
+                                                                    phi_7262_ = _e2993;
+                                                                } else {
+                                                                    phi_7262_ = _e2987;
+                                                                }
+                                                                let _e2997 = phi_7262_;
+                                                                if (_e2952 < _e2997) {
+                                                                    phi_7267_ = _e2952;
+                                                                } else {
+                                                                    phi_7267_ = _e2997;
+                                                                }
+                                                                let _e3000 = phi_7267_;
+                                                                let _e3003 = local.member[2u];
+                                                                let _e3006 = local.member_1[2u];
+                                                                let _e3009 = local.member_2[2u];
+                                                                if (_e3003 > _e3009) {
+                                                                    if (_e3006 > _e3009) {
+                                                                        phi_7299_ = false;
+                                                                    } else {
+                                                                        phi_7299_ = true;
+                                                                    }
+                                                                    let _e3013 = phi_7299_;
+                                                                    phi_7300_ = _e3013;
+                                                                } else {
+                                                                    phi_7300_ = true;
+                                                                }
+                                                                let _e3015 = phi_7300_;
+                                                                if _e3015 {
+                                                                    let _e3016 = (_e3006 >= _e3003);
+                                                                    if _e3016 {
+                                                                        phi_7322_ = f32();
+                                                                        phi_7323_ = false;
+                                                                    } else {
+                                                                        if ((_e3003 - _e3006) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7320_ = (((_e3003 - _e3009) / (_e3003 - _e3006)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7321_ = false;
+                                                                        } else {
+                                                                            phi_7320_ = f32();
+                                                                            phi_7321_ = true;
+                                                                        }
+                                                                        let _e3027 = phi_7320_;
+                                                                        let _e3029 = phi_7321_;
+                                                                        phi_7322_ = _e3027;
+                                                                        phi_7323_ = _e3029;
+                                                                    }
+                                                                    let _e3031 = phi_7322_;
+                                                                    let _e3033 = phi_7323_;
+                                                                    phi_7324_ = _e3031;
+                                                                    phi_7325_ = _e3016;
+                                                                    phi_7326_ = _e3033;
+                                                                } else {
+                                                                    phi_7324_ = f32();
+                                                                    phi_7325_ = true;
+                                                                    phi_7326_ = false;
+                                                                }
+                                                                let _e3035 = phi_7324_;
+                                                                let _e3037 = phi_7325_;
+                                                                let _e3039 = phi_7326_;
+                                                                if _e3037 {
+                                                                    phi_7330_ = 2f;
+                                                                    phi_7331_ = true;
+                                                                } else {
+                                                                    phi_7330_ = _e2346;
+                                                                    phi_7331_ = _e3039;
+                                                                }
+                                                                let _e3041 = phi_7330_;
+                                                                let _e3043 = phi_7331_;
+                                                                if _e3043 {
+                                                                    phi_7335_ = _e3041;
+                                                                } else {
+                                                                    phi_7335_ = _e3035;
+                                                                }
+                                                                let _e3045 = phi_7335_;
+                                                                let _e3048 = local.member[3u];
+                                                                let _e3051 = local.member_1[3u];
+                                                                let _e3054 = local.member_2[3u];
+                                                                if (_e3048 > _e3054) {
+                                                                    if (_e3051 > _e3054) {
+                                                                        phi_7367_ = false;
+                                                                    } else {
+                                                                        phi_7367_ = true;
+                                                                    }
+                                                                    let _e3058 = phi_7367_;
+                                                                    phi_7368_ = _e3058;
+                                                                } else {
+                                                                    phi_7368_ = true;
+                                                                }
+                                                                let _e3060 = phi_7368_;
+                                                                if _e3060 {
+                                                                    let _e3061 = (_e3051 >= _e3048);
+                                                                    if _e3061 {
+                                                                        phi_7390_ = f32();
+                                                                        phi_7391_ = false;
+                                                                    } else {
+                                                                        if ((_e3048 - _e3051) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7388_ = (((_e3048 - _e3054) / (_e3048 - _e3051)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7389_ = false;
+                                                                        } else {
+                                                                            phi_7388_ = f32();
+                                                                            phi_7389_ = true;
+                                                                        }
+                                                                        let _e3072 = phi_7388_;
+                                                                        let _e3074 = phi_7389_;
+                                                                        phi_7390_ = _e3072;
+                                                                        phi_7391_ = _e3074;
+                                                                    }
+                                                                    let _e3076 = phi_7390_;
+                                                                    let _e3078 = phi_7391_;
+                                                                    phi_7392_ = _e3076;
+                                                                    phi_7393_ = _e3061;
+                                                                    phi_7394_ = _e3078;
+                                                                } else {
+                                                                    phi_7392_ = f32();
+                                                                    phi_7393_ = true;
+                                                                    phi_7394_ = false;
+                                                                }
+                                                                let _e3080 = phi_7392_;
+                                                                let _e3082 = phi_7393_;
+                                                                let _e3084 = phi_7394_;
+                                                                if _e3082 {
+                                                                    phi_7398_ = 2f;
+                                                                    phi_7399_ = true;
+                                                                } else {
+                                                                    phi_7398_ = _e2346;
+                                                                    phi_7399_ = _e3084;
+                                                                }
+                                                                let _e3086 = phi_7398_;
+                                                                let _e3088 = phi_7399_;
+                                                                if _e3088 {
+                                                                    phi_7403_ = _e3086;
+                                                                } else {
+                                                                    phi_7403_ = _e3080;
+                                                                }
+                                                                let _e3090 = phi_7403_;
+                                                                if (_e3045 < _e3090) {
+                                                                    phi_7408_ = _e3045;
+                                                                } else {
+                                                                    phi_7408_ = _e3090;
+                                                                }
+                                                                let _e3093 = phi_7408_;
+                                                                if (_e3000 < _e3093) {
+                                                                    phi_7413_ = _e3000;
+                                                                } else {
+                                                                    phi_7413_ = _e3093;
+                                                                }
+                                                                let _e3096 = phi_7413_;
+                                                                if (_e3096 > _e2346) {
+                                                                    phi_7418_ = _e3096;
+                                                                } else {
+                                                                    phi_7418_ = _e2346;
+                                                                }
+                                                                let _e3099 = phi_7418_;
+                                                                let _e3100 = (_e3099 > _e1393.member_1);
+                                                                if _e3100 {
+                                                                    phi_7430_ = f32();
+                                                                    phi_7431_ = false;
+                                                                } else {
+                                                                    if (_e2364.member_1 == 0u) {
+                                                                        phi_7429_ = (_e1393.member_1 - _e2346);
+                                                                    } else {
+                                                                        phi_7429_ = (_e2647 + _e2647);
+                                                                    }
+                                                                    let _e3105 = phi_7429_;
+                                                                    phi_7430_ = _e3105;
+                                                                    phi_7431_ = true;
+                                                                }
+                                                                let _e3107 = phi_7430_;
+                                                                let _e3109 = phi_7431_;
+                                                                phi_7432_ = _e3099;
+                                                                phi_7433_ = _e3107;
+                                                                phi_7434_ = _e3109;
+                                                                phi_7435_ = _e3100;
+                                                                phi_7436_ = false;
+                                                            } else {
+                                                                phi_7432_ = f32();
+                                                                phi_7433_ = f32();
+                                                                phi_7434_ = false;
+                                                                phi_7435_ = false;
+                                                                phi_7436_ = true;
+                                                            }
+                                                            let _e3111 = phi_7432_;
+                                                            let _e3113 = phi_7433_;
+                                                            let _e3115 = phi_7434_;
+                                                            let _e3117 = phi_7435_;
+                                                            let _e3119 = phi_7436_;
+                                                            phi_7437_ = _e3111;
+                                                            phi_7438_ = _e3113;
+                                                            phi_7439_ = false;
+                                                            phi_7440_ = _e3115;
+                                                            phi_7441_ = _e3117;
+                                                            phi_7442_ = _e3119;
+                                                        } else {
+                                                            phi_7437_ = f32();
+                                                            phi_7438_ = f32();
+                                                            phi_7439_ = true;
+                                                            phi_7440_ = false;
+                                                            phi_7441_ = false;
+                                                            phi_7442_ = false;
+                                                        }
+                                                        let _e3121 = phi_7437_;
+                                                        let _e3123 = phi_7438_;
+                                                        let _e3125 = phi_7439_;
+                                                        let _e3127 = phi_7440_;
+                                                        let _e3129 = phi_7441_;
+                                                        let _e3131 = phi_7442_;
+                                                        phi_7443_ = _e3121;
+                                                        phi_7444_ = _e3123;
+                                                        phi_7445_ = _e3125;
+                                                        phi_7446_ = _e3127;
+                                                        phi_7447_ = _e3129;
+                                                        phi_7448_ = _e3131;
+                                                    } else {
+                                                        phi_7443_ = f32();
+                                                        phi_7444_ = f32();
+                                                        phi_7445_ = true;
+                                                        phi_7446_ = false;
+                                                        phi_7447_ = false;
+                                                        phi_7448_ = false;
+                                                    }
+                                                    let _e3133 = phi_7443_;
+                                                    let _e3135 = phi_7444_;
+                                                    let _e3137 = phi_7445_;
+                                                    let _e3139 = phi_7446_;
+                                                    let _e3141 = phi_7447_;
+                                                    let _e3143 = phi_7448_;
+                                                    if _e3137 {
+                                                        let _e3144 = (_e2346 <= _e2348);
+                                                        if _e3144 {
+                                                            phi_7777_ = f32();
+                                                            phi_7778_ = false;
+                                                        } else {
+                                                            let _e3147 = local.member[0u];
+                                                            let _e3150 = local.member_1[0u];
+                                                            let _e3153 = local.member[0u];
+                                                            let _e3159 = local.member_2[0u];
+                                                            let _e3160 = ((_e3147 + ((_e3150 - _e3153) * _e2350)) - _e3159);
+                                                            let _e3163 = local.member[1u];
+                                                            let _e3166 = local.member_1[1u];
+                                                            let _e3169 = local.member[1u];
+                                                            let _e3175 = local.member_2[1u];
+                                                            let _e3176 = ((_e3163 + ((_e3166 - _e3169) * _e2350)) - _e3175);
+                                                            if (_e3160 < _e3176) {
+                                                                phi_7528_ = _e3160;
+                                                            } else {
+                                                                phi_7528_ = _e3176;
+                                                            }
+                                                            let _e3179 = phi_7528_;
+                                                            let _e3182 = local.member[2u];
+                                                            let _e3185 = local.member_1[2u];
+                                                            let _e3188 = local.member[2u];
+                                                            let _e3194 = local.member_2[2u];
+                                                            let _e3195 = ((_e3182 + ((_e3185 - _e3188) * _e2350)) - _e3194);
+                                                            let _e3198 = local.member[3u];
+                                                            let _e3201 = local.member_1[3u];
+                                                            let _e3204 = local.member[3u];
+                                                            let _e3210 = local.member_2[3u];
+                                                            let _e3211 = ((_e3198 + ((_e3201 - _e3204) * _e2350)) - _e3210);
+                                                            if (_e3195 < _e3211) {
+                                                                phi_7601_ = _e3195;
+                                                            } else {
+                                                                phi_7601_ = _e3211;
+                                                            }
+                                                            let _e3214 = phi_7601_;
+                                                            if (_e3179 < _e3214) {
+                                                                phi_7606_ = _e3179;
+                                                            } else {
+                                                                phi_7606_ = _e3214;
+                                                            }
+                                                            let _e3217 = phi_7606_;
+                                                            let _e3220 = local_1.member[0u];
+                                                            let _e3223 = local_1.member_1[0u];
+                                                            let _e3226 = local_1.member[0u];
+                                                            let _e3232 = local_1.member_2[0u];
+                                                            let _e3233 = ((_e3220 + ((_e3223 - _e3226) * _e2346)) - _e3232);
+                                                            let _e3236 = local_1.member[1u];
+                                                            let _e3239 = local_1.member_1[1u];
+                                                            let _e3242 = local_1.member[1u];
+                                                            let _e3248 = local_1.member_2[1u];
+                                                            let _e3249 = ((_e3236 + ((_e3239 - _e3242) * _e2346)) - _e3248);
+                                                            if (_e3233 < _e3249) {
+                                                                phi_7679_ = _e3233;
+                                                            } else {
+                                                                phi_7679_ = _e3249;
+                                                            }
+                                                            let _e3252 = phi_7679_;
+                                                            let _e3255 = local_1.member[2u];
+                                                            let _e3258 = local_1.member_1[2u];
+                                                            let _e3261 = local_1.member[2u];
+                                                            let _e3267 = local_1.member_2[2u];
+                                                            let _e3268 = ((_e3255 + ((_e3258 - _e3261) * _e2346)) - _e3267);
+                                                            let _e3271 = local_1.member[3u];
+                                                            let _e3274 = local_1.member_1[3u];
+                                                            let _e3277 = local_1.member[3u];
+                                                            let _e3283 = local_1.member_2[3u];
+                                                            let _e3284 = ((_e3271 + ((_e3274 - _e3277) * _e2346)) - _e3283);
+                                                            if (_e3268 < _e3284) {
+                                                                phi_7752_ = _e3268;
+                                                            } else {
+                                                                phi_7752_ = _e3284;
+                                                            }
+                                                            let _e3287 = phi_7752_;
+                                                            if (_e3252 < _e3287) {
+                                                                phi_7757_ = _e3252;
+                                                            } else {
+                                                                phi_7757_ = _e3287;
+                                                            }
+                                                            let _e3290 = phi_7757_;
+                                                            if (_e3290 > 0f) {
+                                                                phi_7775_ = 0.5f;
+                                                            } else {
+                                                                let _e3294 = (0.95f * (_e3217 / (_e3217 - _e3290)));
+                                                                if (_e3294 > 0.0625f) {
+                                                                    if (_e3294 < 0.9f) {
+                                                                        phi_7773_ = _e3294;
+                                                                    } else {
+                                                                        phi_7773_ = 0.9f;
+                                                                    }
+                                                                    let _e3298 = phi_7773_;
+                                                                    phi_7774_ = _e3298;
+                                                                } else {
+                                                                    phi_7774_ = 0.0625f;
+                                                                }
+                                                                let _e3300 = phi_7774_;
+                                                                phi_7775_ = _e3300;
+                                                            }
+                                                            let _e3302 = phi_7775_;
+                                                            phi_7777_ = (_e2647 * _e3302);
+                                                            phi_7778_ = true;
+                                                        }
+                                                        let _e3305 = phi_7777_;
+                                                        let _e3307 = phi_7778_;
+                                                        phi_7779_ = _e2348;
+                                                        phi_7780_ = _e3305;
+                                                        phi_7781_ = _e2350;
+                                                        phi_7782_ = _e3307;
+                                                        phi_7783_ = _e3144;
+                                                        phi_7784_ = false;
+                                                        phi_7785_ = false;
+                                                    } else {
+                                                        phi_7779_ = _e3133;
+                                                        phi_7780_ = _e3135;
+                                                        phi_7781_ = _e2346;
+                                                        phi_7782_ = _e3139;
+                                                        phi_7783_ = false;
+                                                        phi_7784_ = _e3141;
+                                                        phi_7785_ = _e3143;
+                                                    }
+                                                    let _e3309 = phi_7779_;
+                                                    let _e3311 = phi_7780_;
+                                                    let _e3313 = phi_7781_;
+                                                    let _e3315 = phi_7782_;
+                                                    let _e3317 = phi_7783_;
+                                                    let _e3319 = phi_7784_;
+                                                    let _e3321 = phi_7785_;
+                                                    if _e3315 {
+                                                        let _e3322 = (_e3313 + _e3311);
+                                                        if (_e3322 > _e3309) {
+                                                            phi_7794_ = _e3322;
+                                                        } else {
+                                                            phi_7794_ = _e3309;
+                                                        }
+                                                        let _e3325 = phi_7794_;
+                                                        if (_e3325 < _e1393.member_1) {
+                                                            phi_7799_ = _e3325;
+                                                        } else {
+                                                            phi_7799_ = _e1393.member_1;
+                                                        }
+                                                        let _e3328 = phi_7799_;
+                                                        if (_e2364.member_1 > 0u) {
+                                                            phi_7809_ = ((_e3328 - _e3313) > 0.0000000037252903f);
+                                                        } else {
+                                                            phi_7809_ = true;
+                                                        }
+                                                        let _e3333 = phi_7809_;
+                                                        if _e3333 {
+                                                            phi_7813_ = false;
+                                                        } else {
+                                                            phi_7813_ = true;
+                                                        }
+                                                        let _e3335 = phi_7813_;
+                                                        phi_7814_ = _e3328;
+                                                        phi_7815_ = _e3333;
+                                                        phi_7816_ = _e3335;
+                                                        phi_7817_ = false;
+                                                        phi_7818_ = false;
+                                                        phi_7819_ = false;
+                                                    } else {
+                                                        phi_7814_ = f32();
+                                                        phi_7815_ = false;
+                                                        phi_7816_ = false;
+                                                        phi_7817_ = _e3317;
+                                                        phi_7818_ = _e3319;
+                                                        phi_7819_ = _e3321;
+                                                    }
+                                                    let _e3337 = phi_7814_;
+                                                    let _e3339 = phi_7815_;
+                                                    let _e3341 = phi_7816_;
+                                                    let _e3343 = phi_7817_;
+                                                    let _e3345 = phi_7818_;
+                                                    let _e3347 = phi_7819_;
+                                                    phi_6194_ = _e3337;
+                                                    phi_6196_ = _e3309;
+                                                    phi_6198_ = _e3313;
+                                                    phi_7820_ = _e3309;
+                                                    phi_7821_ = _e3339;
+                                                    phi_7822_ = _e3341;
+                                                    phi_7823_ = false;
+                                                    phi_7824_ = _e3343;
+                                                    phi_7825_ = _e3345;
+                                                    phi_7826_ = _e3347;
                                                 } else {
-                                                    phi_5317_ = f32();
-                                                    phi_4863_ = f32();
-                                                    phi_5318_ = false;
-                                                    phi_5319_ = false;
-                                                    phi_5320_ = false;
-                                                    phi_5321_ = true;
-                                                    phi_5322_ = false;
-                                                    phi_5323_ = false;
-                                                    phi_5324_ = false;
-                                                    phi_5325_ = false;
-                                                    phi_5326_ = false;
+                                                    phi_6194_ = f32();
+                                                    phi_6196_ = f32();
+                                                    phi_6198_ = f32();
+                                                    phi_7820_ = f32();
+                                                    phi_7821_ = false;
+                                                    phi_7822_ = false;
+                                                    phi_7823_ = true;
+                                                    phi_7824_ = false;
+                                                    phi_7825_ = false;
+                                                    phi_7826_ = false;
                                                 }
-                                                let _e2496 = phi_5317_;
-                                                let _e2498 = phi_4863_;
-                                                let _e2500 = phi_5318_;
-                                                let _e2502 = phi_5319_;
-                                                let _e2504 = phi_5320_;
-                                                let _e2506 = phi_5321_;
-                                                let _e2508 = phi_5322_;
-                                                let _e2510 = phi_5323_;
-                                                let _e2512 = phi_5324_;
-                                                let _e2514 = phi_5325_;
-                                                let _e2516 = phi_5326_;
-                                                local_23 = _e2502;
-                                                local_53 = _e2504;
-                                                local_54 = _e2506;
-                                                local_55 = _e2508;
-                                                local_56 = _e2510;
-                                                local_57 = _e2512;
-                                                local_58 = _e2514;
-                                                local_59 = _e2516;
-                                                local_60 = _e2496;
-                                                local_62 = _e2502;
+                                                let _e3349 = phi_6194_;
+                                                let _e3351 = phi_6196_;
+                                                let _e3353 = phi_6198_;
+                                                let _e3355 = phi_7820_;
+                                                let _e3357 = phi_7821_;
+                                                let _e3359 = phi_7822_;
+                                                let _e3361 = phi_7823_;
+                                                let _e3363 = phi_7824_;
+                                                let _e3365 = phi_7825_;
+                                                let _e3367 = phi_7826_;
+                                                local_19 = _e3359;
+                                                local_35 = _e3355;
+                                                local_37 = _e3361;
+                                                local_38 = _e3363;
+                                                local_39 = _e3365;
+                                                local_40 = _e3367;
                                                 continue;
                                                 continuing {
-                                                    phi_4859_ = _e2140;
-                                                    phi_4862_ = _e2498;
-                                                    break if !(_e2500);
+                                                    phi_6190_ = _e2362;
+                                                    phi_6193_ = _e3349;
+                                                    phi_6195_ = _e3351;
+                                                    phi_6197_ = _e3353;
+                                                    break if !(_e3357);
                                                 }
                                             }
-                                            let _e2519 = local_23;
-                                            if _e2519 {
-                                                phi_5331_ = type_34(0u, type_34().member_1);
-                                                phi_5332_ = false;
-                                                phi_5333_ = false;
-                                                phi_5334_ = false;
-                                                phi_5335_ = false;
-                                                phi_5336_ = false;
-                                                phi_5337_ = false;
-                                                phi_5338_ = false;
+                                            let _e3370 = local_19;
+                                            if _e3370 {
+                                                let _e5796 = local_35;
+                                                phi_7830_ = _e5796;
+                                                phi_7831_ = true;
+                                                phi_7832_ = false;
+                                                phi_7833_ = false;
+                                                phi_7834_ = false;
                                             } else {
-                                                phi_5331_ = type_34();
-                                                let _e4367 = local_53;
-                                                phi_5332_ = _e4367;
-                                                let _e4370 = local_54;
-                                                phi_5333_ = _e4370;
-                                                let _e4373 = local_55;
-                                                phi_5334_ = _e4373;
-                                                let _e4376 = local_56;
-                                                phi_5335_ = _e4376;
-                                                let _e4379 = local_57;
-                                                phi_5336_ = _e4379;
-                                                let _e4382 = local_58;
-                                                phi_5337_ = _e4382;
-                                                let _e4385 = local_59;
-                                                phi_5338_ = _e4385;
+                                                let _e5798 = local_36;
+                                                phi_7830_ = _e5798;
+                                                let _e5801 = local_37;
+                                                phi_7831_ = _e5801;
+                                                let _e5804 = local_38;
+                                                phi_7832_ = _e5804;
+                                                let _e5807 = local_39;
+                                                phi_7833_ = _e5807;
+                                                let _e5810 = local_40;
+                                                phi_7834_ = _e5810;
                                             }
-                                            let _e2523 = phi_5331_;
-                                            let _e2525 = phi_5332_;
-                                            let _e2527 = phi_5333_;
-                                            let _e2529 = phi_5334_;
-                                            let _e2531 = phi_5335_;
-                                            let _e2533 = phi_5336_;
-                                            let _e2535 = phi_5337_;
-                                            let _e2537 = phi_5338_;
-                                            if _e2525 {
-                                                let _e4388 = local_60;
-                                                phi_5342_ = _e4388;
-                                                phi_5343_ = true;
-                                                phi_5344_ = false;
-                                                phi_5345_ = false;
-                                                phi_5346_ = false;
-                                                phi_5347_ = false;
-                                                phi_5348_ = false;
-                                                phi_5349_ = false;
+                                            let _e3372 = phi_7830_;
+                                            let _e3374 = phi_7831_;
+                                            let _e3376 = phi_7832_;
+                                            let _e3378 = phi_7833_;
+                                            let _e3380 = phi_7834_;
+                                            if _e3374 {
+                                                phi_7839_ = type_35(1u, _e3372);
+                                                phi_7840_ = false;
+                                                phi_7841_ = false;
+                                                phi_7842_ = false;
                                             } else {
-                                                let _e4390 = local_61;
-                                                phi_5342_ = _e4390;
-                                                phi_5343_ = _e2527;
-                                                phi_5344_ = _e2529;
-                                                phi_5345_ = _e2531;
-                                                phi_5346_ = _e2533;
-                                                let _e4397 = local_62;
-                                                phi_5347_ = _e4397;
-                                                phi_5348_ = _e2535;
-                                                phi_5349_ = _e2537;
+                                                phi_7839_ = type_35();
+                                                phi_7840_ = _e3376;
+                                                phi_7841_ = _e3378;
+                                                phi_7842_ = _e3380;
                                             }
-                                            let _e2539 = phi_5342_;
-                                            let _e2541 = phi_5343_;
-                                            let _e2543 = phi_5344_;
-                                            let _e2545 = phi_5345_;
-                                            let _e2547 = phi_5346_;
-                                            let _e2549 = phi_5347_;
-                                            let _e2551 = phi_5348_;
-                                            let _e2553 = phi_5349_;
-                                            if _e2541 {
-                                                phi_5354_ = type_34(1u, _e2539);
-                                                phi_5355_ = false;
-                                                phi_5356_ = false;
-                                                phi_5357_ = false;
-                                                phi_5358_ = false;
-                                                phi_5359_ = false;
-                                                phi_5360_ = false;
+                                            let _e3383 = phi_7839_;
+                                            let _e3385 = phi_7840_;
+                                            let _e3387 = phi_7841_;
+                                            let _e3389 = phi_7842_;
+                                            if _e3385 {
+                                                let _e3391 = local_20;
+                                                phi_7847_ = type_35(1u, _e3391);
+                                                phi_7848_ = false;
+                                                phi_7849_ = false;
                                             } else {
-                                                phi_5354_ = type_34();
-                                                phi_5355_ = _e2543;
-                                                phi_5356_ = _e2545;
-                                                phi_5357_ = _e2547;
-                                                phi_5358_ = _e2549;
-                                                phi_5359_ = _e2551;
-                                                phi_5360_ = _e2553;
+                                                phi_7847_ = type_35();
+                                                phi_7848_ = _e3387;
+                                                phi_7849_ = _e3389;
                                             }
-                                            let _e2556 = phi_5354_;
-                                            let _e2558 = phi_5355_;
-                                            let _e2560 = phi_5356_;
-                                            let _e2562 = phi_5357_;
-                                            let _e2564 = phi_5358_;
-                                            let _e2566 = phi_5359_;
-                                            let _e2568 = phi_5360_;
-                                            if _e2558 {
-                                                let _e2570 = local_24;
-                                                phi_5365_ = type_34(1u, _e2570);
-                                                phi_5366_ = false;
-                                                phi_5367_ = false;
-                                                phi_5368_ = true;
-                                                phi_5369_ = false;
-                                                phi_5370_ = false;
+                                            let _e3394 = phi_7847_;
+                                            let _e3396 = phi_7848_;
+                                            let _e3398 = phi_7849_;
+                                            if _e3396 {
+                                                phi_7854_ = type_35(0u, type_35().member_1);
+                                                phi_7855_ = false;
+                                                phi_7856_ = true;
                                             } else {
-                                                phi_5365_ = _e2523;
-                                                phi_5366_ = _e2560;
-                                                phi_5367_ = _e2562;
-                                                phi_5368_ = _e2564;
-                                                phi_5369_ = _e2566;
-                                                phi_5370_ = _e2568;
+                                                phi_7854_ = _e3394;
+                                                phi_7855_ = _e3398;
+                                                phi_7856_ = _e3385;
                                             }
-                                            let _e2573 = phi_5365_;
-                                            let _e2575 = phi_5366_;
-                                            let _e2577 = phi_5367_;
-                                            let _e2579 = phi_5368_;
-                                            let _e2581 = phi_5369_;
-                                            let _e2583 = phi_5370_;
-                                            if _e2575 {
-                                                let _e2585 = local_25;
-                                                phi_5375_ = type_34(1u, _e2585);
-                                                phi_5376_ = false;
-                                                phi_5377_ = false;
-                                                phi_5378_ = false;
-                                                phi_5379_ = false;
+                                            let _e3402 = phi_7854_;
+                                            let _e3404 = phi_7855_;
+                                            let _e3406 = phi_7856_;
+                                            if _e3404 {
+                                                phi_7861_ = type_35(0u, type_35().member_1);
+                                                phi_7862_ = true;
                                             } else {
-                                                phi_5375_ = type_34();
-                                                phi_5376_ = _e2577;
-                                                phi_5377_ = _e2579;
-                                                phi_5378_ = _e2581;
-                                                phi_5379_ = _e2583;
+                                                phi_7861_ = _e3402;
+                                                phi_7862_ = _e3406;
                                             }
-                                            let _e2588 = phi_5375_;
-                                            let _e2590 = phi_5376_;
-                                            let _e2592 = phi_5377_;
-                                            let _e2594 = phi_5378_;
-                                            let _e2596 = phi_5379_;
-                                            if _e2590 {
-                                                let _e2598 = local_26;
-                                                phi_5384_ = type_34(1u, _e2598);
-                                                phi_5385_ = true;
-                                                phi_5386_ = false;
-                                                phi_5387_ = false;
-                                                phi_5388_ = false;
+                                            let _e3410 = phi_7861_;
+                                            let _e3412 = phi_7862_;
+                                            if _e3412 {
+                                                phi_7866_ = _e3410;
                                             } else {
-                                                phi_5384_ = _e2588;
-                                                phi_5385_ = _e2575;
-                                                phi_5386_ = _e2592;
-                                                phi_5387_ = _e2594;
-                                                phi_5388_ = _e2596;
+                                                phi_7866_ = _e3383;
                                             }
-                                            let _e2601 = phi_5384_;
-                                            let _e2603 = phi_5385_;
-                                            let _e2605 = phi_5386_;
-                                            let _e2607 = phi_5387_;
-                                            let _e2609 = phi_5388_;
-                                            if _e2603 {
-                                                phi_5392_ = _e2601;
-                                                phi_5393_ = true;
-                                                phi_5394_ = false;
-                                                phi_5395_ = false;
+                                            let _e3414 = phi_7866_;
+                                            let _e3417 = (_e3414.member != 0u);
+                                            if _e3417 {
+                                                phi_7873_ = false;
                                             } else {
-                                                phi_5392_ = _e2573;
-                                                phi_5393_ = _e2605;
-                                                phi_5394_ = _e2607;
-                                                phi_5395_ = _e2609;
+                                                phi_7873_ = true;
                                             }
-                                            let _e2611 = phi_5392_;
-                                            let _e2613 = phi_5393_;
-                                            let _e2615 = phi_5394_;
-                                            let _e2617 = phi_5395_;
-                                            if _e2613 {
-                                                phi_5399_ = false;
-                                                phi_5400_ = false;
-                                            } else {
-                                                phi_5399_ = _e2615;
-                                                phi_5400_ = _e2617;
-                                            }
-                                            let _e2619 = phi_5399_;
-                                            let _e2621 = phi_5400_;
-                                            if _e2619 {
-                                                phi_5404_ = false;
-                                                phi_5405_ = false;
-                                            } else {
-                                                phi_5404_ = _e2621;
-                                                phi_5405_ = _e2613;
-                                            }
-                                            let _e2623 = phi_5404_;
-                                            let _e2625 = phi_5405_;
-                                            if _e2623 {
-                                                phi_5409_ = true;
-                                                phi_5410_ = false;
-                                            } else {
-                                                phi_5409_ = _e2619;
-                                                phi_5410_ = _e2625;
-                                            }
-                                            let _e2627 = phi_5409_;
-                                            let _e2629 = phi_5410_;
-                                            if _e2627 {
-                                                let _e2631 = local_27;
-                                                phi_5415_ = type_34(1u, _e2631);
-                                                phi_5416_ = true;
-                                            } else {
-                                                phi_5415_ = _e2611;
-                                                phi_5416_ = _e2629;
-                                            }
-                                            let _e2634 = phi_5415_;
-                                            let _e2636 = phi_5416_;
-                                            if _e2636 {
-                                                phi_5420_ = _e2634;
-                                            } else {
-                                                phi_5420_ = _e2556;
-                                            }
-                                            let _e2638 = phi_5420_;
-                                            let _e2641 = (_e2638.member != 0u);
-                                            if _e2641 {
-                                                phi_5427_ = false;
-                                            } else {
-                                                phi_5427_ = true;
-                                            }
-                                            let _e2643 = phi_5427_;
-                                            phi_5428_ = _e2638.member_1;
-                                            phi_5429_ = _e2643;
-                                            phi_5430_ = _e2641;
-                                            phi_5431_ = false;
+                                            let _e3419 = phi_7873_;
+                                            phi_7874_ = _e3414.member_1;
+                                            phi_7875_ = _e3419;
+                                            phi_7876_ = _e3417;
+                                            phi_7877_ = false;
                                         } else {
-                                            phi_5428_ = f32();
-                                            phi_5429_ = false;
-                                            phi_5430_ = false;
-                                            phi_5431_ = true;
+                                            phi_7874_ = f32();
+                                            phi_7875_ = false;
+                                            phi_7876_ = false;
+                                            phi_7877_ = true;
                                         }
-                                        let _e2645 = phi_5428_;
-                                        let _e2647 = phi_5429_;
-                                        let _e2649 = phi_5430_;
-                                        let _e2651 = phi_5431_;
-                                        phi_5432_ = _e2645;
-                                        phi_5433_ = _e2647;
-                                        phi_5434_ = _e2649;
-                                        phi_5435_ = _e2651;
+                                        let _e3421 = phi_7874_;
+                                        let _e3423 = phi_7875_;
+                                        let _e3425 = phi_7876_;
+                                        let _e3427 = phi_7877_;
+                                        phi_7878_ = _e3421;
+                                        phi_7879_ = _e3423;
+                                        phi_7880_ = _e3425;
+                                        phi_7881_ = _e3427;
                                     }
-                                    let _e2653 = phi_5432_;
-                                    let _e2655 = phi_5433_;
-                                    let _e2657 = phi_5434_;
-                                    let _e2659 = phi_5435_;
-                                    phi_5436_ = _e2653;
-                                    phi_5437_ = _e1876;
-                                    phi_5438_ = _e2655;
-                                    phi_5439_ = _e2657;
-                                    phi_5440_ = _e2659;
+                                    let _e3429 = phi_7878_;
+                                    let _e3431 = phi_7879_;
+                                    let _e3433 = phi_7880_;
+                                    let _e3435 = phi_7881_;
+                                    phi_7882_ = _e3429;
+                                    phi_7883_ = _e2102;
+                                    phi_7884_ = _e3431;
+                                    phi_7885_ = _e3433;
+                                    phi_7886_ = _e3435;
                                 }
-                                let _e2661 = phi_5436_;
-                                let _e2663 = phi_5437_;
-                                let _e2665 = phi_5438_;
-                                let _e2667 = phi_5439_;
-                                let _e2669 = phi_5440_;
-                                if _e2663 {
-                                    phi_5444_ = true;
-                                    phi_5445_ = false;
-                                    phi_5446_ = false;
+                                let _e3437 = phi_7882_;
+                                let _e3439 = phi_7883_;
+                                let _e3441 = phi_7884_;
+                                let _e3443 = phi_7885_;
+                                let _e3445 = phi_7886_;
+                                if _e3439 {
+                                    phi_7890_ = true;
+                                    phi_7891_ = false;
+                                    phi_7892_ = false;
                                 } else {
-                                    phi_5444_ = _e2665;
-                                    phi_5445_ = _e2667;
-                                    phi_5446_ = _e2669;
+                                    phi_7890_ = _e3441;
+                                    phi_7891_ = _e3443;
+                                    phi_7892_ = _e3445;
                                 }
-                                let _e2671 = phi_5444_;
-                                let _e2673 = phi_5445_;
-                                let _e2675 = phi_5446_;
-                                phi_5447_ = _e2661;
-                                phi_5448_ = _e1173;
-                                phi_5449_ = _e2671;
-                                phi_5450_ = false;
-                                phi_5451_ = _e2673;
-                                phi_5452_ = _e2675;
+                                let _e3447 = phi_7890_;
+                                let _e3449 = phi_7891_;
+                                let _e3451 = phi_7892_;
+                                phi_7893_ = _e3437;
+                                phi_7894_ = _e1393;
+                                phi_7895_ = _e3447;
+                                phi_7896_ = false;
+                                phi_7897_ = _e3449;
+                                phi_7898_ = _e3451;
                             } else {
-                                phi_5447_ = f32();
-                                phi_5448_ = type_35();
-                                phi_5449_ = false;
-                                phi_5450_ = true;
-                                phi_5451_ = false;
-                                phi_5452_ = false;
+                                phi_7893_ = f32();
+                                phi_7894_ = type_37();
+                                phi_7895_ = false;
+                                phi_7896_ = true;
+                                phi_7897_ = false;
+                                phi_7898_ = false;
                             }
-                            let _e2677 = phi_5447_;
-                            let _e2679 = phi_5448_;
-                            let _e2681 = phi_5449_;
-                            let _e2683 = phi_5450_;
-                            let _e2685 = phi_5451_;
-                            let _e2687 = phi_5452_;
-                            local_28 = _e2683;
-                            local_63 = _e2685;
-                            local_64 = _e2687;
-                            local_29 = _e2677;
-                            local_30 = _e2679;
+                            let _e3453 = phi_7893_;
+                            let _e3455 = phi_7894_;
+                            let _e3457 = phi_7895_;
+                            let _e3459 = phi_7896_;
+                            let _e3461 = phi_7897_;
+                            let _e3463 = phi_7898_;
+                            local_21 = _e3459;
+                            local_41 = _e3461;
+                            local_42 = _e3463;
+                            local_22 = _e3453;
+                            local_23 = _e3455;
                             continue;
                             continuing {
-                                phi_2946_ = _e878;
-                                break if !(_e2681);
+                                phi_4327_ = _e1123;
+                                break if !(_e3457);
                             }
                         }
-                        let _e2690 = local_28;
-                        if _e2690 {
-                            phi_5457_ = type_34(0u, type_34().member_1);
-                            phi_5458_ = false;
-                            phi_5459_ = false;
+                        let _e3466 = local_21;
+                        if _e3466 {
+                            phi_7903_ = type_35(0u, type_35().member_1);
+                            phi_7904_ = false;
+                            phi_7905_ = false;
                         } else {
-                            phi_5457_ = type_34();
-                            let _e4467 = local_63;
-                            phi_5458_ = _e4467;
-                            let _e4470 = local_64;
-                            phi_5459_ = _e4470;
+                            phi_7903_ = type_35();
+                            let _e5852 = local_41;
+                            phi_7904_ = _e5852;
+                            let _e5855 = local_42;
+                            phi_7905_ = _e5855;
                         }
-                        let _e2694 = phi_5457_;
-                        let _e2696 = phi_5458_;
-                        let _e2698 = phi_5459_;
-                        if _e2696 {
-                            let _e2700 = local_29;
-                            phi_5464_ = type_34(2u, _e2700);
-                            phi_5465_ = false;
+                        let _e3470 = phi_7903_;
+                        let _e3472 = phi_7904_;
+                        let _e3474 = phi_7905_;
+                        if _e3472 {
+                            let _e3476 = local_22;
+                            phi_7910_ = type_35(2u, _e3476);
+                            phi_7911_ = false;
                         } else {
-                            phi_5464_ = type_34();
-                            phi_5465_ = _e2698;
+                            phi_7910_ = type_35();
+                            phi_7911_ = _e3474;
                         }
-                        let _e2703 = phi_5464_;
-                        let _e2705 = phi_5465_;
-                        if _e2705 {
-                            let _e2707 = local_30;
-                            phi_5471_ = type_34(1u, _e2707.member);
-                            phi_5472_ = true;
+                        let _e3479 = phi_7910_;
+                        let _e3481 = phi_7911_;
+                        if _e3481 {
+                            let _e3483 = local_23;
+                            phi_7917_ = type_35(1u, _e3483.member);
+                            phi_7918_ = true;
                         } else {
-                            phi_5471_ = _e2703;
-                            phi_5472_ = _e2696;
+                            phi_7917_ = _e3479;
+                            phi_7918_ = _e3472;
                         }
-                        let _e2711 = phi_5471_;
-                        let _e2713 = phi_5472_;
-                        if _e2713 {
-                            phi_5476_ = _e2711;
+                        let _e3487 = phi_7917_;
+                        let _e3489 = phi_7918_;
+                        if _e3489 {
+                            phi_7922_ = _e3487;
                         } else {
-                            phi_5476_ = _e2694;
+                            phi_7922_ = _e3470;
                         }
-                        let _e2715 = phi_5476_;
-                        phi_5480_ = _e2715;
+                        let _e3491 = phi_7922_;
+                        phi_7926_ = _e3491;
                     }
-                    let _e3839 = phi_5480_;
-                    phi_5481_ = _e3839;
+                    let _e5165 = phi_7926_;
+                    phi_7927_ = _e5165;
                 }
-                let _e3843 = phi_5481_;
-                switch bitcast<i32>(_e3843.member) {
+                let _e5169 = phi_7927_;
+                switch bitcast<i32>(_e5169.member) {
                     case 0: {
-                        phi_5494_ = type_36(0u, array<u32, 2>(0u, 0u), false);
+                        phi_7940_ = type_38(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e3849 = function_(_e3843.member_1);
-                        phi_5494_ = type_36(0u, _e3849, true);
+                        let _e5175 = function_(_e5169.member_1);
+                        phi_7940_ = type_38(0u, _e5175, true);
                         break;
                     }
                     case 2: {
-                        let _e3847 = function_(_e3843.member_1);
-                        phi_5494_ = type_36(1u, _e3847, true);
+                        let _e5173 = function_(_e5169.member_1);
+                        phi_7940_ = type_38(1u, _e5173, true);
                         break;
                     }
                     default: {
-                        phi_5494_ = type_36();
+                        phi_7940_ = type_38();
                         break;
                     }
                 }
-                let _e3852 = phi_5494_;
-                if _e3852.member_2 {
-                    phi_5501_ = (_e3852.member == 0u);
+                let _e5178 = phi_7940_;
+                if _e5178.member_2 {
+                    phi_7947_ = (_e5178.member == 0u);
                 } else {
-                    phi_5501_ = false;
+                    phi_7947_ = false;
                 }
-                let _e3857 = phi_5501_;
-                if _e3857 {
-                    let _e3865 = (_e3852.member_1[1] >> bitcast<u32>(20i));
-                    if (_e3865 <= 896u) {
-                        phi_5525_ = 0u;
+                let _e5183 = phi_7947_;
+                if _e5183 {
+                    let _e5191 = (_e5178.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5191 <= 896u) {
+                        phi_7971_ = 0u;
                     } else {
-                        phi_5525_ = ((((_e3865 - 896u) << bitcast<u32>(23i)) | ((_e3852.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e3852.member_1[0] >> bitcast<u32>(29i)));
+                        phi_7971_ = ((((_e5191 - 896u) << bitcast<u32>(23i)) | ((_e5178.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5178.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e3880 = phi_5525_;
-                    let _e3882 = atomicMin((&earliest.member[0u]), _e3880);
+                    let _e5206 = phi_7971_;
+                    let _e5208 = atomicMin((&earliest.member[0u]), _e5206);
                 }
-                phi_5529_ = type_20(1u, 0u, _e165, _e168, _e3852.member_1);
-                phi_5530_ = _e3857;
-                phi_5531_ = (_e3852.member != 0u);
+                phi_7975_ = type_20(1u, 0u, _e176, _e179, _e5178.member_1);
+                phi_7976_ = _e5183;
+                phi_7977_ = (_e5178.member != 0u);
             } else {
-                phi_5529_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_5530_ = false;
-                phi_5531_ = false;
+                phi_7975_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_7976_ = false;
+                phi_7977_ = false;
             }
-            let _e3884 = phi_5529_;
-            let _e3886 = phi_5530_;
-            let _e3888 = phi_5531_;
-            let _e3891 = params.member.member.member_1;
-            if ((_e3891 & 16u) != 0u) {
-                if (_e94 == 0u) {
+            let _e5210 = phi_7975_;
+            let _e5212 = phi_7976_;
+            let _e5214 = phi_7977_;
+            let _e5217 = params.member.member.member_1;
+            if ((_e5217 & 16u) != 0u) {
+                if (_e105 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e3886 {
-                    let _e3897 = atomicAdd((&counters[0u]), 1u);
-                    phi_5550_ = _e3897;
+                if _e5212 {
+                    let _e5223 = atomicAdd((&counters[0u]), 1u);
+                    phi_7996_ = _e5223;
                 } else {
-                    phi_5550_ = 0u;
+                    phi_7996_ = 0u;
                 }
-                let _e3899 = phi_5550_;
+                let _e5225 = phi_7996_;
                 workgroupBarrier();
-                if (_e94 == 0u) {
-                    let _e3902 = atomicLoad((&counters[0u]));
-                    if (_e3902 > 0u) {
-                        let _e3905 = atomicAdd((&contacts.member[0u]), _e3902);
-                        atomicStore((&counters[1u]), _e3905);
+                if (_e105 == 0u) {
+                    let _e5228 = atomicLoad((&counters[0u]));
+                    if (_e5228 > 0u) {
+                        let _e5231 = atomicAdd((&contacts.member[0u]), _e5228);
+                        atomicStore((&counters[1u]), _e5231);
                     }
                 }
                 workgroupBarrier();
-                let _e3908 = atomicLoad((&counters[1u]));
-                let _e3909 = (_e3908 + _e3899);
-                if _e3886 {
-                    let _e3912 = params.member.member_1.member_3;
-                    if (_e3909 < _e3912) {
-                        let _e3914 = (6u * _e3909);
-                        atomicStore((&contacts.member[(4u + _e3914)]), _e3884.member);
-                        atomicStore((&contacts.member[(_e3914 + 5u)]), _e3884.member_1);
-                        atomicStore((&contacts.member[(_e3914 + 6u)]), _e3884.member_2);
-                        atomicStore((&contacts.member[(_e3914 + 7u)]), _e3884.member_3);
-                        atomicStore((&contacts.member[(_e3914 + 8u)]), _e3884.member_4[0]);
-                        atomicStore((&contacts.member[(_e3914 + 9u)]), _e3884.member_4[1]);
+                let _e5234 = atomicLoad((&counters[1u]));
+                let _e5235 = (_e5234 + _e5225);
+                if _e5212 {
+                    let _e5238 = params.member.member_1.member_3;
+                    if (_e5235 < _e5238) {
+                        let _e5240 = (6u * _e5235);
+                        atomicStore((&contacts.member[(4u + _e5240)]), _e5210.member);
+                        atomicStore((&contacts.member[(_e5240 + 5u)]), _e5210.member_1);
+                        atomicStore((&contacts.member[(_e5240 + 6u)]), _e5210.member_2);
+                        atomicStore((&contacts.member[(_e5240 + 7u)]), _e5210.member_3);
+                        atomicStore((&contacts.member[(_e5240 + 8u)]), _e5210.member_4[0]);
+                        atomicStore((&contacts.member[(_e5240 + 9u)]), _e5210.member_4[1]);
                     }
                 }
             }
             workgroupBarrier();
-            if (_e94 == 0u) {
+            if (_e105 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e3888 {
-                let _e3938 = atomicAdd((&counters[0u]), 1u);
-                phi_5613_ = _e3938;
+            if _e5214 {
+                let _e5264 = atomicAdd((&counters[0u]), 1u);
+                phi_8059_ = _e5264;
             } else {
-                phi_5613_ = 0u;
+                phi_8059_ = 0u;
             }
-            let _e3940 = phi_5613_;
+            let _e5266 = phi_8059_;
             workgroupBarrier();
-            if (_e94 == 0u) {
-                let _e3943 = atomicLoad((&counters[0u]));
-                if (_e3943 > 0u) {
-                    let _e3946 = atomicAdd((&undecided.member[0u]), _e3943);
-                    atomicStore((&counters[1u]), _e3946);
+            if (_e105 == 0u) {
+                let _e5269 = atomicLoad((&counters[0u]));
+                if (_e5269 > 0u) {
+                    let _e5272 = atomicAdd((&undecided.member[0u]), _e5269);
+                    atomicStore((&counters[1u]), _e5272);
                 }
             }
             workgroupBarrier();
-            let _e3949 = atomicLoad((&counters[1u]));
-            let _e3950 = (_e3949 + _e3940);
-            if _e3888 {
-                let _e3953 = params.member.member_2.member;
-                if (_e3950 < _e3953) {
-                    let _e3957 = (2u * _e3950);
-                    atomicStore((&undecided.member[(4u + _e3957)]), _e3884.member_2);
-                    atomicStore((&undecided.member[(_e3957 + 5u)]), _e3884.member_3);
+            let _e5275 = atomicLoad((&counters[1u]));
+            let _e5276 = (_e5275 + _e5266);
+            if _e5214 {
+                let _e5279 = params.member.member_2.member;
+                if (_e5276 < _e5279) {
+                    let _e5283 = (2u * _e5276);
+                    atomicStore((&undecided.member[(4u + _e5283)]), _e5210.member_2);
+                    atomicStore((&undecided.member[(_e5283 + 5u)]), _e5210.member_3);
                 }
             }
         }
         continue;
         continuing {
-            phi_252_ = _e150;
-            break if !(_e156);
+            phi_261_ = _e161;
+            break if !(_e167);
         }
     }
     return;

@@ -467,299 +467,299 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3932_: f32;
     var phi_3937_: f32;
     var phi_3942_: f32;
-    var phi_4020_: f32;
-    var phi_4025_: f32;
-    var phi_4030_: f32;
-    var phi_4035_: f32;
-    var phi_4040_: f32;
-    var phi_4045_: f32;
-    var phi_4050_: f32;
-    var phi_4055_: f32;
-    var phi_4060_: f32;
-    var phi_4065_: f32;
-    var phi_4070_: f32;
-    var phi_4075_: f32;
-    var phi_4080_: f32;
-    var phi_4085_: f32;
-    var phi_4091_: f32;
-    var phi_4097_: f32;
-    var phi_4104_: f32;
-    var phi_4114_: f32;
-    var phi_4185_: f32;
-    var phi_4190_: f32;
-    var phi_4195_: f32;
-    var phi_4200_: f32;
-    var phi_4205_: f32;
-    var phi_4210_: f32;
-    var phi_4215_: f32;
-    var phi_4220_: f32;
-    var phi_4225_: f32;
-    var phi_4230_: f32;
-    var phi_4235_: f32;
-    var phi_4240_: f32;
-    var phi_4245_: f32;
-    var phi_4250_: f32;
-    var phi_4256_: f32;
-    var phi_4262_: f32;
-    var phi_4269_: f32;
-    var phi_4279_: f32;
-    var phi_4289_: f32;
-    var phi_4469_: bool;
-    var phi_4921_: f32;
-    var phi_4928_: f32;
+    var phi_4021_: f32;
+    var phi_4026_: f32;
+    var phi_4031_: f32;
+    var phi_4036_: f32;
+    var phi_4041_: f32;
+    var phi_4046_: f32;
+    var phi_4051_: f32;
+    var phi_4056_: f32;
+    var phi_4061_: f32;
+    var phi_4066_: f32;
+    var phi_4071_: f32;
+    var phi_4076_: f32;
+    var phi_4081_: f32;
+    var phi_4086_: f32;
+    var phi_4092_: f32;
+    var phi_4098_: f32;
+    var phi_4105_: f32;
+    var phi_4116_: f32;
+    var phi_4187_: f32;
+    var phi_4192_: f32;
+    var phi_4197_: f32;
+    var phi_4202_: f32;
+    var phi_4207_: f32;
+    var phi_4212_: f32;
+    var phi_4217_: f32;
+    var phi_4222_: f32;
+    var phi_4227_: f32;
+    var phi_4232_: f32;
+    var phi_4237_: f32;
+    var phi_4242_: f32;
+    var phi_4247_: f32;
+    var phi_4252_: f32;
+    var phi_4258_: f32;
+    var phi_4264_: f32;
+    var phi_4271_: f32;
+    var phi_4282_: f32;
+    var phi_4292_: f32;
+    var phi_4474_: bool;
+    var phi_4926_: f32;
     var phi_4933_: f32;
-    var phi_4940_: f32;
+    var phi_4938_: f32;
     var phi_4945_: f32;
-    var phi_4958_: f32;
-    var phi_4965_: f32;
+    var phi_4950_: f32;
+    var phi_4963_: f32;
     var phi_4970_: f32;
-    var phi_4977_: f32;
+    var phi_4975_: f32;
     var phi_4982_: f32;
     var phi_4987_: f32;
-    var phi_5004_: f32;
-    var phi_5011_: f32;
+    var phi_4992_: f32;
+    var phi_5009_: f32;
     var phi_5016_: f32;
-    var phi_5023_: f32;
+    var phi_5021_: f32;
     var phi_5028_: f32;
-    var phi_5042_: f32;
-    var phi_5049_: f32;
+    var phi_5033_: f32;
+    var phi_5047_: f32;
     var phi_5054_: f32;
-    var phi_5061_: f32;
+    var phi_5059_: f32;
     var phi_5066_: f32;
     var phi_5071_: f32;
-    var phi_5088_: f32;
-    var phi_5095_: f32;
+    var phi_5076_: f32;
+    var phi_5093_: f32;
     var phi_5100_: f32;
-    var phi_5107_: f32;
+    var phi_5105_: f32;
     var phi_5112_: f32;
-    var phi_5126_: f32;
-    var phi_5133_: f32;
+    var phi_5117_: f32;
+    var phi_5131_: f32;
     var phi_5138_: f32;
-    var phi_5145_: f32;
+    var phi_5143_: f32;
     var phi_5150_: f32;
     var phi_5155_: f32;
-    var phi_5186_: f32;
-    var phi_5192_: f32;
-    var phi_5199_: f32;
-    var phi_5206_: f32;
-    var phi_5212_: f32;
-    var phi_5219_: f32;
-    var phi_5225_: f32;
-    var phi_5231_: f32;
-    var phi_5237_: f32;
-    var phi_5244_: f32;
-    var phi_5251_: f32;
-    var phi_5275_: f32;
+    var phi_5160_: f32;
+    var phi_5191_: f32;
+    var phi_5197_: f32;
+    var phi_5204_: f32;
+    var phi_5211_: f32;
+    var phi_5217_: f32;
+    var phi_5224_: f32;
+    var phi_5230_: f32;
+    var phi_5236_: f32;
+    var phi_5242_: f32;
+    var phi_5249_: f32;
+    var phi_5256_: f32;
     var phi_5280_: f32;
     var phi_5285_: f32;
     var phi_5290_: f32;
     var phi_5295_: f32;
     var phi_5300_: f32;
-    var phi_5310_: f32;
-    var phi_5513_: f32;
-    var phi_5520_: f32;
+    var phi_5305_: f32;
+    var phi_5315_: f32;
+    var phi_5518_: f32;
     var phi_5525_: f32;
-    var phi_5532_: f32;
+    var phi_5530_: f32;
     var phi_5537_: f32;
-    var phi_5550_: f32;
-    var phi_5557_: f32;
+    var phi_5542_: f32;
+    var phi_5555_: f32;
     var phi_5562_: f32;
-    var phi_5569_: f32;
+    var phi_5567_: f32;
     var phi_5574_: f32;
     var phi_5579_: f32;
-    var phi_5596_: f32;
-    var phi_5603_: f32;
+    var phi_5584_: f32;
+    var phi_5601_: f32;
     var phi_5608_: f32;
-    var phi_5615_: f32;
+    var phi_5613_: f32;
     var phi_5620_: f32;
-    var phi_5634_: f32;
-    var phi_5641_: f32;
+    var phi_5625_: f32;
+    var phi_5639_: f32;
     var phi_5646_: f32;
-    var phi_5653_: f32;
+    var phi_5651_: f32;
     var phi_5658_: f32;
     var phi_5663_: f32;
-    var phi_5680_: f32;
-    var phi_5687_: f32;
+    var phi_5668_: f32;
+    var phi_5685_: f32;
     var phi_5692_: f32;
-    var phi_5699_: f32;
+    var phi_5697_: f32;
     var phi_5704_: f32;
-    var phi_5718_: f32;
-    var phi_5725_: f32;
+    var phi_5709_: f32;
+    var phi_5723_: f32;
     var phi_5730_: f32;
-    var phi_5737_: f32;
+    var phi_5735_: f32;
     var phi_5742_: f32;
     var phi_5747_: f32;
-    var phi_5825_: f32;
-    var phi_5830_: f32;
-    var phi_5835_: f32;
-    var phi_5840_: f32;
-    var phi_5845_: f32;
-    var phi_5850_: f32;
-    var phi_5855_: f32;
-    var phi_5860_: f32;
-    var phi_5865_: f32;
-    var phi_5870_: f32;
-    var phi_5875_: f32;
-    var phi_5880_: f32;
-    var phi_5885_: f32;
-    var phi_5890_: f32;
+    var phi_5752_: f32;
+    var phi_5831_: f32;
+    var phi_5836_: f32;
+    var phi_5841_: f32;
+    var phi_5846_: f32;
+    var phi_5851_: f32;
+    var phi_5856_: f32;
+    var phi_5861_: f32;
+    var phi_5866_: f32;
+    var phi_5871_: f32;
+    var phi_5876_: f32;
+    var phi_5881_: f32;
+    var phi_5886_: f32;
+    var phi_5891_: f32;
     var phi_5896_: f32;
     var phi_5902_: f32;
-    var phi_5909_: f32;
-    var phi_5919_: f32;
-    var phi_5990_: f32;
-    var phi_5995_: f32;
-    var phi_6000_: f32;
-    var phi_6005_: f32;
-    var phi_6010_: f32;
-    var phi_6015_: f32;
-    var phi_6020_: f32;
-    var phi_6025_: f32;
-    var phi_6030_: f32;
-    var phi_6035_: f32;
-    var phi_6040_: f32;
-    var phi_6045_: f32;
-    var phi_6050_: f32;
-    var phi_6055_: f32;
-    var phi_6061_: f32;
-    var phi_6067_: f32;
+    var phi_5908_: f32;
+    var phi_5915_: f32;
+    var phi_5926_: f32;
+    var phi_5997_: f32;
+    var phi_6002_: f32;
+    var phi_6007_: f32;
+    var phi_6012_: f32;
+    var phi_6017_: f32;
+    var phi_6022_: f32;
+    var phi_6027_: f32;
+    var phi_6032_: f32;
+    var phi_6037_: f32;
+    var phi_6042_: f32;
+    var phi_6047_: f32;
+    var phi_6052_: f32;
+    var phi_6057_: f32;
+    var phi_6062_: f32;
+    var phi_6068_: f32;
     var phi_6074_: f32;
-    var phi_6084_: f32;
-    var phi_6094_: f32;
-    var phi_6274_: bool;
-    var phi_6519_: f32;
-    var phi_6526_: f32;
-    var phi_6531_: f32;
-    var phi_6538_: f32;
-    var phi_6543_: f32;
-    var phi_6556_: f32;
-    var phi_6563_: f32;
-    var phi_6568_: f32;
-    var phi_6575_: f32;
-    var phi_6580_: f32;
+    var phi_6081_: f32;
+    var phi_6092_: f32;
+    var phi_6102_: f32;
+    var phi_6284_: bool;
+    var phi_6529_: f32;
+    var phi_6536_: f32;
+    var phi_6541_: f32;
+    var phi_6548_: f32;
+    var phi_6553_: f32;
+    var phi_6566_: f32;
+    var phi_6573_: f32;
+    var phi_6578_: f32;
     var phi_6585_: f32;
-    var phi_6602_: f32;
-    var phi_6609_: f32;
-    var phi_6614_: f32;
-    var phi_6621_: f32;
-    var phi_6626_: f32;
-    var phi_6640_: f32;
-    var phi_6647_: f32;
-    var phi_6652_: f32;
-    var phi_6659_: f32;
-    var phi_6664_: f32;
+    var phi_6590_: f32;
+    var phi_6595_: f32;
+    var phi_6612_: f32;
+    var phi_6619_: f32;
+    var phi_6624_: f32;
+    var phi_6631_: f32;
+    var phi_6636_: f32;
+    var phi_6650_: f32;
+    var phi_6657_: f32;
+    var phi_6662_: f32;
     var phi_6669_: f32;
-    var phi_6686_: f32;
-    var phi_6693_: f32;
-    var phi_6698_: f32;
-    var phi_6705_: f32;
-    var phi_6710_: f32;
-    var phi_6724_: f32;
-    var phi_6731_: f32;
-    var phi_6736_: f32;
-    var phi_6743_: f32;
-    var phi_6748_: f32;
+    var phi_6674_: f32;
+    var phi_6679_: f32;
+    var phi_6696_: f32;
+    var phi_6703_: f32;
+    var phi_6708_: f32;
+    var phi_6715_: f32;
+    var phi_6720_: f32;
+    var phi_6734_: f32;
+    var phi_6741_: f32;
+    var phi_6746_: f32;
     var phi_6753_: f32;
-    var phi_6784_: f32;
-    var phi_6790_: f32;
-    var phi_6797_: f32;
-    var phi_6804_: f32;
-    var phi_6810_: f32;
-    var phi_6817_: f32;
-    var phi_6823_: f32;
-    var phi_6829_: f32;
-    var phi_6835_: f32;
-    var phi_6842_: f32;
-    var phi_6849_: f32;
-    var phi_6873_: f32;
-    var phi_6878_: f32;
+    var phi_6758_: f32;
+    var phi_6763_: f32;
+    var phi_6794_: f32;
+    var phi_6800_: f32;
+    var phi_6807_: f32;
+    var phi_6814_: f32;
+    var phi_6820_: f32;
+    var phi_6827_: f32;
+    var phi_6833_: f32;
+    var phi_6839_: f32;
+    var phi_6845_: f32;
+    var phi_6852_: f32;
+    var phi_6859_: f32;
     var phi_6883_: f32;
     var phi_6888_: f32;
     var phi_6893_: f32;
     var phi_6898_: f32;
+    var phi_6903_: f32;
     var phi_6908_: f32;
-    var phi_7111_: f32;
-    var phi_7118_: f32;
-    var phi_7123_: f32;
-    var phi_7130_: f32;
-    var phi_7135_: f32;
-    var phi_7148_: f32;
-    var phi_7155_: f32;
-    var phi_7160_: f32;
-    var phi_7167_: f32;
-    var phi_7172_: f32;
+    var phi_6918_: f32;
+    var phi_7121_: f32;
+    var phi_7128_: f32;
+    var phi_7133_: f32;
+    var phi_7140_: f32;
+    var phi_7145_: f32;
+    var phi_7158_: f32;
+    var phi_7165_: f32;
+    var phi_7170_: f32;
     var phi_7177_: f32;
-    var phi_7194_: f32;
-    var phi_7201_: f32;
-    var phi_7206_: f32;
-    var phi_7213_: f32;
-    var phi_7218_: f32;
-    var phi_7232_: f32;
-    var phi_7239_: f32;
-    var phi_7244_: f32;
-    var phi_7251_: f32;
-    var phi_7256_: f32;
+    var phi_7182_: f32;
+    var phi_7187_: f32;
+    var phi_7204_: f32;
+    var phi_7211_: f32;
+    var phi_7216_: f32;
+    var phi_7223_: f32;
+    var phi_7228_: f32;
+    var phi_7242_: f32;
+    var phi_7249_: f32;
+    var phi_7254_: f32;
     var phi_7261_: f32;
-    var phi_7278_: f32;
-    var phi_7285_: f32;
-    var phi_7290_: f32;
-    var phi_7297_: f32;
-    var phi_7302_: f32;
-    var phi_7316_: f32;
-    var phi_7323_: f32;
-    var phi_7328_: f32;
-    var phi_7335_: f32;
-    var phi_7340_: f32;
+    var phi_7266_: f32;
+    var phi_7271_: f32;
+    var phi_7288_: f32;
+    var phi_7295_: f32;
+    var phi_7300_: f32;
+    var phi_7307_: f32;
+    var phi_7312_: f32;
+    var phi_7326_: f32;
+    var phi_7333_: f32;
+    var phi_7338_: f32;
     var phi_7345_: f32;
-    var phi_7423_: f32;
-    var phi_7428_: f32;
-    var phi_7433_: f32;
-    var phi_7438_: f32;
-    var phi_7443_: f32;
-    var phi_7448_: f32;
-    var phi_7453_: f32;
-    var phi_7458_: f32;
-    var phi_7463_: f32;
-    var phi_7468_: f32;
-    var phi_7473_: f32;
-    var phi_7478_: f32;
-    var phi_7483_: f32;
-    var phi_7488_: f32;
+    var phi_7350_: f32;
+    var phi_7355_: f32;
+    var phi_7434_: f32;
+    var phi_7439_: f32;
+    var phi_7444_: f32;
+    var phi_7449_: f32;
+    var phi_7454_: f32;
+    var phi_7459_: f32;
+    var phi_7464_: f32;
+    var phi_7469_: f32;
+    var phi_7474_: f32;
+    var phi_7479_: f32;
+    var phi_7484_: f32;
+    var phi_7489_: f32;
     var phi_7494_: f32;
-    var phi_7500_: f32;
-    var phi_7507_: f32;
-    var phi_7517_: f32;
-    var phi_7588_: f32;
-    var phi_7593_: f32;
-    var phi_7598_: f32;
-    var phi_7603_: f32;
-    var phi_7608_: f32;
-    var phi_7613_: f32;
-    var phi_7618_: f32;
-    var phi_7623_: f32;
-    var phi_7628_: f32;
-    var phi_7633_: f32;
-    var phi_7638_: f32;
-    var phi_7643_: f32;
-    var phi_7648_: f32;
-    var phi_7653_: f32;
-    var phi_7659_: f32;
+    var phi_7499_: f32;
+    var phi_7505_: f32;
+    var phi_7511_: f32;
+    var phi_7518_: f32;
+    var phi_7529_: f32;
+    var phi_7600_: f32;
+    var phi_7605_: f32;
+    var phi_7610_: f32;
+    var phi_7615_: f32;
+    var phi_7620_: f32;
+    var phi_7625_: f32;
+    var phi_7630_: f32;
+    var phi_7635_: f32;
+    var phi_7640_: f32;
+    var phi_7645_: f32;
+    var phi_7650_: f32;
+    var phi_7655_: f32;
+    var phi_7660_: f32;
     var phi_7665_: f32;
-    var phi_7672_: f32;
-    var phi_7682_: f32;
-    var phi_7692_: f32;
-    var phi_7872_: bool;
-    var phi_7873_: bool;
-    var phi_7875_: bool;
-    var phi_7885_: bool;
-    var phi_7886_: bool;
-    var phi_7936_: type_9;
-    var phi_7937_: type_9;
-    var phi_7960_: type_9;
-    var phi_7983_: u32;
-    var phi_8038_: type_9;
-    var phi_8057_: bool;
-    var phi_8058_: bool;
+    var phi_7671_: f32;
+    var phi_7677_: f32;
+    var phi_7684_: f32;
+    var phi_7695_: f32;
+    var phi_7705_: f32;
+    var phi_7887_: bool;
+    var phi_7889_: bool;
+    var phi_7891_: bool;
+    var phi_7902_: bool;
+    var phi_7903_: bool;
+    var phi_7953_: type_9;
+    var phi_7954_: type_9;
+    var phi_7977_: type_9;
+    var phi_8000_: u32;
+    var phi_8055_: type_9;
+    var phi_8074_: bool;
+    var phi_8075_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1034,8 +1034,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_943_ = type_9(0u, 32u);
-            let _e4630 = local_3;
-            phi_946_ = _e4630;
+            let _e4644 = local_3;
+            phi_946_ = _e4644;
             loop {
                 let _e484 = phi_943_;
                 let _e486 = phi_946_;
@@ -1383,7 +1383,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (bitcast<i32>(_e1015.member) != 0i) {
                     let _e1021 = (_e67 + (_e1015.member_1 * 128u));
                     if (_e1021 >= _e999) {
-                        phi_7885_ = false;
+                        phi_7902_ = false;
                     } else {
                         let _e1024 = hits[_e1021];
                         let _e1027 = ((_e1024 >> bitcast<u32>(10i)) & 3u);
@@ -2023,8 +2023,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_3505_ = _e2001;
                             }
                             let _e2004 = phi_3505_;
-                            if ((_e2004 - ((((((_e1780 * 8f) * _e1890) * (0.000000059604645f * (490f / 64f))) + ((_e1897 * 19f) * ((_e1780 * (_e1834 + _e1888)) + (_e1834 * _e1888)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1780) * ((1f + _e1834) * (1f + _e1888))))) + ((_e1494 * (((_e1959 + (_e1890 * (0.000000059604645f * 4f))) + ((_e1964 * 6f) * (_e1834 + _e1888))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1834) * (1f + _e1888))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4469_ = true;
+                            let _e2006 = ((_e2004 - ((((((_e1780 * 8f) * _e1890) * (0.000000059604645f * (524f / 64f))) + ((_e1897 * 19f) * ((_e1780 * (_e1834 + _e1888)) + (_e1834 * _e1888)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1780) * ((1f + _e1834) * (1f + _e1888))))) + ((_e1494 * (((_e1959 + (_e1890 * (0.000000059604645f * 8f))) + ((_e1964 * 6f) * (_e1834 + _e1888))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1834) * (1f + _e1888))))) * (3f * 1.0001f)))) > 0f);
+                            if _e2006 {
+                                phi_4474_ = _e2006;
                             } else {
                                 let _e2009 = local_2.member_1[0u];
                                 let _e2015 = local_2.member_1[1u];
@@ -2270,2106 +2271,2108 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 }
                                 let _e2258 = phi_3942_;
                                 let _e2260 = local_2.member_3;
-                                let _e2263 = (((_e2150 + _e2152) + (_e2204 + _e2206)) + (_e2258 + _e2260));
-                                let _e2266 = local_2.member_3;
-                                let _e2270 = (((_e1494 * 1.0001f) + (_e2266 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2273 = ((_e2042 * _e2021) - (_e2045 * _e2020));
-                                let _e2276 = ((_e2045 * _e2019) - (_e2039 * _e2021));
-                                let _e2279 = ((_e2039 * _e2020) - (_e2042 * _e2019));
-                                let _e2284 = (((_e2273 * _e2048[0]) + (_e2276 * _e2048[1])) + (_e2279 * _e2048[2]));
-                                let _e2289 = (((_e2273 * _e2064) + (_e2276 * _e2065)) + (_e2279 * _e2066));
-                                let _e2294 = (((_e2273 * _e2070) + (_e2276 * _e2071)) + (_e2279 * _e2072));
-                                let _e2299 = (((_e2273 * _e2067) + (_e2276 * _e2068)) + (_e2279 * _e2069));
-                                let _e2304 = (((_e2273 * _e2075[0]) + (_e2276 * _e2075[1])) + (_e2279 * _e2075[2]));
-                                let _e2309 = (((_e2273 * _e2091) + (_e2276 * _e2092)) + (_e2279 * _e2093));
-                                let _e2314 = (((_e2273 * _e2097) + (_e2276 * _e2098)) + (_e2279 * _e2099));
-                                let _e2319 = (((_e2273 * _e2094) + (_e2276 * _e2095)) + (_e2279 * _e2096));
-                                if (_e2284 < _e2289) {
-                                    phi_4020_ = _e2284;
+                                let _e2264 = ((((_e2150 + _e2152) + (_e2204 + _e2206)) + (_e2258 + _e2260)) * 2f);
+                                let _e2267 = local_2.member_3;
+                                let _e2271 = (((_e1494 * 1.0001f) + (_e2267 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2274 = ((_e2042 * _e2021) - (_e2045 * _e2020));
+                                let _e2277 = ((_e2045 * _e2019) - (_e2039 * _e2021));
+                                let _e2280 = ((_e2039 * _e2020) - (_e2042 * _e2019));
+                                let _e2285 = (((_e2274 * _e2048[0]) + (_e2277 * _e2048[1])) + (_e2280 * _e2048[2]));
+                                let _e2290 = (((_e2274 * _e2064) + (_e2277 * _e2065)) + (_e2280 * _e2066));
+                                let _e2295 = (((_e2274 * _e2070) + (_e2277 * _e2071)) + (_e2280 * _e2072));
+                                let _e2300 = (((_e2274 * _e2067) + (_e2277 * _e2068)) + (_e2280 * _e2069));
+                                let _e2305 = (((_e2274 * _e2075[0]) + (_e2277 * _e2075[1])) + (_e2280 * _e2075[2]));
+                                let _e2310 = (((_e2274 * _e2091) + (_e2277 * _e2092)) + (_e2280 * _e2093));
+                                let _e2315 = (((_e2274 * _e2097) + (_e2277 * _e2098)) + (_e2280 * _e2099));
+                                let _e2320 = (((_e2274 * _e2094) + (_e2277 * _e2095)) + (_e2280 * _e2096));
+                                if (_e2285 < _e2290) {
+                                    phi_4021_ = _e2285;
                                 } else {
-                                    phi_4020_ = _e2289;
+                                    phi_4021_ = _e2290;
                                 }
-                                let _e2322 = phi_4020_;
-                                if (_e2294 < _e2299) {
-                                    phi_4025_ = _e2294;
+                                let _e2323 = phi_4021_;
+                                if (_e2295 < _e2300) {
+                                    phi_4026_ = _e2295;
                                 } else {
-                                    phi_4025_ = _e2299;
+                                    phi_4026_ = _e2300;
                                 }
-                                let _e2325 = phi_4025_;
-                                if (_e2322 < _e2325) {
-                                    phi_4030_ = _e2322;
+                                let _e2326 = phi_4026_;
+                                if (_e2323 < _e2326) {
+                                    phi_4031_ = _e2323;
                                 } else {
-                                    phi_4030_ = _e2325;
+                                    phi_4031_ = _e2326;
                                 }
-                                let _e2328 = phi_4030_;
-                                if (_e2304 < _e2309) {
-                                    phi_4035_ = _e2304;
+                                let _e2329 = phi_4031_;
+                                if (_e2305 < _e2310) {
+                                    phi_4036_ = _e2305;
                                 } else {
-                                    phi_4035_ = _e2309;
+                                    phi_4036_ = _e2310;
                                 }
-                                let _e2331 = phi_4035_;
-                                if (_e2314 < _e2319) {
-                                    phi_4040_ = _e2314;
+                                let _e2332 = phi_4036_;
+                                if (_e2315 < _e2320) {
+                                    phi_4041_ = _e2315;
                                 } else {
-                                    phi_4040_ = _e2319;
+                                    phi_4041_ = _e2320;
                                 }
-                                let _e2334 = phi_4040_;
-                                if (_e2331 < _e2334) {
-                                    phi_4045_ = _e2331;
+                                let _e2335 = phi_4041_;
+                                if (_e2332 < _e2335) {
+                                    phi_4046_ = _e2332;
                                 } else {
-                                    phi_4045_ = _e2334;
+                                    phi_4046_ = _e2335;
                                 }
-                                let _e2337 = phi_4045_;
-                                if (_e2328 < _e2337) {
-                                    phi_4050_ = _e2328;
+                                let _e2338 = phi_4046_;
+                                if (_e2329 < _e2338) {
+                                    phi_4051_ = _e2329;
                                 } else {
-                                    phi_4050_ = _e2337;
+                                    phi_4051_ = _e2338;
                                 }
-                                let _e2340 = phi_4050_;
-                                if (_e2284 > _e2289) {
-                                    phi_4055_ = _e2284;
+                                let _e2341 = phi_4051_;
+                                if (_e2285 > _e2290) {
+                                    phi_4056_ = _e2285;
                                 } else {
-                                    phi_4055_ = _e2289;
+                                    phi_4056_ = _e2290;
                                 }
-                                let _e2343 = phi_4055_;
-                                if (_e2294 > _e2299) {
-                                    phi_4060_ = _e2294;
+                                let _e2344 = phi_4056_;
+                                if (_e2295 > _e2300) {
+                                    phi_4061_ = _e2295;
                                 } else {
-                                    phi_4060_ = _e2299;
+                                    phi_4061_ = _e2300;
                                 }
-                                let _e2346 = phi_4060_;
-                                if (_e2343 > _e2346) {
-                                    phi_4065_ = _e2343;
+                                let _e2347 = phi_4061_;
+                                if (_e2344 > _e2347) {
+                                    phi_4066_ = _e2344;
                                 } else {
-                                    phi_4065_ = _e2346;
+                                    phi_4066_ = _e2347;
                                 }
-                                let _e2349 = phi_4065_;
-                                if (_e2304 > _e2309) {
-                                    phi_4070_ = _e2304;
+                                let _e2350 = phi_4066_;
+                                if (_e2305 > _e2310) {
+                                    phi_4071_ = _e2305;
                                 } else {
-                                    phi_4070_ = _e2309;
+                                    phi_4071_ = _e2310;
                                 }
-                                let _e2352 = phi_4070_;
-                                if (_e2314 > _e2319) {
-                                    phi_4075_ = _e2314;
+                                let _e2353 = phi_4071_;
+                                if (_e2315 > _e2320) {
+                                    phi_4076_ = _e2315;
                                 } else {
-                                    phi_4075_ = _e2319;
+                                    phi_4076_ = _e2320;
                                 }
-                                let _e2355 = phi_4075_;
-                                if (_e2352 > _e2355) {
-                                    phi_4080_ = _e2352;
+                                let _e2356 = phi_4076_;
+                                if (_e2353 > _e2356) {
+                                    phi_4081_ = _e2353;
                                 } else {
-                                    phi_4080_ = _e2355;
+                                    phi_4081_ = _e2356;
                                 }
-                                let _e2358 = phi_4080_;
-                                if (_e2349 > _e2358) {
-                                    phi_4085_ = _e2349;
+                                let _e2359 = phi_4081_;
+                                if (_e2350 > _e2359) {
+                                    phi_4086_ = _e2350;
                                 } else {
-                                    phi_4085_ = _e2358;
+                                    phi_4086_ = _e2359;
                                 }
-                                let _e2361 = phi_4085_;
-                                if (_e2273 < 0f) {
-                                    phi_4091_ = -(_e2273);
+                                let _e2362 = phi_4086_;
+                                if (_e2274 < 0f) {
+                                    phi_4092_ = -(_e2274);
                                 } else {
-                                    phi_4091_ = _e2273;
+                                    phi_4092_ = _e2274;
                                 }
-                                let _e2365 = phi_4091_;
-                                if (_e2276 < 0f) {
-                                    phi_4097_ = -(_e2276);
+                                let _e2366 = phi_4092_;
+                                if (_e2277 < 0f) {
+                                    phi_4098_ = -(_e2277);
                                 } else {
-                                    phi_4097_ = _e2276;
+                                    phi_4098_ = _e2277;
                                 }
-                                let _e2369 = phi_4097_;
-                                if (_e2279 < 0f) {
-                                    phi_4104_ = -(_e2279);
+                                let _e2370 = phi_4098_;
+                                if (_e2280 < 0f) {
+                                    phi_4105_ = -(_e2280);
                                 } else {
-                                    phi_4104_ = _e2279;
+                                    phi_4105_ = _e2280;
                                 }
-                                let _e2374 = phi_4104_;
-                                let _e2375 = ((_e2365 + _e2369) + _e2374);
-                                let _e2379 = -(_e2361);
-                                if (_e2340 > _e2379) {
-                                    phi_4114_ = _e2340;
+                                let _e2375 = phi_4105_;
+                                let _e2376 = ((_e2366 + _e2370) + _e2375);
+                                let _e2381 = -(_e2362);
+                                if (_e2341 > _e2381) {
+                                    phi_4116_ = _e2341;
                                 } else {
-                                    phi_4114_ = _e2379;
+                                    phi_4116_ = _e2381;
                                 }
-                                let _e2382 = phi_4114_;
-                                let _e2387 = (((_e2382 - ((_e2375 * _e2263) * (0.000000059604645f * 17f))) - (_e2375 * _e2270)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2390 = ((_e2042 * _e2036) - (_e2045 * _e2035));
-                                let _e2393 = ((_e2045 * _e2034) - (_e2039 * _e2036));
-                                let _e2396 = ((_e2039 * _e2035) - (_e2042 * _e2034));
-                                let _e2401 = (((_e2390 * _e2048[0]) + (_e2393 * _e2048[1])) + (_e2396 * _e2048[2]));
-                                let _e2406 = (((_e2390 * _e2064) + (_e2393 * _e2065)) + (_e2396 * _e2066));
-                                let _e2411 = (((_e2390 * _e2070) + (_e2393 * _e2071)) + (_e2396 * _e2072));
-                                let _e2416 = (((_e2390 * _e2067) + (_e2393 * _e2068)) + (_e2396 * _e2069));
-                                let _e2421 = (((_e2390 * _e2075[0]) + (_e2393 * _e2075[1])) + (_e2396 * _e2075[2]));
-                                let _e2426 = (((_e2390 * _e2091) + (_e2393 * _e2092)) + (_e2396 * _e2093));
-                                let _e2431 = (((_e2390 * _e2097) + (_e2393 * _e2098)) + (_e2396 * _e2099));
-                                let _e2436 = (((_e2390 * _e2094) + (_e2393 * _e2095)) + (_e2396 * _e2096));
-                                if (_e2401 < _e2406) {
-                                    phi_4185_ = _e2401;
+                                let _e2384 = phi_4116_;
+                                let _e2389 = (((_e2384 - ((_e2376 * _e2264) * (0.000000059604645f * (17f / 2f)))) - (_e2376 * _e2271)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2392 = ((_e2042 * _e2036) - (_e2045 * _e2035));
+                                let _e2395 = ((_e2045 * _e2034) - (_e2039 * _e2036));
+                                let _e2398 = ((_e2039 * _e2035) - (_e2042 * _e2034));
+                                let _e2403 = (((_e2392 * _e2048[0]) + (_e2395 * _e2048[1])) + (_e2398 * _e2048[2]));
+                                let _e2408 = (((_e2392 * _e2064) + (_e2395 * _e2065)) + (_e2398 * _e2066));
+                                let _e2413 = (((_e2392 * _e2070) + (_e2395 * _e2071)) + (_e2398 * _e2072));
+                                let _e2418 = (((_e2392 * _e2067) + (_e2395 * _e2068)) + (_e2398 * _e2069));
+                                let _e2423 = (((_e2392 * _e2075[0]) + (_e2395 * _e2075[1])) + (_e2398 * _e2075[2]));
+                                let _e2428 = (((_e2392 * _e2091) + (_e2395 * _e2092)) + (_e2398 * _e2093));
+                                let _e2433 = (((_e2392 * _e2097) + (_e2395 * _e2098)) + (_e2398 * _e2099));
+                                let _e2438 = (((_e2392 * _e2094) + (_e2395 * _e2095)) + (_e2398 * _e2096));
+                                if (_e2403 < _e2408) {
+                                    phi_4187_ = _e2403;
                                 } else {
-                                    phi_4185_ = _e2406;
+                                    phi_4187_ = _e2408;
                                 }
-                                let _e2439 = phi_4185_;
-                                if (_e2411 < _e2416) {
-                                    phi_4190_ = _e2411;
+                                let _e2441 = phi_4187_;
+                                if (_e2413 < _e2418) {
+                                    phi_4192_ = _e2413;
                                 } else {
-                                    phi_4190_ = _e2416;
+                                    phi_4192_ = _e2418;
                                 }
-                                let _e2442 = phi_4190_;
-                                if (_e2439 < _e2442) {
-                                    phi_4195_ = _e2439;
+                                let _e2444 = phi_4192_;
+                                if (_e2441 < _e2444) {
+                                    phi_4197_ = _e2441;
                                 } else {
-                                    phi_4195_ = _e2442;
+                                    phi_4197_ = _e2444;
                                 }
-                                let _e2445 = phi_4195_;
-                                if (_e2421 < _e2426) {
-                                    phi_4200_ = _e2421;
+                                let _e2447 = phi_4197_;
+                                if (_e2423 < _e2428) {
+                                    phi_4202_ = _e2423;
                                 } else {
-                                    phi_4200_ = _e2426;
+                                    phi_4202_ = _e2428;
                                 }
-                                let _e2448 = phi_4200_;
-                                if (_e2431 < _e2436) {
-                                    phi_4205_ = _e2431;
+                                let _e2450 = phi_4202_;
+                                if (_e2433 < _e2438) {
+                                    phi_4207_ = _e2433;
                                 } else {
-                                    phi_4205_ = _e2436;
+                                    phi_4207_ = _e2438;
                                 }
-                                let _e2451 = phi_4205_;
-                                if (_e2448 < _e2451) {
-                                    phi_4210_ = _e2448;
+                                let _e2453 = phi_4207_;
+                                if (_e2450 < _e2453) {
+                                    phi_4212_ = _e2450;
                                 } else {
-                                    phi_4210_ = _e2451;
+                                    phi_4212_ = _e2453;
                                 }
-                                let _e2454 = phi_4210_;
-                                if (_e2445 < _e2454) {
-                                    phi_4215_ = _e2445;
+                                let _e2456 = phi_4212_;
+                                if (_e2447 < _e2456) {
+                                    phi_4217_ = _e2447;
                                 } else {
-                                    phi_4215_ = _e2454;
+                                    phi_4217_ = _e2456;
                                 }
-                                let _e2457 = phi_4215_;
-                                if (_e2401 > _e2406) {
-                                    phi_4220_ = _e2401;
+                                let _e2459 = phi_4217_;
+                                if (_e2403 > _e2408) {
+                                    phi_4222_ = _e2403;
                                 } else {
-                                    phi_4220_ = _e2406;
+                                    phi_4222_ = _e2408;
                                 }
-                                let _e2460 = phi_4220_;
-                                if (_e2411 > _e2416) {
-                                    phi_4225_ = _e2411;
+                                let _e2462 = phi_4222_;
+                                if (_e2413 > _e2418) {
+                                    phi_4227_ = _e2413;
                                 } else {
-                                    phi_4225_ = _e2416;
+                                    phi_4227_ = _e2418;
                                 }
-                                let _e2463 = phi_4225_;
-                                if (_e2460 > _e2463) {
-                                    phi_4230_ = _e2460;
+                                let _e2465 = phi_4227_;
+                                if (_e2462 > _e2465) {
+                                    phi_4232_ = _e2462;
                                 } else {
-                                    phi_4230_ = _e2463;
+                                    phi_4232_ = _e2465;
                                 }
-                                let _e2466 = phi_4230_;
-                                if (_e2421 > _e2426) {
-                                    phi_4235_ = _e2421;
+                                let _e2468 = phi_4232_;
+                                if (_e2423 > _e2428) {
+                                    phi_4237_ = _e2423;
                                 } else {
-                                    phi_4235_ = _e2426;
+                                    phi_4237_ = _e2428;
                                 }
-                                let _e2469 = phi_4235_;
-                                if (_e2431 > _e2436) {
-                                    phi_4240_ = _e2431;
+                                let _e2471 = phi_4237_;
+                                if (_e2433 > _e2438) {
+                                    phi_4242_ = _e2433;
                                 } else {
-                                    phi_4240_ = _e2436;
+                                    phi_4242_ = _e2438;
                                 }
-                                let _e2472 = phi_4240_;
-                                if (_e2469 > _e2472) {
-                                    phi_4245_ = _e2469;
+                                let _e2474 = phi_4242_;
+                                if (_e2471 > _e2474) {
+                                    phi_4247_ = _e2471;
                                 } else {
-                                    phi_4245_ = _e2472;
+                                    phi_4247_ = _e2474;
                                 }
-                                let _e2475 = phi_4245_;
-                                if (_e2466 > _e2475) {
-                                    phi_4250_ = _e2466;
+                                let _e2477 = phi_4247_;
+                                if (_e2468 > _e2477) {
+                                    phi_4252_ = _e2468;
                                 } else {
-                                    phi_4250_ = _e2475;
+                                    phi_4252_ = _e2477;
                                 }
-                                let _e2478 = phi_4250_;
-                                if (_e2390 < 0f) {
-                                    phi_4256_ = -(_e2390);
+                                let _e2480 = phi_4252_;
+                                if (_e2392 < 0f) {
+                                    phi_4258_ = -(_e2392);
                                 } else {
-                                    phi_4256_ = _e2390;
+                                    phi_4258_ = _e2392;
                                 }
-                                let _e2482 = phi_4256_;
-                                if (_e2393 < 0f) {
-                                    phi_4262_ = -(_e2393);
+                                let _e2484 = phi_4258_;
+                                if (_e2395 < 0f) {
+                                    phi_4264_ = -(_e2395);
                                 } else {
-                                    phi_4262_ = _e2393;
+                                    phi_4264_ = _e2395;
                                 }
-                                let _e2486 = phi_4262_;
-                                if (_e2396 < 0f) {
-                                    phi_4269_ = -(_e2396);
+                                let _e2488 = phi_4264_;
+                                if (_e2398 < 0f) {
+                                    phi_4271_ = -(_e2398);
                                 } else {
-                                    phi_4269_ = _e2396;
+                                    phi_4271_ = _e2398;
                                 }
-                                let _e2491 = phi_4269_;
-                                let _e2492 = ((_e2482 + _e2486) + _e2491);
-                                let _e2496 = -(_e2478);
-                                if (_e2457 > _e2496) {
-                                    phi_4279_ = _e2457;
+                                let _e2493 = phi_4271_;
+                                let _e2494 = ((_e2484 + _e2488) + _e2493);
+                                let _e2499 = -(_e2480);
+                                if (_e2459 > _e2499) {
+                                    phi_4282_ = _e2459;
                                 } else {
-                                    phi_4279_ = _e2496;
+                                    phi_4282_ = _e2499;
                                 }
-                                let _e2499 = phi_4279_;
-                                let _e2504 = (((_e2499 - ((_e2492 * _e2263) * (0.000000059604645f * 17f))) - (_e2492 * _e2270)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2387 > _e2504) {
-                                    phi_4289_ = _e2387;
+                                let _e2502 = phi_4282_;
+                                let _e2507 = (((_e2502 - ((_e2494 * _e2264) * (0.000000059604645f * (17f / 2f)))) - (_e2494 * _e2271)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2389 > _e2507) {
+                                    phi_4292_ = _e2389;
                                 } else {
-                                    phi_4289_ = _e2504;
+                                    phi_4292_ = _e2507;
                                 }
-                                let _e2507 = phi_4289_;
-                                phi_4469_ = (_e2507 > 0f);
+                                let _e2510 = phi_4292_;
+                                phi_4474_ = (_e2006 || (_e2510 > 0f));
                             }
-                            let _e2510 = phi_4469_;
-                            if _e2510 {
-                                phi_7875_ = false;
+                            let _e2514 = phi_4474_;
+                            if _e2514 {
+                                phi_7891_ = _e2514;
                             } else {
-                                let _e2513 = local_2.member[0u];
-                                let _e2519 = local_2.member[1u];
-                                let _e2526 = ((_e2513[0] + _e2519[0]) * 0.5f);
-                                let _e2527 = ((_e2513[1] + _e2519[1]) * 0.5f);
-                                let _e2528 = ((_e2513[2] + _e2519[2]) * 0.5f);
-                                let _e2531 = local_2.member_1[0u];
-                                let _e2537 = local_2.member_1[1u];
-                                let _e2544 = ((_e2531[0] + _e2537[0]) * 0.5f);
-                                let _e2545 = ((_e2531[1] + _e2537[1]) * 0.5f);
-                                let _e2546 = ((_e2531[2] + _e2537[2]) * 0.5f);
-                                let _e2549 = local_2.member_2[0u];
-                                let _e2555 = local_2.member_2[1u];
-                                let _e2562 = ((_e2549[0] + _e2555[0]) * 0.5f);
-                                let _e2563 = ((_e2549[1] + _e2555[1]) * 0.5f);
-                                let _e2564 = ((_e2549[2] + _e2555[2]) * 0.5f);
-                                let _e2567 = local_2.member[0u];
-                                let _e2570 = local_2.member_1[0u];
-                                let _e2573 = local_2.member_2[0u];
-                                let _e2575 = local_2.member_3;
-                                let _e2578 = local_2.member[1u];
-                                let _e2581 = local_2.member_1[1u];
-                                let _e2584 = local_2.member_2[1u];
-                                let _e2586 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2567, array<f32, 3>(_e2526, _e2527, _e2528)), array<array<f32, 3>, 2>(_e2570, array<f32, 3>(_e2544, _e2545, _e2546)), array<array<f32, 3>, 2>(_e2573, array<f32, 3>(_e2562, _e2563, _e2564)), _e2575);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2526, _e2527, _e2528), _e2578), array<array<f32, 3>, 2>(array<f32, 3>(_e2544, _e2545, _e2546), _e2581), array<array<f32, 3>, 2>(array<f32, 3>(_e2562, _e2563, _e2564), _e2584), _e2586);
-                                let _e2603 = local.member_1[0u];
-                                let _e2609 = local.member_2[0u];
-                                let _e2615 = ((_e2603[1] * _e2609[2]) - (_e2603[2] * _e2609[1]));
-                                let _e2618 = ((_e2603[2] * _e2609[0]) - (_e2603[0] * _e2609[2]));
-                                let _e2621 = ((_e2603[0] * _e2609[1]) - (_e2603[1] * _e2609[0]));
-                                let _e2624 = local.member_1[1u];
-                                let _e2630 = local.member_2[1u];
-                                let _e2636 = ((_e2624[1] * _e2630[2]) - (_e2624[2] * _e2630[1]));
-                                let _e2639 = ((_e2624[2] * _e2630[0]) - (_e2624[0] * _e2630[2]));
-                                let _e2642 = ((_e2624[0] * _e2630[1]) - (_e2624[1] * _e2630[0]));
-                                let _e2645 = local.member_1[0u];
-                                let _e2651 = local.member_2[1u];
-                                let _e2666 = local.member_1[1u];
-                                let _e2672 = local.member_2[0u];
-                                let _e2685 = (((_e2645[1] * _e2651[2]) - (_e2645[2] * _e2651[1])) + ((_e2666[1] * _e2672[2]) - (_e2666[2] * _e2672[1])));
-                                let _e2686 = (((_e2645[2] * _e2651[0]) - (_e2645[0] * _e2651[2])) + ((_e2666[2] * _e2672[0]) - (_e2666[0] * _e2672[2])));
-                                let _e2687 = (((_e2645[0] * _e2651[1]) - (_e2645[1] * _e2651[0])) + ((_e2666[0] * _e2672[1]) - (_e2666[1] * _e2672[0])));
-                                let _e2690 = local.member[0u];
-                                let _e2701 = local.member[1u];
-                                let _e2712 = local.member[0u];
-                                let _e2721 = ((((_e2701[0] * _e2615) + (_e2701[1] * _e2618)) + (_e2701[2] * _e2621)) + (((_e2712[0] * _e2685) + (_e2712[1] * _e2686)) + (_e2712[2] * _e2687)));
-                                let _e2724 = local.member[0u];
-                                let _e2735 = local.member[1u];
-                                let _e2744 = ((((_e2724[0] * _e2636) + (_e2724[1] * _e2639)) + (_e2724[2] * _e2642)) + (((_e2735[0] * _e2685) + (_e2735[1] * _e2686)) + (_e2735[2] * _e2687)));
-                                let _e2747 = local.member[1u];
-                                let _e2758 = local.member[0u];
-                                if (_e2758[0] < 0f) {
-                                    phi_4921_ = -(_e2758[0]);
+                                let _e2517 = local_2.member[0u];
+                                let _e2523 = local_2.member[1u];
+                                let _e2530 = ((_e2517[0] + _e2523[0]) * 0.5f);
+                                let _e2531 = ((_e2517[1] + _e2523[1]) * 0.5f);
+                                let _e2532 = ((_e2517[2] + _e2523[2]) * 0.5f);
+                                let _e2535 = local_2.member_1[0u];
+                                let _e2541 = local_2.member_1[1u];
+                                let _e2548 = ((_e2535[0] + _e2541[0]) * 0.5f);
+                                let _e2549 = ((_e2535[1] + _e2541[1]) * 0.5f);
+                                let _e2550 = ((_e2535[2] + _e2541[2]) * 0.5f);
+                                let _e2553 = local_2.member_2[0u];
+                                let _e2559 = local_2.member_2[1u];
+                                let _e2566 = ((_e2553[0] + _e2559[0]) * 0.5f);
+                                let _e2567 = ((_e2553[1] + _e2559[1]) * 0.5f);
+                                let _e2568 = ((_e2553[2] + _e2559[2]) * 0.5f);
+                                let _e2571 = local_2.member[0u];
+                                let _e2574 = local_2.member_1[0u];
+                                let _e2577 = local_2.member_2[0u];
+                                let _e2579 = local_2.member_3;
+                                let _e2582 = local_2.member[1u];
+                                let _e2585 = local_2.member_1[1u];
+                                let _e2588 = local_2.member_2[1u];
+                                let _e2590 = local_2.member_3;
+                                local = type_37(array<array<f32, 3>, 2>(_e2571, array<f32, 3>(_e2530, _e2531, _e2532)), array<array<f32, 3>, 2>(_e2574, array<f32, 3>(_e2548, _e2549, _e2550)), array<array<f32, 3>, 2>(_e2577, array<f32, 3>(_e2566, _e2567, _e2568)), _e2579);
+                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2530, _e2531, _e2532), _e2582), array<array<f32, 3>, 2>(array<f32, 3>(_e2548, _e2549, _e2550), _e2585), array<array<f32, 3>, 2>(array<f32, 3>(_e2566, _e2567, _e2568), _e2588), _e2590);
+                                let _e2607 = local.member_1[0u];
+                                let _e2613 = local.member_2[0u];
+                                let _e2619 = ((_e2607[1] * _e2613[2]) - (_e2607[2] * _e2613[1]));
+                                let _e2622 = ((_e2607[2] * _e2613[0]) - (_e2607[0] * _e2613[2]));
+                                let _e2625 = ((_e2607[0] * _e2613[1]) - (_e2607[1] * _e2613[0]));
+                                let _e2628 = local.member_1[1u];
+                                let _e2634 = local.member_2[1u];
+                                let _e2640 = ((_e2628[1] * _e2634[2]) - (_e2628[2] * _e2634[1]));
+                                let _e2643 = ((_e2628[2] * _e2634[0]) - (_e2628[0] * _e2634[2]));
+                                let _e2646 = ((_e2628[0] * _e2634[1]) - (_e2628[1] * _e2634[0]));
+                                let _e2649 = local.member_1[0u];
+                                let _e2655 = local.member_2[1u];
+                                let _e2670 = local.member_1[1u];
+                                let _e2676 = local.member_2[0u];
+                                let _e2689 = (((_e2649[1] * _e2655[2]) - (_e2649[2] * _e2655[1])) + ((_e2670[1] * _e2676[2]) - (_e2670[2] * _e2676[1])));
+                                let _e2690 = (((_e2649[2] * _e2655[0]) - (_e2649[0] * _e2655[2])) + ((_e2670[2] * _e2676[0]) - (_e2670[0] * _e2676[2])));
+                                let _e2691 = (((_e2649[0] * _e2655[1]) - (_e2649[1] * _e2655[0])) + ((_e2670[0] * _e2676[1]) - (_e2670[1] * _e2676[0])));
+                                let _e2694 = local.member[0u];
+                                let _e2705 = local.member[1u];
+                                let _e2716 = local.member[0u];
+                                let _e2725 = ((((_e2705[0] * _e2619) + (_e2705[1] * _e2622)) + (_e2705[2] * _e2625)) + (((_e2716[0] * _e2689) + (_e2716[1] * _e2690)) + (_e2716[2] * _e2691)));
+                                let _e2728 = local.member[0u];
+                                let _e2739 = local.member[1u];
+                                let _e2748 = ((((_e2728[0] * _e2640) + (_e2728[1] * _e2643)) + (_e2728[2] * _e2646)) + (((_e2739[0] * _e2689) + (_e2739[1] * _e2690)) + (_e2739[2] * _e2691)));
+                                let _e2751 = local.member[1u];
+                                let _e2762 = local.member[0u];
+                                if (_e2762[0] < 0f) {
+                                    phi_4926_ = -(_e2762[0]);
                                 } else {
-                                    phi_4921_ = _e2758[0];
+                                    phi_4926_ = _e2762[0];
                                 }
-                                let _e2765 = phi_4921_;
-                                if (_e2758[1] < 0f) {
-                                    phi_4928_ = -(_e2758[1]);
+                                let _e2769 = phi_4926_;
+                                if (_e2762[1] < 0f) {
+                                    phi_4933_ = -(_e2762[1]);
                                 } else {
-                                    phi_4928_ = _e2758[1];
+                                    phi_4933_ = _e2762[1];
                                 }
-                                let _e2769 = phi_4928_;
-                                if (_e2765 > _e2769) {
-                                    phi_4933_ = _e2765;
+                                let _e2773 = phi_4933_;
+                                if (_e2769 > _e2773) {
+                                    phi_4938_ = _e2769;
                                 } else {
-                                    phi_4933_ = _e2769;
+                                    phi_4938_ = _e2773;
                                 }
-                                let _e2772 = phi_4933_;
-                                if (_e2758[2] < 0f) {
-                                    phi_4940_ = -(_e2758[2]);
+                                let _e2776 = phi_4938_;
+                                if (_e2762[2] < 0f) {
+                                    phi_4945_ = -(_e2762[2]);
                                 } else {
-                                    phi_4940_ = _e2758[2];
+                                    phi_4945_ = _e2762[2];
                                 }
-                                let _e2776 = phi_4940_;
-                                if (_e2772 > _e2776) {
-                                    phi_4945_ = _e2772;
+                                let _e2780 = phi_4945_;
+                                if (_e2776 > _e2780) {
+                                    phi_4950_ = _e2776;
                                 } else {
-                                    phi_4945_ = _e2776;
+                                    phi_4950_ = _e2780;
                                 }
-                                let _e2779 = phi_4945_;
-                                let _e2782 = local.member[1u];
-                                if (_e2782[0] < 0f) {
-                                    phi_4958_ = -(_e2782[0]);
+                                let _e2783 = phi_4950_;
+                                let _e2786 = local.member[1u];
+                                if (_e2786[0] < 0f) {
+                                    phi_4963_ = -(_e2786[0]);
                                 } else {
-                                    phi_4958_ = _e2782[0];
+                                    phi_4963_ = _e2786[0];
                                 }
-                                let _e2789 = phi_4958_;
-                                if (_e2782[1] < 0f) {
-                                    phi_4965_ = -(_e2782[1]);
+                                let _e2793 = phi_4963_;
+                                if (_e2786[1] < 0f) {
+                                    phi_4970_ = -(_e2786[1]);
                                 } else {
-                                    phi_4965_ = _e2782[1];
+                                    phi_4970_ = _e2786[1];
                                 }
-                                let _e2793 = phi_4965_;
-                                if (_e2789 > _e2793) {
-                                    phi_4970_ = _e2789;
+                                let _e2797 = phi_4970_;
+                                if (_e2793 > _e2797) {
+                                    phi_4975_ = _e2793;
                                 } else {
-                                    phi_4970_ = _e2793;
+                                    phi_4975_ = _e2797;
                                 }
-                                let _e2796 = phi_4970_;
-                                if (_e2782[2] < 0f) {
-                                    phi_4977_ = -(_e2782[2]);
+                                let _e2800 = phi_4975_;
+                                if (_e2786[2] < 0f) {
+                                    phi_4982_ = -(_e2786[2]);
                                 } else {
-                                    phi_4977_ = _e2782[2];
+                                    phi_4982_ = _e2786[2];
                                 }
-                                let _e2800 = phi_4977_;
-                                if (_e2796 > _e2800) {
-                                    phi_4982_ = _e2796;
+                                let _e2804 = phi_4982_;
+                                if (_e2800 > _e2804) {
+                                    phi_4987_ = _e2800;
                                 } else {
-                                    phi_4982_ = _e2800;
+                                    phi_4987_ = _e2804;
                                 }
-                                let _e2803 = phi_4982_;
-                                if (_e2779 > _e2803) {
-                                    phi_4987_ = _e2779;
+                                let _e2807 = phi_4987_;
+                                if (_e2783 > _e2807) {
+                                    phi_4992_ = _e2783;
                                 } else {
-                                    phi_4987_ = _e2803;
+                                    phi_4992_ = _e2807;
                                 }
-                                let _e2806 = phi_4987_;
-                                let _e2808 = local.member_3;
-                                let _e2809 = (_e2806 + _e2808);
-                                let _e2812 = local.member_1[0u];
-                                if (_e2812[0] < 0f) {
-                                    phi_5004_ = -(_e2812[0]);
+                                let _e2810 = phi_4992_;
+                                let _e2812 = local.member_3;
+                                let _e2813 = (_e2810 + _e2812);
+                                let _e2816 = local.member_1[0u];
+                                if (_e2816[0] < 0f) {
+                                    phi_5009_ = -(_e2816[0]);
                                 } else {
-                                    phi_5004_ = _e2812[0];
+                                    phi_5009_ = _e2816[0];
                                 }
-                                let _e2819 = phi_5004_;
-                                if (_e2812[1] < 0f) {
-                                    phi_5011_ = -(_e2812[1]);
+                                let _e2823 = phi_5009_;
+                                if (_e2816[1] < 0f) {
+                                    phi_5016_ = -(_e2816[1]);
                                 } else {
-                                    phi_5011_ = _e2812[1];
+                                    phi_5016_ = _e2816[1];
                                 }
-                                let _e2823 = phi_5011_;
-                                if (_e2819 > _e2823) {
-                                    phi_5016_ = _e2819;
+                                let _e2827 = phi_5016_;
+                                if (_e2823 > _e2827) {
+                                    phi_5021_ = _e2823;
                                 } else {
-                                    phi_5016_ = _e2823;
+                                    phi_5021_ = _e2827;
                                 }
-                                let _e2826 = phi_5016_;
-                                if (_e2812[2] < 0f) {
-                                    phi_5023_ = -(_e2812[2]);
+                                let _e2830 = phi_5021_;
+                                if (_e2816[2] < 0f) {
+                                    phi_5028_ = -(_e2816[2]);
                                 } else {
-                                    phi_5023_ = _e2812[2];
+                                    phi_5028_ = _e2816[2];
                                 }
-                                let _e2830 = phi_5023_;
-                                if (_e2826 > _e2830) {
-                                    phi_5028_ = _e2826;
+                                let _e2834 = phi_5028_;
+                                if (_e2830 > _e2834) {
+                                    phi_5033_ = _e2830;
                                 } else {
-                                    phi_5028_ = _e2830;
+                                    phi_5033_ = _e2834;
                                 }
-                                let _e2833 = phi_5028_;
-                                let _e2836 = local.member_1[1u];
-                                if (_e2836[0] < 0f) {
-                                    phi_5042_ = -(_e2836[0]);
+                                let _e2837 = phi_5033_;
+                                let _e2840 = local.member_1[1u];
+                                if (_e2840[0] < 0f) {
+                                    phi_5047_ = -(_e2840[0]);
                                 } else {
-                                    phi_5042_ = _e2836[0];
+                                    phi_5047_ = _e2840[0];
                                 }
-                                let _e2843 = phi_5042_;
-                                if (_e2836[1] < 0f) {
-                                    phi_5049_ = -(_e2836[1]);
+                                let _e2847 = phi_5047_;
+                                if (_e2840[1] < 0f) {
+                                    phi_5054_ = -(_e2840[1]);
                                 } else {
-                                    phi_5049_ = _e2836[1];
+                                    phi_5054_ = _e2840[1];
                                 }
-                                let _e2847 = phi_5049_;
-                                if (_e2843 > _e2847) {
-                                    phi_5054_ = _e2843;
+                                let _e2851 = phi_5054_;
+                                if (_e2847 > _e2851) {
+                                    phi_5059_ = _e2847;
                                 } else {
-                                    phi_5054_ = _e2847;
+                                    phi_5059_ = _e2851;
                                 }
-                                let _e2850 = phi_5054_;
-                                if (_e2836[2] < 0f) {
-                                    phi_5061_ = -(_e2836[2]);
+                                let _e2854 = phi_5059_;
+                                if (_e2840[2] < 0f) {
+                                    phi_5066_ = -(_e2840[2]);
                                 } else {
-                                    phi_5061_ = _e2836[2];
+                                    phi_5066_ = _e2840[2];
                                 }
-                                let _e2854 = phi_5061_;
-                                if (_e2850 > _e2854) {
-                                    phi_5066_ = _e2850;
+                                let _e2858 = phi_5066_;
+                                if (_e2854 > _e2858) {
+                                    phi_5071_ = _e2854;
                                 } else {
-                                    phi_5066_ = _e2854;
+                                    phi_5071_ = _e2858;
                                 }
-                                let _e2857 = phi_5066_;
-                                if (_e2833 > _e2857) {
-                                    phi_5071_ = _e2833;
+                                let _e2861 = phi_5071_;
+                                if (_e2837 > _e2861) {
+                                    phi_5076_ = _e2837;
                                 } else {
-                                    phi_5071_ = _e2857;
+                                    phi_5076_ = _e2861;
                                 }
-                                let _e2860 = phi_5071_;
-                                let _e2862 = local.member_3;
-                                let _e2863 = (_e2860 + _e2862);
-                                let _e2866 = local.member_2[0u];
-                                if (_e2866[0] < 0f) {
-                                    phi_5088_ = -(_e2866[0]);
+                                let _e2864 = phi_5076_;
+                                let _e2866 = local.member_3;
+                                let _e2867 = (_e2864 + _e2866);
+                                let _e2870 = local.member_2[0u];
+                                if (_e2870[0] < 0f) {
+                                    phi_5093_ = -(_e2870[0]);
                                 } else {
-                                    phi_5088_ = _e2866[0];
+                                    phi_5093_ = _e2870[0];
                                 }
-                                let _e2873 = phi_5088_;
-                                if (_e2866[1] < 0f) {
-                                    phi_5095_ = -(_e2866[1]);
+                                let _e2877 = phi_5093_;
+                                if (_e2870[1] < 0f) {
+                                    phi_5100_ = -(_e2870[1]);
                                 } else {
-                                    phi_5095_ = _e2866[1];
+                                    phi_5100_ = _e2870[1];
                                 }
-                                let _e2877 = phi_5095_;
-                                if (_e2873 > _e2877) {
-                                    phi_5100_ = _e2873;
+                                let _e2881 = phi_5100_;
+                                if (_e2877 > _e2881) {
+                                    phi_5105_ = _e2877;
                                 } else {
-                                    phi_5100_ = _e2877;
+                                    phi_5105_ = _e2881;
                                 }
-                                let _e2880 = phi_5100_;
-                                if (_e2866[2] < 0f) {
-                                    phi_5107_ = -(_e2866[2]);
+                                let _e2884 = phi_5105_;
+                                if (_e2870[2] < 0f) {
+                                    phi_5112_ = -(_e2870[2]);
                                 } else {
-                                    phi_5107_ = _e2866[2];
+                                    phi_5112_ = _e2870[2];
                                 }
-                                let _e2884 = phi_5107_;
-                                if (_e2880 > _e2884) {
-                                    phi_5112_ = _e2880;
+                                let _e2888 = phi_5112_;
+                                if (_e2884 > _e2888) {
+                                    phi_5117_ = _e2884;
                                 } else {
-                                    phi_5112_ = _e2884;
+                                    phi_5117_ = _e2888;
                                 }
-                                let _e2887 = phi_5112_;
-                                let _e2890 = local.member_2[1u];
-                                if (_e2890[0] < 0f) {
-                                    phi_5126_ = -(_e2890[0]);
+                                let _e2891 = phi_5117_;
+                                let _e2894 = local.member_2[1u];
+                                if (_e2894[0] < 0f) {
+                                    phi_5131_ = -(_e2894[0]);
                                 } else {
-                                    phi_5126_ = _e2890[0];
+                                    phi_5131_ = _e2894[0];
                                 }
-                                let _e2897 = phi_5126_;
-                                if (_e2890[1] < 0f) {
-                                    phi_5133_ = -(_e2890[1]);
+                                let _e2901 = phi_5131_;
+                                if (_e2894[1] < 0f) {
+                                    phi_5138_ = -(_e2894[1]);
                                 } else {
-                                    phi_5133_ = _e2890[1];
+                                    phi_5138_ = _e2894[1];
                                 }
-                                let _e2901 = phi_5133_;
-                                if (_e2897 > _e2901) {
-                                    phi_5138_ = _e2897;
+                                let _e2905 = phi_5138_;
+                                if (_e2901 > _e2905) {
+                                    phi_5143_ = _e2901;
                                 } else {
-                                    phi_5138_ = _e2901;
+                                    phi_5143_ = _e2905;
                                 }
-                                let _e2904 = phi_5138_;
-                                if (_e2890[2] < 0f) {
-                                    phi_5145_ = -(_e2890[2]);
+                                let _e2908 = phi_5143_;
+                                if (_e2894[2] < 0f) {
+                                    phi_5150_ = -(_e2894[2]);
                                 } else {
-                                    phi_5145_ = _e2890[2];
+                                    phi_5150_ = _e2894[2];
                                 }
-                                let _e2908 = phi_5145_;
-                                if (_e2904 > _e2908) {
-                                    phi_5150_ = _e2904;
+                                let _e2912 = phi_5150_;
+                                if (_e2908 > _e2912) {
+                                    phi_5155_ = _e2908;
                                 } else {
-                                    phi_5150_ = _e2908;
+                                    phi_5155_ = _e2912;
                                 }
-                                let _e2911 = phi_5150_;
-                                if (_e2887 > _e2911) {
-                                    phi_5155_ = _e2887;
+                                let _e2915 = phi_5155_;
+                                if (_e2891 > _e2915) {
+                                    phi_5160_ = _e2891;
                                 } else {
-                                    phi_5155_ = _e2911;
+                                    phi_5160_ = _e2915;
                                 }
-                                let _e2914 = phi_5155_;
-                                let _e2916 = local.member_3;
-                                let _e2917 = (_e2914 + _e2916);
-                                let _e2919 = ((_e2863 * 8f) * _e2917);
-                                let _e2926 = local.member_3;
-                                if (_e2615 < 0f) {
-                                    phi_5186_ = -(_e2615);
+                                let _e2918 = phi_5160_;
+                                let _e2920 = local.member_3;
+                                let _e2921 = (_e2918 + _e2920);
+                                let _e2923 = ((_e2867 * 8f) * _e2921);
+                                let _e2930 = local.member_3;
+                                if (_e2619 < 0f) {
+                                    phi_5191_ = -(_e2619);
                                 } else {
-                                    phi_5186_ = _e2615;
+                                    phi_5191_ = _e2619;
                                 }
-                                let _e2943 = phi_5186_;
-                                if (_e2618 < 0f) {
-                                    phi_5192_ = -(_e2618);
+                                let _e2947 = phi_5191_;
+                                if (_e2622 < 0f) {
+                                    phi_5197_ = -(_e2622);
                                 } else {
-                                    phi_5192_ = _e2618;
+                                    phi_5197_ = _e2622;
                                 }
-                                let _e2947 = phi_5192_;
-                                if (_e2621 < 0f) {
-                                    phi_5199_ = -(_e2621);
+                                let _e2951 = phi_5197_;
+                                if (_e2625 < 0f) {
+                                    phi_5204_ = -(_e2625);
                                 } else {
-                                    phi_5199_ = _e2621;
+                                    phi_5204_ = _e2625;
                                 }
-                                let _e2952 = phi_5199_;
-                                let _e2953 = ((_e2943 + _e2947) + _e2952);
-                                if (_e2636 < 0f) {
-                                    phi_5206_ = -(_e2636);
+                                let _e2956 = phi_5204_;
+                                let _e2957 = ((_e2947 + _e2951) + _e2956);
+                                if (_e2640 < 0f) {
+                                    phi_5211_ = -(_e2640);
                                 } else {
-                                    phi_5206_ = _e2636;
+                                    phi_5211_ = _e2640;
                                 }
-                                let _e2957 = phi_5206_;
-                                if (_e2639 < 0f) {
-                                    phi_5212_ = -(_e2639);
+                                let _e2961 = phi_5211_;
+                                if (_e2643 < 0f) {
+                                    phi_5217_ = -(_e2643);
                                 } else {
-                                    phi_5212_ = _e2639;
+                                    phi_5217_ = _e2643;
                                 }
-                                let _e2961 = phi_5212_;
-                                if (_e2642 < 0f) {
-                                    phi_5219_ = -(_e2642);
+                                let _e2965 = phi_5217_;
+                                if (_e2646 < 0f) {
+                                    phi_5224_ = -(_e2646);
                                 } else {
-                                    phi_5219_ = _e2642;
+                                    phi_5224_ = _e2646;
                                 }
-                                let _e2966 = phi_5219_;
-                                let _e2967 = ((_e2957 + _e2961) + _e2966);
-                                if (_e2953 > _e2967) {
-                                    phi_5225_ = _e2953;
+                                let _e2970 = phi_5224_;
+                                let _e2971 = ((_e2961 + _e2965) + _e2970);
+                                if (_e2957 > _e2971) {
+                                    phi_5230_ = _e2957;
                                 } else {
-                                    phi_5225_ = _e2967;
+                                    phi_5230_ = _e2971;
                                 }
-                                let _e2970 = phi_5225_;
-                                if (_e2685 < 0f) {
-                                    phi_5231_ = -(_e2685);
+                                let _e2974 = phi_5230_;
+                                if (_e2689 < 0f) {
+                                    phi_5236_ = -(_e2689);
                                 } else {
-                                    phi_5231_ = _e2685;
+                                    phi_5236_ = _e2689;
                                 }
-                                let _e2974 = phi_5231_;
-                                if (_e2686 < 0f) {
-                                    phi_5237_ = -(_e2686);
+                                let _e2978 = phi_5236_;
+                                if (_e2690 < 0f) {
+                                    phi_5242_ = -(_e2690);
                                 } else {
-                                    phi_5237_ = _e2686;
+                                    phi_5242_ = _e2690;
                                 }
-                                let _e2978 = phi_5237_;
-                                if (_e2687 < 0f) {
-                                    phi_5244_ = -(_e2687);
+                                let _e2982 = phi_5242_;
+                                if (_e2691 < 0f) {
+                                    phi_5249_ = -(_e2691);
                                 } else {
-                                    phi_5244_ = _e2687;
+                                    phi_5249_ = _e2691;
                                 }
-                                let _e2983 = phi_5244_;
-                                let _e2985 = (((_e2974 + _e2978) + _e2983) * 0.5f);
-                                if (_e2970 > _e2985) {
-                                    phi_5251_ = _e2970;
+                                let _e2987 = phi_5249_;
+                                let _e2989 = (((_e2978 + _e2982) + _e2987) * 0.5f);
+                                if (_e2974 > _e2989) {
+                                    phi_5256_ = _e2974;
                                 } else {
-                                    phi_5251_ = _e2985;
+                                    phi_5256_ = _e2989;
                                 }
-                                let _e2988 = phi_5251_;
-                                let _e2993 = local.member_3;
-                                let _e3006 = ((((_e2690[0] * _e2615) + (_e2690[1] * _e2618)) + (_e2690[2] * _e2621)) * 3f);
-                                let _e3007 = ((((_e2747[0] * _e2636) + (_e2747[1] * _e2639)) + (_e2747[2] * _e2642)) * 3f);
-                                if (_e3006 < _e3007) {
-                                    phi_5275_ = _e3006;
+                                let _e2992 = phi_5256_;
+                                let _e2997 = local.member_3;
+                                let _e3010 = ((((_e2694[0] * _e2619) + (_e2694[1] * _e2622)) + (_e2694[2] * _e2625)) * 3f);
+                                let _e3011 = ((((_e2751[0] * _e2640) + (_e2751[1] * _e2643)) + (_e2751[2] * _e2646)) * 3f);
+                                if (_e3010 < _e3011) {
+                                    phi_5280_ = _e3010;
                                 } else {
-                                    phi_5275_ = _e3007;
+                                    phi_5280_ = _e3011;
                                 }
-                                let _e3010 = phi_5275_;
-                                if (_e2721 < _e2744) {
-                                    phi_5280_ = _e2721;
+                                let _e3014 = phi_5280_;
+                                if (_e2725 < _e2748) {
+                                    phi_5285_ = _e2725;
                                 } else {
-                                    phi_5280_ = _e2744;
+                                    phi_5285_ = _e2748;
                                 }
-                                let _e3013 = phi_5280_;
-                                if (_e3010 < _e3013) {
-                                    phi_5285_ = _e3010;
+                                let _e3017 = phi_5285_;
+                                if (_e3014 < _e3017) {
+                                    phi_5290_ = _e3014;
                                 } else {
-                                    phi_5285_ = _e3013;
+                                    phi_5290_ = _e3017;
                                 }
-                                let _e3016 = phi_5285_;
-                                if (_e3006 > _e3007) {
-                                    phi_5290_ = _e3006;
+                                let _e3020 = phi_5290_;
+                                if (_e3010 > _e3011) {
+                                    phi_5295_ = _e3010;
                                 } else {
-                                    phi_5290_ = _e3007;
+                                    phi_5295_ = _e3011;
                                 }
-                                let _e3019 = phi_5290_;
-                                if (_e2721 > _e2744) {
-                                    phi_5295_ = _e2721;
+                                let _e3023 = phi_5295_;
+                                if (_e2725 > _e2748) {
+                                    phi_5300_ = _e2725;
                                 } else {
-                                    phi_5295_ = _e2744;
+                                    phi_5300_ = _e2748;
                                 }
-                                let _e3022 = phi_5295_;
-                                if (_e3019 > _e3022) {
-                                    phi_5300_ = _e3019;
+                                let _e3026 = phi_5300_;
+                                if (_e3023 > _e3026) {
+                                    phi_5305_ = _e3023;
                                 } else {
-                                    phi_5300_ = _e3022;
+                                    phi_5305_ = _e3026;
                                 }
-                                let _e3025 = phi_5300_;
-                                let _e3030 = -(_e3025);
-                                if (_e3016 > _e3030) {
-                                    phi_5310_ = _e3016;
+                                let _e3029 = phi_5305_;
+                                let _e3034 = -(_e3029);
+                                if (_e3020 > _e3034) {
+                                    phi_5315_ = _e3020;
                                 } else {
-                                    phi_5310_ = _e3030;
+                                    phi_5315_ = _e3034;
                                 }
-                                let _e3033 = phi_5310_;
-                                if ((_e3033 - ((((((_e2809 * 8f) * _e2919) * (0.000000059604645f * (490f / 64f))) + ((_e2926 * 19f) * ((_e2809 * (_e2863 + _e2917)) + (_e2863 * _e2917)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2809) * ((1f + _e2863) * (1f + _e2917))))) + ((_e1494 * (((_e2988 + (_e2919 * (0.000000059604645f * 4f))) + ((_e2993 * 6f) * (_e2863 + _e2917))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2863) * (1f + _e2917))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6274_ = true;
+                                let _e3037 = phi_5315_;
+                                let _e3039 = ((_e3037 - ((((((_e2813 * 8f) * _e2923) * (0.000000059604645f * (524f / 64f))) + ((_e2930 * 19f) * ((_e2813 * (_e2867 + _e2921)) + (_e2867 * _e2921)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2813) * ((1f + _e2867) * (1f + _e2921))))) + ((_e1494 * (((_e2992 + (_e2923 * (0.000000059604645f * 8f))) + ((_e2997 * 6f) * (_e2867 + _e2921))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2867) * (1f + _e2921))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3039 {
+                                    phi_6284_ = _e3039;
                                 } else {
-                                    let _e3038 = local.member_1[0u];
-                                    let _e3044 = local.member_1[1u];
-                                    let _e3048 = (_e3038[0] + _e3044[0]);
-                                    let _e3049 = (_e3038[1] + _e3044[1]);
-                                    let _e3050 = (_e3038[2] + _e3044[2]);
-                                    let _e3053 = local.member_2[0u];
-                                    let _e3059 = local.member_2[1u];
-                                    let _e3063 = (_e3053[0] + _e3059[0]);
-                                    let _e3064 = (_e3053[1] + _e3059[1]);
-                                    let _e3065 = (_e3053[2] + _e3059[2]);
-                                    let _e3068 = ((_e3049 * _e3065) - (_e3050 * _e3064));
-                                    let _e3071 = ((_e3050 * _e3063) - (_e3048 * _e3065));
-                                    let _e3074 = ((_e3048 * _e3064) - (_e3049 * _e3063));
-                                    let _e3077 = local.member[0u];
-                                    let _e3083 = local.member_1[0u];
-                                    let _e3089 = local.member_2[0u];
-                                    let _e3093 = (_e3077[0] - _e3083[0]);
-                                    let _e3094 = (_e3077[1] - _e3083[1]);
-                                    let _e3095 = (_e3077[2] - _e3083[2]);
-                                    let _e3096 = (_e3093 - _e3089[0]);
-                                    let _e3097 = (_e3094 - _e3089[1]);
-                                    let _e3098 = (_e3095 - _e3089[2]);
-                                    let _e3099 = (_e3077[0] - _e3089[0]);
-                                    let _e3100 = (_e3077[1] - _e3089[1]);
-                                    let _e3101 = (_e3077[2] - _e3089[2]);
-                                    let _e3104 = local.member[1u];
-                                    let _e3110 = local.member_1[1u];
-                                    let _e3116 = local.member_2[1u];
-                                    let _e3120 = (_e3104[0] - _e3110[0]);
-                                    let _e3121 = (_e3104[1] - _e3110[1]);
-                                    let _e3122 = (_e3104[2] - _e3110[2]);
-                                    let _e3123 = (_e3120 - _e3116[0]);
-                                    let _e3124 = (_e3121 - _e3116[1]);
-                                    let _e3125 = (_e3122 - _e3116[2]);
-                                    let _e3126 = (_e3104[0] - _e3116[0]);
-                                    let _e3127 = (_e3104[1] - _e3116[1]);
-                                    let _e3128 = (_e3104[2] - _e3116[2]);
-                                    let _e3131 = local.member[0u];
-                                    if (_e3131[0] < 0f) {
-                                        phi_5513_ = -(_e3131[0]);
-                                    } else {
-                                        phi_5513_ = _e3131[0];
-                                    }
-                                    let _e3138 = phi_5513_;
-                                    if (_e3131[1] < 0f) {
-                                        phi_5520_ = -(_e3131[1]);
-                                    } else {
-                                        phi_5520_ = _e3131[1];
-                                    }
-                                    let _e3142 = phi_5520_;
-                                    if (_e3138 > _e3142) {
-                                        phi_5525_ = _e3138;
-                                    } else {
-                                        phi_5525_ = _e3142;
-                                    }
-                                    let _e3145 = phi_5525_;
-                                    if (_e3131[2] < 0f) {
-                                        phi_5532_ = -(_e3131[2]);
-                                    } else {
-                                        phi_5532_ = _e3131[2];
-                                    }
-                                    let _e3149 = phi_5532_;
-                                    if (_e3145 > _e3149) {
-                                        phi_5537_ = _e3145;
-                                    } else {
-                                        phi_5537_ = _e3149;
-                                    }
-                                    let _e3152 = phi_5537_;
-                                    let _e3155 = local.member[1u];
-                                    if (_e3155[0] < 0f) {
-                                        phi_5550_ = -(_e3155[0]);
+                                    let _e3042 = local.member_1[0u];
+                                    let _e3048 = local.member_1[1u];
+                                    let _e3052 = (_e3042[0] + _e3048[0]);
+                                    let _e3053 = (_e3042[1] + _e3048[1]);
+                                    let _e3054 = (_e3042[2] + _e3048[2]);
+                                    let _e3057 = local.member_2[0u];
+                                    let _e3063 = local.member_2[1u];
+                                    let _e3067 = (_e3057[0] + _e3063[0]);
+                                    let _e3068 = (_e3057[1] + _e3063[1]);
+                                    let _e3069 = (_e3057[2] + _e3063[2]);
+                                    let _e3072 = ((_e3053 * _e3069) - (_e3054 * _e3068));
+                                    let _e3075 = ((_e3054 * _e3067) - (_e3052 * _e3069));
+                                    let _e3078 = ((_e3052 * _e3068) - (_e3053 * _e3067));
+                                    let _e3081 = local.member[0u];
+                                    let _e3087 = local.member_1[0u];
+                                    let _e3093 = local.member_2[0u];
+                                    let _e3097 = (_e3081[0] - _e3087[0]);
+                                    let _e3098 = (_e3081[1] - _e3087[1]);
+                                    let _e3099 = (_e3081[2] - _e3087[2]);
+                                    let _e3100 = (_e3097 - _e3093[0]);
+                                    let _e3101 = (_e3098 - _e3093[1]);
+                                    let _e3102 = (_e3099 - _e3093[2]);
+                                    let _e3103 = (_e3081[0] - _e3093[0]);
+                                    let _e3104 = (_e3081[1] - _e3093[1]);
+                                    let _e3105 = (_e3081[2] - _e3093[2]);
+                                    let _e3108 = local.member[1u];
+                                    let _e3114 = local.member_1[1u];
+                                    let _e3120 = local.member_2[1u];
+                                    let _e3124 = (_e3108[0] - _e3114[0]);
+                                    let _e3125 = (_e3108[1] - _e3114[1]);
+                                    let _e3126 = (_e3108[2] - _e3114[2]);
+                                    let _e3127 = (_e3124 - _e3120[0]);
+                                    let _e3128 = (_e3125 - _e3120[1]);
+                                    let _e3129 = (_e3126 - _e3120[2]);
+                                    let _e3130 = (_e3108[0] - _e3120[0]);
+                                    let _e3131 = (_e3108[1] - _e3120[1]);
+                                    let _e3132 = (_e3108[2] - _e3120[2]);
+                                    let _e3135 = local.member[0u];
+                                    if (_e3135[0] < 0f) {
+                                        phi_5518_ = -(_e3135[0]);
+                                    } else {
+                                        phi_5518_ = _e3135[0];
+                                    }
+                                    let _e3142 = phi_5518_;
+                                    if (_e3135[1] < 0f) {
+                                        phi_5525_ = -(_e3135[1]);
+                                    } else {
+                                        phi_5525_ = _e3135[1];
+                                    }
+                                    let _e3146 = phi_5525_;
+                                    if (_e3142 > _e3146) {
+                                        phi_5530_ = _e3142;
+                                    } else {
+                                        phi_5530_ = _e3146;
+                                    }
+                                    let _e3149 = phi_5530_;
+                                    if (_e3135[2] < 0f) {
+                                        phi_5537_ = -(_e3135[2]);
+                                    } else {
+                                        phi_5537_ = _e3135[2];
+                                    }
+                                    let _e3153 = phi_5537_;
+                                    if (_e3149 > _e3153) {
+                                        phi_5542_ = _e3149;
+                                    } else {
+                                        phi_5542_ = _e3153;
+                                    }
+                                    let _e3156 = phi_5542_;
+                                    let _e3159 = local.member[1u];
+                                    if (_e3159[0] < 0f) {
+                                        phi_5555_ = -(_e3159[0]);
                                     } else {
-                                        phi_5550_ = _e3155[0];
+                                        phi_5555_ = _e3159[0];
                                     }
-                                    let _e3162 = phi_5550_;
-                                    if (_e3155[1] < 0f) {
-                                        phi_5557_ = -(_e3155[1]);
-                                    } else {
-                                        phi_5557_ = _e3155[1];
+                                    let _e3166 = phi_5555_;
+                                    if (_e3159[1] < 0f) {
+                                        phi_5562_ = -(_e3159[1]);
+                                    } else {
+                                        phi_5562_ = _e3159[1];
                                     }
-                                    let _e3166 = phi_5557_;
-                                    if (_e3162 > _e3166) {
-                                        phi_5562_ = _e3162;
+                                    let _e3170 = phi_5562_;
+                                    if (_e3166 > _e3170) {
+                                        phi_5567_ = _e3166;
                                     } else {
-                                        phi_5562_ = _e3166;
+                                        phi_5567_ = _e3170;
                                     }
-                                    let _e3169 = phi_5562_;
-                                    if (_e3155[2] < 0f) {
-                                        phi_5569_ = -(_e3155[2]);
+                                    let _e3173 = phi_5567_;
+                                    if (_e3159[2] < 0f) {
+                                        phi_5574_ = -(_e3159[2]);
                                     } else {
-                                        phi_5569_ = _e3155[2];
+                                        phi_5574_ = _e3159[2];
                                     }
-                                    let _e3173 = phi_5569_;
-                                    if (_e3169 > _e3173) {
-                                        phi_5574_ = _e3169;
+                                    let _e3177 = phi_5574_;
+                                    if (_e3173 > _e3177) {
+                                        phi_5579_ = _e3173;
                                     } else {
-                                        phi_5574_ = _e3173;
+                                        phi_5579_ = _e3177;
                                     }
-                                    let _e3176 = phi_5574_;
-                                    if (_e3152 > _e3176) {
-                                        phi_5579_ = _e3152;
+                                    let _e3180 = phi_5579_;
+                                    if (_e3156 > _e3180) {
+                                        phi_5584_ = _e3156;
                                     } else {
-                                        phi_5579_ = _e3176;
+                                        phi_5584_ = _e3180;
                                     }
-                                    let _e3179 = phi_5579_;
-                                    let _e3181 = local.member_3;
-                                    let _e3185 = local.member_1[0u];
-                                    if (_e3185[0] < 0f) {
-                                        phi_5596_ = -(_e3185[0]);
+                                    let _e3183 = phi_5584_;
+                                    let _e3185 = local.member_3;
+                                    let _e3189 = local.member_1[0u];
+                                    if (_e3189[0] < 0f) {
+                                        phi_5601_ = -(_e3189[0]);
                                     } else {
-                                        phi_5596_ = _e3185[0];
+                                        phi_5601_ = _e3189[0];
                                     }
-                                    let _e3192 = phi_5596_;
-                                    if (_e3185[1] < 0f) {
-                                        phi_5603_ = -(_e3185[1]);
+                                    let _e3196 = phi_5601_;
+                                    if (_e3189[1] < 0f) {
+                                        phi_5608_ = -(_e3189[1]);
                                     } else {
-                                        phi_5603_ = _e3185[1];
+                                        phi_5608_ = _e3189[1];
                                     }
-                                    let _e3196 = phi_5603_;
-                                    if (_e3192 > _e3196) {
-                                        phi_5608_ = _e3192;
+                                    let _e3200 = phi_5608_;
+                                    if (_e3196 > _e3200) {
+                                        phi_5613_ = _e3196;
                                     } else {
-                                        phi_5608_ = _e3196;
+                                        phi_5613_ = _e3200;
                                     }
-                                    let _e3199 = phi_5608_;
-                                    if (_e3185[2] < 0f) {
-                                        phi_5615_ = -(_e3185[2]);
+                                    let _e3203 = phi_5613_;
+                                    if (_e3189[2] < 0f) {
+                                        phi_5620_ = -(_e3189[2]);
                                     } else {
-                                        phi_5615_ = _e3185[2];
+                                        phi_5620_ = _e3189[2];
                                     }
-                                    let _e3203 = phi_5615_;
-                                    if (_e3199 > _e3203) {
-                                        phi_5620_ = _e3199;
+                                    let _e3207 = phi_5620_;
+                                    if (_e3203 > _e3207) {
+                                        phi_5625_ = _e3203;
                                     } else {
-                                        phi_5620_ = _e3203;
+                                        phi_5625_ = _e3207;
                                     }
-                                    let _e3206 = phi_5620_;
-                                    let _e3209 = local.member_1[1u];
-                                    if (_e3209[0] < 0f) {
-                                        phi_5634_ = -(_e3209[0]);
+                                    let _e3210 = phi_5625_;
+                                    let _e3213 = local.member_1[1u];
+                                    if (_e3213[0] < 0f) {
+                                        phi_5639_ = -(_e3213[0]);
                                     } else {
-                                        phi_5634_ = _e3209[0];
+                                        phi_5639_ = _e3213[0];
                                     }
-                                    let _e3216 = phi_5634_;
-                                    if (_e3209[1] < 0f) {
-                                        phi_5641_ = -(_e3209[1]);
+                                    let _e3220 = phi_5639_;
+                                    if (_e3213[1] < 0f) {
+                                        phi_5646_ = -(_e3213[1]);
                                     } else {
-                                        phi_5641_ = _e3209[1];
+                                        phi_5646_ = _e3213[1];
                                     }
-                                    let _e3220 = phi_5641_;
-                                    if (_e3216 > _e3220) {
-                                        phi_5646_ = _e3216;
+                                    let _e3224 = phi_5646_;
+                                    if (_e3220 > _e3224) {
+                                        phi_5651_ = _e3220;
                                     } else {
-                                        phi_5646_ = _e3220;
+                                        phi_5651_ = _e3224;
                                     }
-                                    let _e3223 = phi_5646_;
-                                    if (_e3209[2] < 0f) {
-                                        phi_5653_ = -(_e3209[2]);
+                                    let _e3227 = phi_5651_;
+                                    if (_e3213[2] < 0f) {
+                                        phi_5658_ = -(_e3213[2]);
                                     } else {
-                                        phi_5653_ = _e3209[2];
+                                        phi_5658_ = _e3213[2];
                                     }
-                                    let _e3227 = phi_5653_;
-                                    if (_e3223 > _e3227) {
-                                        phi_5658_ = _e3223;
+                                    let _e3231 = phi_5658_;
+                                    if (_e3227 > _e3231) {
+                                        phi_5663_ = _e3227;
                                     } else {
-                                        phi_5658_ = _e3227;
+                                        phi_5663_ = _e3231;
                                     }
-                                    let _e3230 = phi_5658_;
-                                    if (_e3206 > _e3230) {
-                                        phi_5663_ = _e3206;
+                                    let _e3234 = phi_5663_;
+                                    if (_e3210 > _e3234) {
+                                        phi_5668_ = _e3210;
                                     } else {
-                                        phi_5663_ = _e3230;
+                                        phi_5668_ = _e3234;
                                     }
-                                    let _e3233 = phi_5663_;
-                                    let _e3235 = local.member_3;
-                                    let _e3239 = local.member_2[0u];
-                                    if (_e3239[0] < 0f) {
-                                        phi_5680_ = -(_e3239[0]);
+                                    let _e3237 = phi_5668_;
+                                    let _e3239 = local.member_3;
+                                    let _e3243 = local.member_2[0u];
+                                    if (_e3243[0] < 0f) {
+                                        phi_5685_ = -(_e3243[0]);
                                     } else {
-                                        phi_5680_ = _e3239[0];
+                                        phi_5685_ = _e3243[0];
                                     }
-                                    let _e3246 = phi_5680_;
-                                    if (_e3239[1] < 0f) {
-                                        phi_5687_ = -(_e3239[1]);
+                                    let _e3250 = phi_5685_;
+                                    if (_e3243[1] < 0f) {
+                                        phi_5692_ = -(_e3243[1]);
                                     } else {
-                                        phi_5687_ = _e3239[1];
+                                        phi_5692_ = _e3243[1];
                                     }
-                                    let _e3250 = phi_5687_;
-                                    if (_e3246 > _e3250) {
-                                        phi_5692_ = _e3246;
+                                    let _e3254 = phi_5692_;
+                                    if (_e3250 > _e3254) {
+                                        phi_5697_ = _e3250;
                                     } else {
-                                        phi_5692_ = _e3250;
+                                        phi_5697_ = _e3254;
                                     }
-                                    let _e3253 = phi_5692_;
-                                    if (_e3239[2] < 0f) {
-                                        phi_5699_ = -(_e3239[2]);
+                                    let _e3257 = phi_5697_;
+                                    if (_e3243[2] < 0f) {
+                                        phi_5704_ = -(_e3243[2]);
                                     } else {
-                                        phi_5699_ = _e3239[2];
+                                        phi_5704_ = _e3243[2];
                                     }
-                                    let _e3257 = phi_5699_;
-                                    if (_e3253 > _e3257) {
-                                        phi_5704_ = _e3253;
+                                    let _e3261 = phi_5704_;
+                                    if (_e3257 > _e3261) {
+                                        phi_5709_ = _e3257;
                                     } else {
-                                        phi_5704_ = _e3257;
+                                        phi_5709_ = _e3261;
                                     }
-                                    let _e3260 = phi_5704_;
-                                    let _e3263 = local.member_2[1u];
-                                    if (_e3263[0] < 0f) {
-                                        phi_5718_ = -(_e3263[0]);
+                                    let _e3264 = phi_5709_;
+                                    let _e3267 = local.member_2[1u];
+                                    if (_e3267[0] < 0f) {
+                                        phi_5723_ = -(_e3267[0]);
                                     } else {
-                                        phi_5718_ = _e3263[0];
+                                        phi_5723_ = _e3267[0];
                                     }
-                                    let _e3270 = phi_5718_;
-                                    if (_e3263[1] < 0f) {
-                                        phi_5725_ = -(_e3263[1]);
+                                    let _e3274 = phi_5723_;
+                                    if (_e3267[1] < 0f) {
+                                        phi_5730_ = -(_e3267[1]);
                                     } else {
-                                        phi_5725_ = _e3263[1];
+                                        phi_5730_ = _e3267[1];
                                     }
-                                    let _e3274 = phi_5725_;
-                                    if (_e3270 > _e3274) {
-                                        phi_5730_ = _e3270;
+                                    let _e3278 = phi_5730_;
+                                    if (_e3274 > _e3278) {
+                                        phi_5735_ = _e3274;
                                     } else {
-                                        phi_5730_ = _e3274;
+                                        phi_5735_ = _e3278;
                                     }
-                                    let _e3277 = phi_5730_;
-                                    if (_e3263[2] < 0f) {
-                                        phi_5737_ = -(_e3263[2]);
+                                    let _e3281 = phi_5735_;
+                                    if (_e3267[2] < 0f) {
+                                        phi_5742_ = -(_e3267[2]);
                                     } else {
-                                        phi_5737_ = _e3263[2];
+                                        phi_5742_ = _e3267[2];
                                     }
-                                    let _e3281 = phi_5737_;
-                                    if (_e3277 > _e3281) {
-                                        phi_5742_ = _e3277;
+                                    let _e3285 = phi_5742_;
+                                    if (_e3281 > _e3285) {
+                                        phi_5747_ = _e3281;
                                     } else {
-                                        phi_5742_ = _e3281;
+                                        phi_5747_ = _e3285;
                                     }
-                                    let _e3284 = phi_5742_;
-                                    if (_e3260 > _e3284) {
-                                        phi_5747_ = _e3260;
+                                    let _e3288 = phi_5747_;
+                                    if (_e3264 > _e3288) {
+                                        phi_5752_ = _e3264;
                                     } else {
-                                        phi_5747_ = _e3284;
+                                        phi_5752_ = _e3288;
                                     }
-                                    let _e3287 = phi_5747_;
-                                    let _e3289 = local.member_3;
-                                    let _e3292 = (((_e3179 + _e3181) + (_e3233 + _e3235)) + (_e3287 + _e3289));
-                                    let _e3295 = local.member_3;
-                                    let _e3299 = (((_e1494 * 1.0001f) + (_e3295 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3302 = ((_e3071 * _e3050) - (_e3074 * _e3049));
-                                    let _e3305 = ((_e3074 * _e3048) - (_e3068 * _e3050));
-                                    let _e3308 = ((_e3068 * _e3049) - (_e3071 * _e3048));
-                                    let _e3313 = (((_e3302 * _e3077[0]) + (_e3305 * _e3077[1])) + (_e3308 * _e3077[2]));
-                                    let _e3318 = (((_e3302 * _e3093) + (_e3305 * _e3094)) + (_e3308 * _e3095));
-                                    let _e3323 = (((_e3302 * _e3099) + (_e3305 * _e3100)) + (_e3308 * _e3101));
-                                    let _e3328 = (((_e3302 * _e3096) + (_e3305 * _e3097)) + (_e3308 * _e3098));
-                                    let _e3333 = (((_e3302 * _e3104[0]) + (_e3305 * _e3104[1])) + (_e3308 * _e3104[2]));
-                                    let _e3338 = (((_e3302 * _e3120) + (_e3305 * _e3121)) + (_e3308 * _e3122));
-                                    let _e3343 = (((_e3302 * _e3126) + (_e3305 * _e3127)) + (_e3308 * _e3128));
-                                    let _e3348 = (((_e3302 * _e3123) + (_e3305 * _e3124)) + (_e3308 * _e3125));
-                                    if (_e3313 < _e3318) {
-                                        phi_5825_ = _e3313;
+                                    let _e3291 = phi_5752_;
+                                    let _e3293 = local.member_3;
+                                    let _e3297 = ((((_e3183 + _e3185) + (_e3237 + _e3239)) + (_e3291 + _e3293)) * 2f);
+                                    let _e3300 = local.member_3;
+                                    let _e3304 = (((_e1494 * 1.0001f) + (_e3300 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3307 = ((_e3075 * _e3054) - (_e3078 * _e3053));
+                                    let _e3310 = ((_e3078 * _e3052) - (_e3072 * _e3054));
+                                    let _e3313 = ((_e3072 * _e3053) - (_e3075 * _e3052));
+                                    let _e3318 = (((_e3307 * _e3081[0]) + (_e3310 * _e3081[1])) + (_e3313 * _e3081[2]));
+                                    let _e3323 = (((_e3307 * _e3097) + (_e3310 * _e3098)) + (_e3313 * _e3099));
+                                    let _e3328 = (((_e3307 * _e3103) + (_e3310 * _e3104)) + (_e3313 * _e3105));
+                                    let _e3333 = (((_e3307 * _e3100) + (_e3310 * _e3101)) + (_e3313 * _e3102));
+                                    let _e3338 = (((_e3307 * _e3108[0]) + (_e3310 * _e3108[1])) + (_e3313 * _e3108[2]));
+                                    let _e3343 = (((_e3307 * _e3124) + (_e3310 * _e3125)) + (_e3313 * _e3126));
+                                    let _e3348 = (((_e3307 * _e3130) + (_e3310 * _e3131)) + (_e3313 * _e3132));
+                                    let _e3353 = (((_e3307 * _e3127) + (_e3310 * _e3128)) + (_e3313 * _e3129));
+                                    if (_e3318 < _e3323) {
+                                        phi_5831_ = _e3318;
                                     } else {
-                                        phi_5825_ = _e3318;
+                                        phi_5831_ = _e3323;
                                     }
-                                    let _e3351 = phi_5825_;
-                                    if (_e3323 < _e3328) {
-                                        phi_5830_ = _e3323;
+                                    let _e3356 = phi_5831_;
+                                    if (_e3328 < _e3333) {
+                                        phi_5836_ = _e3328;
                                     } else {
-                                        phi_5830_ = _e3328;
+                                        phi_5836_ = _e3333;
                                     }
-                                    let _e3354 = phi_5830_;
-                                    if (_e3351 < _e3354) {
-                                        phi_5835_ = _e3351;
+                                    let _e3359 = phi_5836_;
+                                    if (_e3356 < _e3359) {
+                                        phi_5841_ = _e3356;
                                     } else {
-                                        phi_5835_ = _e3354;
+                                        phi_5841_ = _e3359;
                                     }
-                                    let _e3357 = phi_5835_;
-                                    if (_e3333 < _e3338) {
-                                        phi_5840_ = _e3333;
+                                    let _e3362 = phi_5841_;
+                                    if (_e3338 < _e3343) {
+                                        phi_5846_ = _e3338;
                                     } else {
-                                        phi_5840_ = _e3338;
+                                        phi_5846_ = _e3343;
                                     }
-                                    let _e3360 = phi_5840_;
-                                    if (_e3343 < _e3348) {
-                                        phi_5845_ = _e3343;
+                                    let _e3365 = phi_5846_;
+                                    if (_e3348 < _e3353) {
+                                        phi_5851_ = _e3348;
                                     } else {
-                                        phi_5845_ = _e3348;
+                                        phi_5851_ = _e3353;
                                     }
-                                    let _e3363 = phi_5845_;
-                                    if (_e3360 < _e3363) {
-                                        phi_5850_ = _e3360;
+                                    let _e3368 = phi_5851_;
+                                    if (_e3365 < _e3368) {
+                                        phi_5856_ = _e3365;
                                     } else {
-                                        phi_5850_ = _e3363;
+                                        phi_5856_ = _e3368;
                                     }
-                                    let _e3366 = phi_5850_;
-                                    if (_e3357 < _e3366) {
-                                        phi_5855_ = _e3357;
+                                    let _e3371 = phi_5856_;
+                                    if (_e3362 < _e3371) {
+                                        phi_5861_ = _e3362;
                                     } else {
-                                        phi_5855_ = _e3366;
+                                        phi_5861_ = _e3371;
                                     }
-                                    let _e3369 = phi_5855_;
-                                    if (_e3313 > _e3318) {
-                                        phi_5860_ = _e3313;
+                                    let _e3374 = phi_5861_;
+                                    if (_e3318 > _e3323) {
+                                        phi_5866_ = _e3318;
                                     } else {
-                                        phi_5860_ = _e3318;
+                                        phi_5866_ = _e3323;
                                     }
-                                    let _e3372 = phi_5860_;
-                                    if (_e3323 > _e3328) {
-                                        phi_5865_ = _e3323;
+                                    let _e3377 = phi_5866_;
+                                    if (_e3328 > _e3333) {
+                                        phi_5871_ = _e3328;
                                     } else {
-                                        phi_5865_ = _e3328;
+                                        phi_5871_ = _e3333;
                                     }
-                                    let _e3375 = phi_5865_;
-                                    if (_e3372 > _e3375) {
-                                        phi_5870_ = _e3372;
+                                    let _e3380 = phi_5871_;
+                                    if (_e3377 > _e3380) {
+                                        phi_5876_ = _e3377;
                                     } else {
-                                        phi_5870_ = _e3375;
+                                        phi_5876_ = _e3380;
                                     }
-                                    let _e3378 = phi_5870_;
-                                    if (_e3333 > _e3338) {
-                                        phi_5875_ = _e3333;
+                                    let _e3383 = phi_5876_;
+                                    if (_e3338 > _e3343) {
+                                        phi_5881_ = _e3338;
                                     } else {
-                                        phi_5875_ = _e3338;
+                                        phi_5881_ = _e3343;
                                     }
-                                    let _e3381 = phi_5875_;
-                                    if (_e3343 > _e3348) {
-                                        phi_5880_ = _e3343;
+                                    let _e3386 = phi_5881_;
+                                    if (_e3348 > _e3353) {
+                                        phi_5886_ = _e3348;
                                     } else {
-                                        phi_5880_ = _e3348;
+                                        phi_5886_ = _e3353;
                                     }
-                                    let _e3384 = phi_5880_;
-                                    if (_e3381 > _e3384) {
-                                        phi_5885_ = _e3381;
+                                    let _e3389 = phi_5886_;
+                                    if (_e3386 > _e3389) {
+                                        phi_5891_ = _e3386;
                                     } else {
-                                        phi_5885_ = _e3384;
+                                        phi_5891_ = _e3389;
                                     }
-                                    let _e3387 = phi_5885_;
-                                    if (_e3378 > _e3387) {
-                                        phi_5890_ = _e3378;
+                                    let _e3392 = phi_5891_;
+                                    if (_e3383 > _e3392) {
+                                        phi_5896_ = _e3383;
                                     } else {
-                                        phi_5890_ = _e3387;
+                                        phi_5896_ = _e3392;
                                     }
-                                    let _e3390 = phi_5890_;
-                                    if (_e3302 < 0f) {
-                                        phi_5896_ = -(_e3302);
+                                    let _e3395 = phi_5896_;
+                                    if (_e3307 < 0f) {
+                                        phi_5902_ = -(_e3307);
                                     } else {
-                                        phi_5896_ = _e3302;
+                                        phi_5902_ = _e3307;
                                     }
-                                    let _e3394 = phi_5896_;
-                                    if (_e3305 < 0f) {
-                                        phi_5902_ = -(_e3305);
+                                    let _e3399 = phi_5902_;
+                                    if (_e3310 < 0f) {
+                                        phi_5908_ = -(_e3310);
                                     } else {
-                                        phi_5902_ = _e3305;
+                                        phi_5908_ = _e3310;
                                     }
-                                    let _e3398 = phi_5902_;
-                                    if (_e3308 < 0f) {
-                                        phi_5909_ = -(_e3308);
+                                    let _e3403 = phi_5908_;
+                                    if (_e3313 < 0f) {
+                                        phi_5915_ = -(_e3313);
                                     } else {
-                                        phi_5909_ = _e3308;
+                                        phi_5915_ = _e3313;
                                     }
-                                    let _e3403 = phi_5909_;
-                                    let _e3404 = ((_e3394 + _e3398) + _e3403);
-                                    let _e3408 = -(_e3390);
-                                    if (_e3369 > _e3408) {
-                                        phi_5919_ = _e3369;
+                                    let _e3408 = phi_5915_;
+                                    let _e3409 = ((_e3399 + _e3403) + _e3408);
+                                    let _e3414 = -(_e3395);
+                                    if (_e3374 > _e3414) {
+                                        phi_5926_ = _e3374;
                                     } else {
-                                        phi_5919_ = _e3408;
+                                        phi_5926_ = _e3414;
                                     }
-                                    let _e3411 = phi_5919_;
-                                    let _e3416 = (((_e3411 - ((_e3404 * _e3292) * (0.000000059604645f * 17f))) - (_e3404 * _e3299)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3419 = ((_e3071 * _e3065) - (_e3074 * _e3064));
-                                    let _e3422 = ((_e3074 * _e3063) - (_e3068 * _e3065));
-                                    let _e3425 = ((_e3068 * _e3064) - (_e3071 * _e3063));
-                                    let _e3430 = (((_e3419 * _e3077[0]) + (_e3422 * _e3077[1])) + (_e3425 * _e3077[2]));
-                                    let _e3435 = (((_e3419 * _e3093) + (_e3422 * _e3094)) + (_e3425 * _e3095));
-                                    let _e3440 = (((_e3419 * _e3099) + (_e3422 * _e3100)) + (_e3425 * _e3101));
-                                    let _e3445 = (((_e3419 * _e3096) + (_e3422 * _e3097)) + (_e3425 * _e3098));
-                                    let _e3450 = (((_e3419 * _e3104[0]) + (_e3422 * _e3104[1])) + (_e3425 * _e3104[2]));
-                                    let _e3455 = (((_e3419 * _e3120) + (_e3422 * _e3121)) + (_e3425 * _e3122));
-                                    let _e3460 = (((_e3419 * _e3126) + (_e3422 * _e3127)) + (_e3425 * _e3128));
-                                    let _e3465 = (((_e3419 * _e3123) + (_e3422 * _e3124)) + (_e3425 * _e3125));
-                                    if (_e3430 < _e3435) {
-                                        phi_5990_ = _e3430;
+                                    let _e3417 = phi_5926_;
+                                    let _e3422 = (((_e3417 - ((_e3409 * _e3297) * (0.000000059604645f * (17f / 2f)))) - (_e3409 * _e3304)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3425 = ((_e3075 * _e3069) - (_e3078 * _e3068));
+                                    let _e3428 = ((_e3078 * _e3067) - (_e3072 * _e3069));
+                                    let _e3431 = ((_e3072 * _e3068) - (_e3075 * _e3067));
+                                    let _e3436 = (((_e3425 * _e3081[0]) + (_e3428 * _e3081[1])) + (_e3431 * _e3081[2]));
+                                    let _e3441 = (((_e3425 * _e3097) + (_e3428 * _e3098)) + (_e3431 * _e3099));
+                                    let _e3446 = (((_e3425 * _e3103) + (_e3428 * _e3104)) + (_e3431 * _e3105));
+                                    let _e3451 = (((_e3425 * _e3100) + (_e3428 * _e3101)) + (_e3431 * _e3102));
+                                    let _e3456 = (((_e3425 * _e3108[0]) + (_e3428 * _e3108[1])) + (_e3431 * _e3108[2]));
+                                    let _e3461 = (((_e3425 * _e3124) + (_e3428 * _e3125)) + (_e3431 * _e3126));
+                                    let _e3466 = (((_e3425 * _e3130) + (_e3428 * _e3131)) + (_e3431 * _e3132));
+                                    let _e3471 = (((_e3425 * _e3127) + (_e3428 * _e3128)) + (_e3431 * _e3129));
+                                    if (_e3436 < _e3441) {
+                                        phi_5997_ = _e3436;
                                     } else {
-                                        phi_5990_ = _e3435;
+                                        phi_5997_ = _e3441;
                                     }
-                                    let _e3468 = phi_5990_;
-                                    if (_e3440 < _e3445) {
-                                        phi_5995_ = _e3440;
+                                    let _e3474 = phi_5997_;
+                                    if (_e3446 < _e3451) {
+                                        phi_6002_ = _e3446;
                                     } else {
-                                        phi_5995_ = _e3445;
+                                        phi_6002_ = _e3451;
                                     }
-                                    let _e3471 = phi_5995_;
-                                    if (_e3468 < _e3471) {
-                                        phi_6000_ = _e3468;
+                                    let _e3477 = phi_6002_;
+                                    if (_e3474 < _e3477) {
+                                        phi_6007_ = _e3474;
                                     } else {
-                                        phi_6000_ = _e3471;
+                                        phi_6007_ = _e3477;
                                     }
-                                    let _e3474 = phi_6000_;
-                                    if (_e3450 < _e3455) {
-                                        phi_6005_ = _e3450;
+                                    let _e3480 = phi_6007_;
+                                    if (_e3456 < _e3461) {
+                                        phi_6012_ = _e3456;
                                     } else {
-                                        phi_6005_ = _e3455;
+                                        phi_6012_ = _e3461;
                                     }
-                                    let _e3477 = phi_6005_;
-                                    if (_e3460 < _e3465) {
-                                        phi_6010_ = _e3460;
+                                    let _e3483 = phi_6012_;
+                                    if (_e3466 < _e3471) {
+                                        phi_6017_ = _e3466;
                                     } else {
-                                        phi_6010_ = _e3465;
+                                        phi_6017_ = _e3471;
                                     }
-                                    let _e3480 = phi_6010_;
-                                    if (_e3477 < _e3480) {
-                                        phi_6015_ = _e3477;
+                                    let _e3486 = phi_6017_;
+                                    if (_e3483 < _e3486) {
+                                        phi_6022_ = _e3483;
                                     } else {
-                                        phi_6015_ = _e3480;
+                                        phi_6022_ = _e3486;
                                     }
-                                    let _e3483 = phi_6015_;
-                                    if (_e3474 < _e3483) {
-                                        phi_6020_ = _e3474;
+                                    let _e3489 = phi_6022_;
+                                    if (_e3480 < _e3489) {
+                                        phi_6027_ = _e3480;
                                     } else {
-                                        phi_6020_ = _e3483;
+                                        phi_6027_ = _e3489;
                                     }
-                                    let _e3486 = phi_6020_;
-                                    if (_e3430 > _e3435) {
-                                        phi_6025_ = _e3430;
+                                    let _e3492 = phi_6027_;
+                                    if (_e3436 > _e3441) {
+                                        phi_6032_ = _e3436;
                                     } else {
-                                        phi_6025_ = _e3435;
+                                        phi_6032_ = _e3441;
                                     }
-                                    let _e3489 = phi_6025_;
-                                    if (_e3440 > _e3445) {
-                                        phi_6030_ = _e3440;
+                                    let _e3495 = phi_6032_;
+                                    if (_e3446 > _e3451) {
+                                        phi_6037_ = _e3446;
                                     } else {
-                                        phi_6030_ = _e3445;
+                                        phi_6037_ = _e3451;
                                     }
-                                    let _e3492 = phi_6030_;
-                                    if (_e3489 > _e3492) {
-                                        phi_6035_ = _e3489;
+                                    let _e3498 = phi_6037_;
+                                    if (_e3495 > _e3498) {
+                                        phi_6042_ = _e3495;
                                     } else {
-                                        phi_6035_ = _e3492;
+                                        phi_6042_ = _e3498;
                                     }
-                                    let _e3495 = phi_6035_;
-                                    if (_e3450 > _e3455) {
-                                        phi_6040_ = _e3450;
+                                    let _e3501 = phi_6042_;
+                                    if (_e3456 > _e3461) {
+                                        phi_6047_ = _e3456;
                                     } else {
-                                        phi_6040_ = _e3455;
+                                        phi_6047_ = _e3461;
                                     }
-                                    let _e3498 = phi_6040_;
-                                    if (_e3460 > _e3465) {
-                                        phi_6045_ = _e3460;
+                                    let _e3504 = phi_6047_;
+                                    if (_e3466 > _e3471) {
+                                        phi_6052_ = _e3466;
                                     } else {
-                                        phi_6045_ = _e3465;
+                                        phi_6052_ = _e3471;
                                     }
-                                    let _e3501 = phi_6045_;
-                                    if (_e3498 > _e3501) {
-                                        phi_6050_ = _e3498;
+                                    let _e3507 = phi_6052_;
+                                    if (_e3504 > _e3507) {
+                                        phi_6057_ = _e3504;
                                     } else {
-                                        phi_6050_ = _e3501;
+                                        phi_6057_ = _e3507;
                                     }
-                                    let _e3504 = phi_6050_;
-                                    if (_e3495 > _e3504) {
-                                        phi_6055_ = _e3495;
+                                    let _e3510 = phi_6057_;
+                                    if (_e3501 > _e3510) {
+                                        phi_6062_ = _e3501;
                                     } else {
-                                        phi_6055_ = _e3504;
+                                        phi_6062_ = _e3510;
                                     }
-                                    let _e3507 = phi_6055_;
-                                    if (_e3419 < 0f) {
-                                        phi_6061_ = -(_e3419);
-                                    } else {
-                                        phi_6061_ = _e3419;
-                                    }
-                                    let _e3511 = phi_6061_;
-                                    if (_e3422 < 0f) {
-                                        phi_6067_ = -(_e3422);
-                                    } else {
-                                        phi_6067_ = _e3422;
-                                    }
-                                    let _e3515 = phi_6067_;
+                                    let _e3513 = phi_6062_;
                                     if (_e3425 < 0f) {
-                                        phi_6074_ = -(_e3425);
+                                        phi_6068_ = -(_e3425);
                                     } else {
-                                        phi_6074_ = _e3425;
+                                        phi_6068_ = _e3425;
                                     }
-                                    let _e3520 = phi_6074_;
-                                    let _e3521 = ((_e3511 + _e3515) + _e3520);
-                                    let _e3525 = -(_e3507);
-                                    if (_e3486 > _e3525) {
-                                        phi_6084_ = _e3486;
+                                    let _e3517 = phi_6068_;
+                                    if (_e3428 < 0f) {
+                                        phi_6074_ = -(_e3428);
                                     } else {
-                                        phi_6084_ = _e3525;
+                                        phi_6074_ = _e3428;
                                     }
-                                    let _e3528 = phi_6084_;
-                                    let _e3533 = (((_e3528 - ((_e3521 * _e3292) * (0.000000059604645f * 17f))) - (_e3521 * _e3299)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3416 > _e3533) {
-                                        phi_6094_ = _e3416;
+                                    let _e3521 = phi_6074_;
+                                    if (_e3431 < 0f) {
+                                        phi_6081_ = -(_e3431);
                                     } else {
-                                        phi_6094_ = _e3533;
+                                        phi_6081_ = _e3431;
                                     }
-                                    let _e3536 = phi_6094_;
-                                    phi_6274_ = (_e3536 > 0f);
+                                    let _e3526 = phi_6081_;
+                                    let _e3527 = ((_e3517 + _e3521) + _e3526);
+                                    let _e3532 = -(_e3513);
+                                    if (_e3492 > _e3532) {
+                                        phi_6092_ = _e3492;
+                                    } else {
+                                        phi_6092_ = _e3532;
+                                    }
+                                    let _e3535 = phi_6092_;
+                                    let _e3540 = (((_e3535 - ((_e3527 * _e3297) * (0.000000059604645f * (17f / 2f)))) - (_e3527 * _e3304)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3422 > _e3540) {
+                                        phi_6102_ = _e3422;
+                                    } else {
+                                        phi_6102_ = _e3540;
+                                    }
+                                    let _e3543 = phi_6102_;
+                                    phi_6284_ = (_e3039 || (_e3543 > 0f));
                                 }
-                                let _e3539 = phi_6274_;
-                                if _e3539 {
-                                    let _e3542 = local_1.member_1[0u];
-                                    let _e3548 = local_1.member_2[0u];
-                                    let _e3554 = ((_e3542[1] * _e3548[2]) - (_e3542[2] * _e3548[1]));
-                                    let _e3557 = ((_e3542[2] * _e3548[0]) - (_e3542[0] * _e3548[2]));
-                                    let _e3560 = ((_e3542[0] * _e3548[1]) - (_e3542[1] * _e3548[0]));
-                                    let _e3563 = local_1.member_1[1u];
-                                    let _e3569 = local_1.member_2[1u];
-                                    let _e3575 = ((_e3563[1] * _e3569[2]) - (_e3563[2] * _e3569[1]));
-                                    let _e3578 = ((_e3563[2] * _e3569[0]) - (_e3563[0] * _e3569[2]));
-                                    let _e3581 = ((_e3563[0] * _e3569[1]) - (_e3563[1] * _e3569[0]));
-                                    let _e3584 = local_1.member_1[0u];
-                                    let _e3590 = local_1.member_2[1u];
-                                    let _e3605 = local_1.member_1[1u];
-                                    let _e3611 = local_1.member_2[0u];
-                                    let _e3624 = (((_e3584[1] * _e3590[2]) - (_e3584[2] * _e3590[1])) + ((_e3605[1] * _e3611[2]) - (_e3605[2] * _e3611[1])));
-                                    let _e3625 = (((_e3584[2] * _e3590[0]) - (_e3584[0] * _e3590[2])) + ((_e3605[2] * _e3611[0]) - (_e3605[0] * _e3611[2])));
-                                    let _e3626 = (((_e3584[0] * _e3590[1]) - (_e3584[1] * _e3590[0])) + ((_e3605[0] * _e3611[1]) - (_e3605[1] * _e3611[0])));
-                                    let _e3629 = local_1.member[0u];
-                                    let _e3640 = local_1.member[1u];
-                                    let _e3651 = local_1.member[0u];
-                                    let _e3660 = ((((_e3640[0] * _e3554) + (_e3640[1] * _e3557)) + (_e3640[2] * _e3560)) + (((_e3651[0] * _e3624) + (_e3651[1] * _e3625)) + (_e3651[2] * _e3626)));
-                                    let _e3663 = local_1.member[0u];
-                                    let _e3674 = local_1.member[1u];
-                                    let _e3683 = ((((_e3663[0] * _e3575) + (_e3663[1] * _e3578)) + (_e3663[2] * _e3581)) + (((_e3674[0] * _e3624) + (_e3674[1] * _e3625)) + (_e3674[2] * _e3626)));
-                                    let _e3686 = local_1.member[1u];
-                                    let _e3697 = local_1.member[0u];
-                                    if (_e3697[0] < 0f) {
-                                        phi_6519_ = -(_e3697[0]);
+                                let _e3547 = phi_6284_;
+                                if _e3547 {
+                                    let _e3550 = local_1.member_1[0u];
+                                    let _e3556 = local_1.member_2[0u];
+                                    let _e3562 = ((_e3550[1] * _e3556[2]) - (_e3550[2] * _e3556[1]));
+                                    let _e3565 = ((_e3550[2] * _e3556[0]) - (_e3550[0] * _e3556[2]));
+                                    let _e3568 = ((_e3550[0] * _e3556[1]) - (_e3550[1] * _e3556[0]));
+                                    let _e3571 = local_1.member_1[1u];
+                                    let _e3577 = local_1.member_2[1u];
+                                    let _e3583 = ((_e3571[1] * _e3577[2]) - (_e3571[2] * _e3577[1]));
+                                    let _e3586 = ((_e3571[2] * _e3577[0]) - (_e3571[0] * _e3577[2]));
+                                    let _e3589 = ((_e3571[0] * _e3577[1]) - (_e3571[1] * _e3577[0]));
+                                    let _e3592 = local_1.member_1[0u];
+                                    let _e3598 = local_1.member_2[1u];
+                                    let _e3613 = local_1.member_1[1u];
+                                    let _e3619 = local_1.member_2[0u];
+                                    let _e3632 = (((_e3592[1] * _e3598[2]) - (_e3592[2] * _e3598[1])) + ((_e3613[1] * _e3619[2]) - (_e3613[2] * _e3619[1])));
+                                    let _e3633 = (((_e3592[2] * _e3598[0]) - (_e3592[0] * _e3598[2])) + ((_e3613[2] * _e3619[0]) - (_e3613[0] * _e3619[2])));
+                                    let _e3634 = (((_e3592[0] * _e3598[1]) - (_e3592[1] * _e3598[0])) + ((_e3613[0] * _e3619[1]) - (_e3613[1] * _e3619[0])));
+                                    let _e3637 = local_1.member[0u];
+                                    let _e3648 = local_1.member[1u];
+                                    let _e3659 = local_1.member[0u];
+                                    let _e3668 = ((((_e3648[0] * _e3562) + (_e3648[1] * _e3565)) + (_e3648[2] * _e3568)) + (((_e3659[0] * _e3632) + (_e3659[1] * _e3633)) + (_e3659[2] * _e3634)));
+                                    let _e3671 = local_1.member[0u];
+                                    let _e3682 = local_1.member[1u];
+                                    let _e3691 = ((((_e3671[0] * _e3583) + (_e3671[1] * _e3586)) + (_e3671[2] * _e3589)) + (((_e3682[0] * _e3632) + (_e3682[1] * _e3633)) + (_e3682[2] * _e3634)));
+                                    let _e3694 = local_1.member[1u];
+                                    let _e3705 = local_1.member[0u];
+                                    if (_e3705[0] < 0f) {
+                                        phi_6529_ = -(_e3705[0]);
                                     } else {
-                                        phi_6519_ = _e3697[0];
+                                        phi_6529_ = _e3705[0];
                                     }
-                                    let _e3704 = phi_6519_;
-                                    if (_e3697[1] < 0f) {
-                                        phi_6526_ = -(_e3697[1]);
+                                    let _e3712 = phi_6529_;
+                                    if (_e3705[1] < 0f) {
+                                        phi_6536_ = -(_e3705[1]);
                                     } else {
-                                        phi_6526_ = _e3697[1];
+                                        phi_6536_ = _e3705[1];
                                     }
-                                    let _e3708 = phi_6526_;
-                                    if (_e3704 > _e3708) {
-                                        phi_6531_ = _e3704;
+                                    let _e3716 = phi_6536_;
+                                    if (_e3712 > _e3716) {
+                                        phi_6541_ = _e3712;
                                     } else {
-                                        phi_6531_ = _e3708;
+                                        phi_6541_ = _e3716;
                                     }
-                                    let _e3711 = phi_6531_;
-                                    if (_e3697[2] < 0f) {
-                                        phi_6538_ = -(_e3697[2]);
+                                    let _e3719 = phi_6541_;
+                                    if (_e3705[2] < 0f) {
+                                        phi_6548_ = -(_e3705[2]);
                                     } else {
-                                        phi_6538_ = _e3697[2];
+                                        phi_6548_ = _e3705[2];
                                     }
-                                    let _e3715 = phi_6538_;
-                                    if (_e3711 > _e3715) {
-                                        phi_6543_ = _e3711;
+                                    let _e3723 = phi_6548_;
+                                    if (_e3719 > _e3723) {
+                                        phi_6553_ = _e3719;
                                     } else {
-                                        phi_6543_ = _e3715;
+                                        phi_6553_ = _e3723;
                                     }
-                                    let _e3718 = phi_6543_;
-                                    let _e3721 = local_1.member[1u];
-                                    if (_e3721[0] < 0f) {
-                                        phi_6556_ = -(_e3721[0]);
+                                    let _e3726 = phi_6553_;
+                                    let _e3729 = local_1.member[1u];
+                                    if (_e3729[0] < 0f) {
+                                        phi_6566_ = -(_e3729[0]);
                                     } else {
-                                        phi_6556_ = _e3721[0];
+                                        phi_6566_ = _e3729[0];
                                     }
-                                    let _e3728 = phi_6556_;
-                                    if (_e3721[1] < 0f) {
-                                        phi_6563_ = -(_e3721[1]);
+                                    let _e3736 = phi_6566_;
+                                    if (_e3729[1] < 0f) {
+                                        phi_6573_ = -(_e3729[1]);
                                     } else {
-                                        phi_6563_ = _e3721[1];
+                                        phi_6573_ = _e3729[1];
                                     }
-                                    let _e3732 = phi_6563_;
-                                    if (_e3728 > _e3732) {
-                                        phi_6568_ = _e3728;
+                                    let _e3740 = phi_6573_;
+                                    if (_e3736 > _e3740) {
+                                        phi_6578_ = _e3736;
                                     } else {
-                                        phi_6568_ = _e3732;
+                                        phi_6578_ = _e3740;
                                     }
-                                    let _e3735 = phi_6568_;
-                                    if (_e3721[2] < 0f) {
-                                        phi_6575_ = -(_e3721[2]);
+                                    let _e3743 = phi_6578_;
+                                    if (_e3729[2] < 0f) {
+                                        phi_6585_ = -(_e3729[2]);
                                     } else {
-                                        phi_6575_ = _e3721[2];
+                                        phi_6585_ = _e3729[2];
                                     }
-                                    let _e3739 = phi_6575_;
-                                    if (_e3735 > _e3739) {
-                                        phi_6580_ = _e3735;
+                                    let _e3747 = phi_6585_;
+                                    if (_e3743 > _e3747) {
+                                        phi_6590_ = _e3743;
                                     } else {
-                                        phi_6580_ = _e3739;
+                                        phi_6590_ = _e3747;
                                     }
-                                    let _e3742 = phi_6580_;
-                                    if (_e3718 > _e3742) {
-                                        phi_6585_ = _e3718;
+                                    let _e3750 = phi_6590_;
+                                    if (_e3726 > _e3750) {
+                                        phi_6595_ = _e3726;
                                     } else {
-                                        phi_6585_ = _e3742;
+                                        phi_6595_ = _e3750;
                                     }
-                                    let _e3745 = phi_6585_;
-                                    let _e3747 = local_1.member_3;
-                                    let _e3748 = (_e3745 + _e3747);
-                                    let _e3751 = local_1.member_1[0u];
-                                    if (_e3751[0] < 0f) {
-                                        phi_6602_ = -(_e3751[0]);
+                                    let _e3753 = phi_6595_;
+                                    let _e3755 = local_1.member_3;
+                                    let _e3756 = (_e3753 + _e3755);
+                                    let _e3759 = local_1.member_1[0u];
+                                    if (_e3759[0] < 0f) {
+                                        phi_6612_ = -(_e3759[0]);
                                     } else {
-                                        phi_6602_ = _e3751[0];
+                                        phi_6612_ = _e3759[0];
                                     }
-                                    let _e3758 = phi_6602_;
-                                    if (_e3751[1] < 0f) {
-                                        phi_6609_ = -(_e3751[1]);
+                                    let _e3766 = phi_6612_;
+                                    if (_e3759[1] < 0f) {
+                                        phi_6619_ = -(_e3759[1]);
                                     } else {
-                                        phi_6609_ = _e3751[1];
+                                        phi_6619_ = _e3759[1];
                                     }
-                                    let _e3762 = phi_6609_;
-                                    if (_e3758 > _e3762) {
-                                        phi_6614_ = _e3758;
+                                    let _e3770 = phi_6619_;
+                                    if (_e3766 > _e3770) {
+                                        phi_6624_ = _e3766;
                                     } else {
-                                        phi_6614_ = _e3762;
+                                        phi_6624_ = _e3770;
                                     }
-                                    let _e3765 = phi_6614_;
-                                    if (_e3751[2] < 0f) {
-                                        phi_6621_ = -(_e3751[2]);
+                                    let _e3773 = phi_6624_;
+                                    if (_e3759[2] < 0f) {
+                                        phi_6631_ = -(_e3759[2]);
                                     } else {
-                                        phi_6621_ = _e3751[2];
+                                        phi_6631_ = _e3759[2];
                                     }
-                                    let _e3769 = phi_6621_;
-                                    if (_e3765 > _e3769) {
-                                        phi_6626_ = _e3765;
+                                    let _e3777 = phi_6631_;
+                                    if (_e3773 > _e3777) {
+                                        phi_6636_ = _e3773;
                                     } else {
-                                        phi_6626_ = _e3769;
+                                        phi_6636_ = _e3777;
                                     }
-                                    let _e3772 = phi_6626_;
-                                    let _e3775 = local_1.member_1[1u];
-                                    if (_e3775[0] < 0f) {
-                                        phi_6640_ = -(_e3775[0]);
+                                    let _e3780 = phi_6636_;
+                                    let _e3783 = local_1.member_1[1u];
+                                    if (_e3783[0] < 0f) {
+                                        phi_6650_ = -(_e3783[0]);
                                     } else {
-                                        phi_6640_ = _e3775[0];
+                                        phi_6650_ = _e3783[0];
                                     }
-                                    let _e3782 = phi_6640_;
-                                    if (_e3775[1] < 0f) {
-                                        phi_6647_ = -(_e3775[1]);
+                                    let _e3790 = phi_6650_;
+                                    if (_e3783[1] < 0f) {
+                                        phi_6657_ = -(_e3783[1]);
                                     } else {
-                                        phi_6647_ = _e3775[1];
+                                        phi_6657_ = _e3783[1];
                                     }
-                                    let _e3786 = phi_6647_;
-                                    if (_e3782 > _e3786) {
-                                        phi_6652_ = _e3782;
+                                    let _e3794 = phi_6657_;
+                                    if (_e3790 > _e3794) {
+                                        phi_6662_ = _e3790;
                                     } else {
-                                        phi_6652_ = _e3786;
+                                        phi_6662_ = _e3794;
                                     }
-                                    let _e3789 = phi_6652_;
-                                    if (_e3775[2] < 0f) {
-                                        phi_6659_ = -(_e3775[2]);
+                                    let _e3797 = phi_6662_;
+                                    if (_e3783[2] < 0f) {
+                                        phi_6669_ = -(_e3783[2]);
                                     } else {
-                                        phi_6659_ = _e3775[2];
+                                        phi_6669_ = _e3783[2];
                                     }
-                                    let _e3793 = phi_6659_;
-                                    if (_e3789 > _e3793) {
-                                        phi_6664_ = _e3789;
+                                    let _e3801 = phi_6669_;
+                                    if (_e3797 > _e3801) {
+                                        phi_6674_ = _e3797;
                                     } else {
-                                        phi_6664_ = _e3793;
+                                        phi_6674_ = _e3801;
                                     }
-                                    let _e3796 = phi_6664_;
-                                    if (_e3772 > _e3796) {
-                                        phi_6669_ = _e3772;
+                                    let _e3804 = phi_6674_;
+                                    if (_e3780 > _e3804) {
+                                        phi_6679_ = _e3780;
                                     } else {
-                                        phi_6669_ = _e3796;
+                                        phi_6679_ = _e3804;
                                     }
-                                    let _e3799 = phi_6669_;
-                                    let _e3801 = local_1.member_3;
-                                    let _e3802 = (_e3799 + _e3801);
-                                    let _e3805 = local_1.member_2[0u];
-                                    if (_e3805[0] < 0f) {
-                                        phi_6686_ = -(_e3805[0]);
+                                    let _e3807 = phi_6679_;
+                                    let _e3809 = local_1.member_3;
+                                    let _e3810 = (_e3807 + _e3809);
+                                    let _e3813 = local_1.member_2[0u];
+                                    if (_e3813[0] < 0f) {
+                                        phi_6696_ = -(_e3813[0]);
                                     } else {
-                                        phi_6686_ = _e3805[0];
+                                        phi_6696_ = _e3813[0];
                                     }
-                                    let _e3812 = phi_6686_;
-                                    if (_e3805[1] < 0f) {
-                                        phi_6693_ = -(_e3805[1]);
+                                    let _e3820 = phi_6696_;
+                                    if (_e3813[1] < 0f) {
+                                        phi_6703_ = -(_e3813[1]);
                                     } else {
-                                        phi_6693_ = _e3805[1];
+                                        phi_6703_ = _e3813[1];
                                     }
-                                    let _e3816 = phi_6693_;
-                                    if (_e3812 > _e3816) {
-                                        phi_6698_ = _e3812;
+                                    let _e3824 = phi_6703_;
+                                    if (_e3820 > _e3824) {
+                                        phi_6708_ = _e3820;
                                     } else {
-                                        phi_6698_ = _e3816;
+                                        phi_6708_ = _e3824;
                                     }
-                                    let _e3819 = phi_6698_;
-                                    if (_e3805[2] < 0f) {
-                                        phi_6705_ = -(_e3805[2]);
+                                    let _e3827 = phi_6708_;
+                                    if (_e3813[2] < 0f) {
+                                        phi_6715_ = -(_e3813[2]);
                                     } else {
-                                        phi_6705_ = _e3805[2];
+                                        phi_6715_ = _e3813[2];
                                     }
-                                    let _e3823 = phi_6705_;
-                                    if (_e3819 > _e3823) {
-                                        phi_6710_ = _e3819;
+                                    let _e3831 = phi_6715_;
+                                    if (_e3827 > _e3831) {
+                                        phi_6720_ = _e3827;
                                     } else {
-                                        phi_6710_ = _e3823;
+                                        phi_6720_ = _e3831;
                                     }
-                                    let _e3826 = phi_6710_;
-                                    let _e3829 = local_1.member_2[1u];
-                                    if (_e3829[0] < 0f) {
-                                        phi_6724_ = -(_e3829[0]);
+                                    let _e3834 = phi_6720_;
+                                    let _e3837 = local_1.member_2[1u];
+                                    if (_e3837[0] < 0f) {
+                                        phi_6734_ = -(_e3837[0]);
                                     } else {
-                                        phi_6724_ = _e3829[0];
+                                        phi_6734_ = _e3837[0];
                                     }
-                                    let _e3836 = phi_6724_;
-                                    if (_e3829[1] < 0f) {
-                                        phi_6731_ = -(_e3829[1]);
+                                    let _e3844 = phi_6734_;
+                                    if (_e3837[1] < 0f) {
+                                        phi_6741_ = -(_e3837[1]);
                                     } else {
-                                        phi_6731_ = _e3829[1];
+                                        phi_6741_ = _e3837[1];
                                     }
-                                    let _e3840 = phi_6731_;
-                                    if (_e3836 > _e3840) {
-                                        phi_6736_ = _e3836;
+                                    let _e3848 = phi_6741_;
+                                    if (_e3844 > _e3848) {
+                                        phi_6746_ = _e3844;
                                     } else {
-                                        phi_6736_ = _e3840;
+                                        phi_6746_ = _e3848;
                                     }
-                                    let _e3843 = phi_6736_;
-                                    if (_e3829[2] < 0f) {
-                                        phi_6743_ = -(_e3829[2]);
+                                    let _e3851 = phi_6746_;
+                                    if (_e3837[2] < 0f) {
+                                        phi_6753_ = -(_e3837[2]);
                                     } else {
-                                        phi_6743_ = _e3829[2];
+                                        phi_6753_ = _e3837[2];
                                     }
-                                    let _e3847 = phi_6743_;
-                                    if (_e3843 > _e3847) {
-                                        phi_6748_ = _e3843;
+                                    let _e3855 = phi_6753_;
+                                    if (_e3851 > _e3855) {
+                                        phi_6758_ = _e3851;
                                     } else {
-                                        phi_6748_ = _e3847;
+                                        phi_6758_ = _e3855;
                                     }
-                                    let _e3850 = phi_6748_;
-                                    if (_e3826 > _e3850) {
-                                        phi_6753_ = _e3826;
+                                    let _e3858 = phi_6758_;
+                                    if (_e3834 > _e3858) {
+                                        phi_6763_ = _e3834;
                                     } else {
-                                        phi_6753_ = _e3850;
+                                        phi_6763_ = _e3858;
                                     }
-                                    let _e3853 = phi_6753_;
-                                    let _e3855 = local_1.member_3;
-                                    let _e3856 = (_e3853 + _e3855);
-                                    let _e3858 = ((_e3802 * 8f) * _e3856);
-                                    let _e3865 = local_1.member_3;
-                                    if (_e3554 < 0f) {
-                                        phi_6784_ = -(_e3554);
+                                    let _e3861 = phi_6763_;
+                                    let _e3863 = local_1.member_3;
+                                    let _e3864 = (_e3861 + _e3863);
+                                    let _e3866 = ((_e3810 * 8f) * _e3864);
+                                    let _e3873 = local_1.member_3;
+                                    if (_e3562 < 0f) {
+                                        phi_6794_ = -(_e3562);
                                     } else {
-                                        phi_6784_ = _e3554;
+                                        phi_6794_ = _e3562;
                                     }
-                                    let _e3882 = phi_6784_;
-                                    if (_e3557 < 0f) {
-                                        phi_6790_ = -(_e3557);
+                                    let _e3890 = phi_6794_;
+                                    if (_e3565 < 0f) {
+                                        phi_6800_ = -(_e3565);
                                     } else {
-                                        phi_6790_ = _e3557;
+                                        phi_6800_ = _e3565;
                                     }
-                                    let _e3886 = phi_6790_;
-                                    if (_e3560 < 0f) {
-                                        phi_6797_ = -(_e3560);
+                                    let _e3894 = phi_6800_;
+                                    if (_e3568 < 0f) {
+                                        phi_6807_ = -(_e3568);
                                     } else {
-                                        phi_6797_ = _e3560;
+                                        phi_6807_ = _e3568;
                                     }
-                                    let _e3891 = phi_6797_;
-                                    let _e3892 = ((_e3882 + _e3886) + _e3891);
-                                    if (_e3575 < 0f) {
-                                        phi_6804_ = -(_e3575);
+                                    let _e3899 = phi_6807_;
+                                    let _e3900 = ((_e3890 + _e3894) + _e3899);
+                                    if (_e3583 < 0f) {
+                                        phi_6814_ = -(_e3583);
                                     } else {
-                                        phi_6804_ = _e3575;
+                                        phi_6814_ = _e3583;
                                     }
-                                    let _e3896 = phi_6804_;
-                                    if (_e3578 < 0f) {
-                                        phi_6810_ = -(_e3578);
+                                    let _e3904 = phi_6814_;
+                                    if (_e3586 < 0f) {
+                                        phi_6820_ = -(_e3586);
                                     } else {
-                                        phi_6810_ = _e3578;
+                                        phi_6820_ = _e3586;
                                     }
-                                    let _e3900 = phi_6810_;
-                                    if (_e3581 < 0f) {
-                                        phi_6817_ = -(_e3581);
+                                    let _e3908 = phi_6820_;
+                                    if (_e3589 < 0f) {
+                                        phi_6827_ = -(_e3589);
                                     } else {
-                                        phi_6817_ = _e3581;
+                                        phi_6827_ = _e3589;
                                     }
-                                    let _e3905 = phi_6817_;
-                                    let _e3906 = ((_e3896 + _e3900) + _e3905);
-                                    if (_e3892 > _e3906) {
-                                        phi_6823_ = _e3892;
+                                    let _e3913 = phi_6827_;
+                                    let _e3914 = ((_e3904 + _e3908) + _e3913);
+                                    if (_e3900 > _e3914) {
+                                        phi_6833_ = _e3900;
                                     } else {
-                                        phi_6823_ = _e3906;
+                                        phi_6833_ = _e3914;
                                     }
-                                    let _e3909 = phi_6823_;
-                                    if (_e3624 < 0f) {
-                                        phi_6829_ = -(_e3624);
+                                    let _e3917 = phi_6833_;
+                                    if (_e3632 < 0f) {
+                                        phi_6839_ = -(_e3632);
                                     } else {
-                                        phi_6829_ = _e3624;
+                                        phi_6839_ = _e3632;
                                     }
-                                    let _e3913 = phi_6829_;
-                                    if (_e3625 < 0f) {
-                                        phi_6835_ = -(_e3625);
+                                    let _e3921 = phi_6839_;
+                                    if (_e3633 < 0f) {
+                                        phi_6845_ = -(_e3633);
                                     } else {
-                                        phi_6835_ = _e3625;
+                                        phi_6845_ = _e3633;
                                     }
-                                    let _e3917 = phi_6835_;
-                                    if (_e3626 < 0f) {
-                                        phi_6842_ = -(_e3626);
+                                    let _e3925 = phi_6845_;
+                                    if (_e3634 < 0f) {
+                                        phi_6852_ = -(_e3634);
                                     } else {
-                                        phi_6842_ = _e3626;
+                                        phi_6852_ = _e3634;
                                     }
-                                    let _e3922 = phi_6842_;
-                                    let _e3924 = (((_e3913 + _e3917) + _e3922) * 0.5f);
-                                    if (_e3909 > _e3924) {
-                                        phi_6849_ = _e3909;
+                                    let _e3930 = phi_6852_;
+                                    let _e3932 = (((_e3921 + _e3925) + _e3930) * 0.5f);
+                                    if (_e3917 > _e3932) {
+                                        phi_6859_ = _e3917;
                                     } else {
-                                        phi_6849_ = _e3924;
+                                        phi_6859_ = _e3932;
                                     }
-                                    let _e3927 = phi_6849_;
-                                    let _e3932 = local_1.member_3;
-                                    let _e3945 = ((((_e3629[0] * _e3554) + (_e3629[1] * _e3557)) + (_e3629[2] * _e3560)) * 3f);
-                                    let _e3946 = ((((_e3686[0] * _e3575) + (_e3686[1] * _e3578)) + (_e3686[2] * _e3581)) * 3f);
-                                    if (_e3945 < _e3946) {
-                                        phi_6873_ = _e3945;
+                                    let _e3935 = phi_6859_;
+                                    let _e3940 = local_1.member_3;
+                                    let _e3953 = ((((_e3637[0] * _e3562) + (_e3637[1] * _e3565)) + (_e3637[2] * _e3568)) * 3f);
+                                    let _e3954 = ((((_e3694[0] * _e3583) + (_e3694[1] * _e3586)) + (_e3694[2] * _e3589)) * 3f);
+                                    if (_e3953 < _e3954) {
+                                        phi_6883_ = _e3953;
                                     } else {
-                                        phi_6873_ = _e3946;
+                                        phi_6883_ = _e3954;
                                     }
-                                    let _e3949 = phi_6873_;
-                                    if (_e3660 < _e3683) {
-                                        phi_6878_ = _e3660;
+                                    let _e3957 = phi_6883_;
+                                    if (_e3668 < _e3691) {
+                                        phi_6888_ = _e3668;
                                     } else {
-                                        phi_6878_ = _e3683;
+                                        phi_6888_ = _e3691;
                                     }
-                                    let _e3952 = phi_6878_;
-                                    if (_e3949 < _e3952) {
-                                        phi_6883_ = _e3949;
+                                    let _e3960 = phi_6888_;
+                                    if (_e3957 < _e3960) {
+                                        phi_6893_ = _e3957;
                                     } else {
-                                        phi_6883_ = _e3952;
+                                        phi_6893_ = _e3960;
                                     }
-                                    let _e3955 = phi_6883_;
-                                    if (_e3945 > _e3946) {
-                                        phi_6888_ = _e3945;
+                                    let _e3963 = phi_6893_;
+                                    if (_e3953 > _e3954) {
+                                        phi_6898_ = _e3953;
                                     } else {
-                                        phi_6888_ = _e3946;
+                                        phi_6898_ = _e3954;
                                     }
-                                    let _e3958 = phi_6888_;
-                                    if (_e3660 > _e3683) {
-                                        phi_6893_ = _e3660;
+                                    let _e3966 = phi_6898_;
+                                    if (_e3668 > _e3691) {
+                                        phi_6903_ = _e3668;
                                     } else {
-                                        phi_6893_ = _e3683;
+                                        phi_6903_ = _e3691;
                                     }
-                                    let _e3961 = phi_6893_;
-                                    if (_e3958 > _e3961) {
-                                        phi_6898_ = _e3958;
-                                    } else {
-                                        phi_6898_ = _e3961;
-                                    }
-                                    let _e3964 = phi_6898_;
-                                    let _e3969 = -(_e3964);
-                                    if (_e3955 > _e3969) {
-                                        phi_6908_ = _e3955;
+                                    let _e3969 = phi_6903_;
+                                    if (_e3966 > _e3969) {
+                                        phi_6908_ = _e3966;
                                     } else {
                                         phi_6908_ = _e3969;
                                     }
                                     let _e3972 = phi_6908_;
-                                    if ((_e3972 - ((((((_e3748 * 8f) * _e3858) * (0.000000059604645f * (490f / 64f))) + ((_e3865 * 19f) * ((_e3748 * (_e3802 + _e3856)) + (_e3802 * _e3856)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3748) * ((1f + _e3802) * (1f + _e3856))))) + ((_e1494 * (((_e3927 + (_e3858 * (0.000000059604645f * 4f))) + ((_e3932 * 6f) * (_e3802 + _e3856))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3802) * (1f + _e3856))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_7872_ = true;
+                                    let _e3977 = -(_e3972);
+                                    if (_e3963 > _e3977) {
+                                        phi_6918_ = _e3963;
                                     } else {
-                                        let _e3977 = local_1.member_1[0u];
-                                        let _e3983 = local_1.member_1[1u];
-                                        let _e3987 = (_e3977[0] + _e3983[0]);
-                                        let _e3988 = (_e3977[1] + _e3983[1]);
-                                        let _e3989 = (_e3977[2] + _e3983[2]);
-                                        let _e3992 = local_1.member_2[0u];
-                                        let _e3998 = local_1.member_2[1u];
-                                        let _e4002 = (_e3992[0] + _e3998[0]);
-                                        let _e4003 = (_e3992[1] + _e3998[1]);
-                                        let _e4004 = (_e3992[2] + _e3998[2]);
-                                        let _e4007 = ((_e3988 * _e4004) - (_e3989 * _e4003));
-                                        let _e4010 = ((_e3989 * _e4002) - (_e3987 * _e4004));
-                                        let _e4013 = ((_e3987 * _e4003) - (_e3988 * _e4002));
-                                        let _e4016 = local_1.member[0u];
-                                        let _e4022 = local_1.member_1[0u];
-                                        let _e4028 = local_1.member_2[0u];
-                                        let _e4032 = (_e4016[0] - _e4022[0]);
-                                        let _e4033 = (_e4016[1] - _e4022[1]);
-                                        let _e4034 = (_e4016[2] - _e4022[2]);
-                                        let _e4035 = (_e4032 - _e4028[0]);
-                                        let _e4036 = (_e4033 - _e4028[1]);
-                                        let _e4037 = (_e4034 - _e4028[2]);
-                                        let _e4038 = (_e4016[0] - _e4028[0]);
-                                        let _e4039 = (_e4016[1] - _e4028[1]);
-                                        let _e4040 = (_e4016[2] - _e4028[2]);
-                                        let _e4043 = local_1.member[1u];
-                                        let _e4049 = local_1.member_1[1u];
-                                        let _e4055 = local_1.member_2[1u];
-                                        let _e4059 = (_e4043[0] - _e4049[0]);
-                                        let _e4060 = (_e4043[1] - _e4049[1]);
-                                        let _e4061 = (_e4043[2] - _e4049[2]);
-                                        let _e4062 = (_e4059 - _e4055[0]);
-                                        let _e4063 = (_e4060 - _e4055[1]);
-                                        let _e4064 = (_e4061 - _e4055[2]);
-                                        let _e4065 = (_e4043[0] - _e4055[0]);
-                                        let _e4066 = (_e4043[1] - _e4055[1]);
-                                        let _e4067 = (_e4043[2] - _e4055[2]);
-                                        let _e4070 = local_1.member[0u];
-                                        if (_e4070[0] < 0f) {
-                                            phi_7111_ = -(_e4070[0]);
-                                        } else {
-                                            phi_7111_ = _e4070[0];
-                                        }
-                                        let _e4077 = phi_7111_;
-                                        if (_e4070[1] < 0f) {
-                                            phi_7118_ = -(_e4070[1]);
-                                        } else {
-                                            phi_7118_ = _e4070[1];
-                                        }
-                                        let _e4081 = phi_7118_;
-                                        if (_e4077 > _e4081) {
-                                            phi_7123_ = _e4077;
-                                        } else {
-                                            phi_7123_ = _e4081;
-                                        }
-                                        let _e4084 = phi_7123_;
-                                        if (_e4070[2] < 0f) {
-                                            phi_7130_ = -(_e4070[2]);
-                                        } else {
-                                            phi_7130_ = _e4070[2];
-                                        }
-                                        let _e4088 = phi_7130_;
-                                        if (_e4084 > _e4088) {
-                                            phi_7135_ = _e4084;
-                                        } else {
-                                            phi_7135_ = _e4088;
-                                        }
-                                        let _e4091 = phi_7135_;
-                                        let _e4094 = local_1.member[1u];
-                                        if (_e4094[0] < 0f) {
-                                            phi_7148_ = -(_e4094[0]);
-                                        } else {
-                                            phi_7148_ = _e4094[0];
-                                        }
-                                        let _e4101 = phi_7148_;
-                                        if (_e4094[1] < 0f) {
-                                            phi_7155_ = -(_e4094[1]);
-                                        } else {
-                                            phi_7155_ = _e4094[1];
-                                        }
-                                        let _e4105 = phi_7155_;
-                                        if (_e4101 > _e4105) {
-                                            phi_7160_ = _e4101;
-                                        } else {
-                                            phi_7160_ = _e4105;
-                                        }
-                                        let _e4108 = phi_7160_;
-                                        if (_e4094[2] < 0f) {
-                                            phi_7167_ = -(_e4094[2]);
-                                        } else {
-                                            phi_7167_ = _e4094[2];
-                                        }
-                                        let _e4112 = phi_7167_;
-                                        if (_e4108 > _e4112) {
-                                            phi_7172_ = _e4108;
-                                        } else {
-                                            phi_7172_ = _e4112;
-                                        }
-                                        let _e4115 = phi_7172_;
-                                        if (_e4091 > _e4115) {
-                                            phi_7177_ = _e4091;
-                                        } else {
-                                            phi_7177_ = _e4115;
-                                        }
-                                        let _e4118 = phi_7177_;
-                                        let _e4120 = local_1.member_3;
-                                        let _e4124 = local_1.member_1[0u];
-                                        if (_e4124[0] < 0f) {
-                                            phi_7194_ = -(_e4124[0]);
-                                        } else {
-                                            phi_7194_ = _e4124[0];
-                                        }
-                                        let _e4131 = phi_7194_;
-                                        if (_e4124[1] < 0f) {
-                                            phi_7201_ = -(_e4124[1]);
-                                        } else {
-                                            phi_7201_ = _e4124[1];
-                                        }
-                                        let _e4135 = phi_7201_;
-                                        if (_e4131 > _e4135) {
-                                            phi_7206_ = _e4131;
-                                        } else {
-                                            phi_7206_ = _e4135;
-                                        }
-                                        let _e4138 = phi_7206_;
-                                        if (_e4124[2] < 0f) {
-                                            phi_7213_ = -(_e4124[2]);
-                                        } else {
-                                            phi_7213_ = _e4124[2];
-                                        }
-                                        let _e4142 = phi_7213_;
-                                        if (_e4138 > _e4142) {
-                                            phi_7218_ = _e4138;
-                                        } else {
-                                            phi_7218_ = _e4142;
-                                        }
-                                        let _e4145 = phi_7218_;
-                                        let _e4148 = local_1.member_1[1u];
-                                        if (_e4148[0] < 0f) {
-                                            phi_7232_ = -(_e4148[0]);
-                                        } else {
-                                            phi_7232_ = _e4148[0];
-                                        }
-                                        let _e4155 = phi_7232_;
-                                        if (_e4148[1] < 0f) {
-                                            phi_7239_ = -(_e4148[1]);
-                                        } else {
-                                            phi_7239_ = _e4148[1];
-                                        }
-                                        let _e4159 = phi_7239_;
-                                        if (_e4155 > _e4159) {
-                                            phi_7244_ = _e4155;
-                                        } else {
-                                            phi_7244_ = _e4159;
-                                        }
-                                        let _e4162 = phi_7244_;
-                                        if (_e4148[2] < 0f) {
-                                            phi_7251_ = -(_e4148[2]);
-                                        } else {
-                                            phi_7251_ = _e4148[2];
-                                        }
-                                        let _e4166 = phi_7251_;
-                                        if (_e4162 > _e4166) {
-                                            phi_7256_ = _e4162;
-                                        } else {
-                                            phi_7256_ = _e4166;
-                                        }
-                                        let _e4169 = phi_7256_;
-                                        if (_e4145 > _e4169) {
-                                            phi_7261_ = _e4145;
-                                        } else {
-                                            phi_7261_ = _e4169;
-                                        }
-                                        let _e4172 = phi_7261_;
-                                        let _e4174 = local_1.member_3;
-                                        let _e4178 = local_1.member_2[0u];
-                                        if (_e4178[0] < 0f) {
-                                            phi_7278_ = -(_e4178[0]);
-                                        } else {
-                                            phi_7278_ = _e4178[0];
-                                        }
-                                        let _e4185 = phi_7278_;
-                                        if (_e4178[1] < 0f) {
-                                            phi_7285_ = -(_e4178[1]);
-                                        } else {
-                                            phi_7285_ = _e4178[1];
-                                        }
-                                        let _e4189 = phi_7285_;
-                                        if (_e4185 > _e4189) {
-                                            phi_7290_ = _e4185;
-                                        } else {
-                                            phi_7290_ = _e4189;
-                                        }
-                                        let _e4192 = phi_7290_;
-                                        if (_e4178[2] < 0f) {
-                                            phi_7297_ = -(_e4178[2]);
-                                        } else {
-                                            phi_7297_ = _e4178[2];
-                                        }
-                                        let _e4196 = phi_7297_;
-                                        if (_e4192 > _e4196) {
-                                            phi_7302_ = _e4192;
-                                        } else {
-                                            phi_7302_ = _e4196;
-                                        }
-                                        let _e4199 = phi_7302_;
-                                        let _e4202 = local_1.member_2[1u];
-                                        if (_e4202[0] < 0f) {
-                                            phi_7316_ = -(_e4202[0]);
-                                        } else {
-                                            phi_7316_ = _e4202[0];
-                                        }
-                                        let _e4209 = phi_7316_;
-                                        if (_e4202[1] < 0f) {
-                                            phi_7323_ = -(_e4202[1]);
-                                        } else {
-                                            phi_7323_ = _e4202[1];
-                                        }
-                                        let _e4213 = phi_7323_;
-                                        if (_e4209 > _e4213) {
-                                            phi_7328_ = _e4209;
-                                        } else {
-                                            phi_7328_ = _e4213;
-                                        }
-                                        let _e4216 = phi_7328_;
-                                        if (_e4202[2] < 0f) {
-                                            phi_7335_ = -(_e4202[2]);
-                                        } else {
-                                            phi_7335_ = _e4202[2];
-                                        }
-                                        let _e4220 = phi_7335_;
-                                        if (_e4216 > _e4220) {
-                                            phi_7340_ = _e4216;
-                                        } else {
-                                            phi_7340_ = _e4220;
-                                        }
-                                        let _e4223 = phi_7340_;
-                                        if (_e4199 > _e4223) {
-                                            phi_7345_ = _e4199;
-                                        } else {
-                                            phi_7345_ = _e4223;
-                                        }
-                                        let _e4226 = phi_7345_;
-                                        let _e4228 = local_1.member_3;
-                                        let _e4231 = (((_e4118 + _e4120) + (_e4172 + _e4174)) + (_e4226 + _e4228));
-                                        let _e4234 = local_1.member_3;
-                                        let _e4238 = (((_e1494 * 1.0001f) + (_e4234 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4241 = ((_e4010 * _e3989) - (_e4013 * _e3988));
-                                        let _e4244 = ((_e4013 * _e3987) - (_e4007 * _e3989));
-                                        let _e4247 = ((_e4007 * _e3988) - (_e4010 * _e3987));
-                                        let _e4252 = (((_e4241 * _e4016[0]) + (_e4244 * _e4016[1])) + (_e4247 * _e4016[2]));
-                                        let _e4257 = (((_e4241 * _e4032) + (_e4244 * _e4033)) + (_e4247 * _e4034));
-                                        let _e4262 = (((_e4241 * _e4038) + (_e4244 * _e4039)) + (_e4247 * _e4040));
-                                        let _e4267 = (((_e4241 * _e4035) + (_e4244 * _e4036)) + (_e4247 * _e4037));
-                                        let _e4272 = (((_e4241 * _e4043[0]) + (_e4244 * _e4043[1])) + (_e4247 * _e4043[2]));
-                                        let _e4277 = (((_e4241 * _e4059) + (_e4244 * _e4060)) + (_e4247 * _e4061));
-                                        let _e4282 = (((_e4241 * _e4065) + (_e4244 * _e4066)) + (_e4247 * _e4067));
-                                        let _e4287 = (((_e4241 * _e4062) + (_e4244 * _e4063)) + (_e4247 * _e4064));
-                                        if (_e4252 < _e4257) {
-                                            phi_7423_ = _e4252;
-                                        } else {
-                                            phi_7423_ = _e4257;
-                                        }
-                                        let _e4290 = phi_7423_;
-                                        if (_e4262 < _e4267) {
-                                            phi_7428_ = _e4262;
-                                        } else {
-                                            phi_7428_ = _e4267;
-                                        }
-                                        let _e4293 = phi_7428_;
-                                        if (_e4290 < _e4293) {
-                                            phi_7433_ = _e4290;
-                                        } else {
-                                            phi_7433_ = _e4293;
-                                        }
-                                        let _e4296 = phi_7433_;
-                                        if (_e4272 < _e4277) {
-                                            phi_7438_ = _e4272;
-                                        } else {
-                                            phi_7438_ = _e4277;
-                                        }
-                                        let _e4299 = phi_7438_;
-                                        if (_e4282 < _e4287) {
-                                            phi_7443_ = _e4282;
-                                        } else {
-                                            phi_7443_ = _e4287;
-                                        }
-                                        let _e4302 = phi_7443_;
-                                        if (_e4299 < _e4302) {
-                                            phi_7448_ = _e4299;
-                                        } else {
-                                            phi_7448_ = _e4302;
-                                        }
-                                        let _e4305 = phi_7448_;
-                                        if (_e4296 < _e4305) {
-                                            phi_7453_ = _e4296;
-                                        } else {
-                                            phi_7453_ = _e4305;
-                                        }
-                                        let _e4308 = phi_7453_;
-                                        if (_e4252 > _e4257) {
-                                            phi_7458_ = _e4252;
-                                        } else {
-                                            phi_7458_ = _e4257;
-                                        }
-                                        let _e4311 = phi_7458_;
-                                        if (_e4262 > _e4267) {
-                                            phi_7463_ = _e4262;
-                                        } else {
-                                            phi_7463_ = _e4267;
-                                        }
-                                        let _e4314 = phi_7463_;
-                                        if (_e4311 > _e4314) {
-                                            phi_7468_ = _e4311;
-                                        } else {
-                                            phi_7468_ = _e4314;
-                                        }
-                                        let _e4317 = phi_7468_;
-                                        if (_e4272 > _e4277) {
-                                            phi_7473_ = _e4272;
-                                        } else {
-                                            phi_7473_ = _e4277;
-                                        }
-                                        let _e4320 = phi_7473_;
-                                        if (_e4282 > _e4287) {
-                                            phi_7478_ = _e4282;
-                                        } else {
-                                            phi_7478_ = _e4287;
-                                        }
-                                        let _e4323 = phi_7478_;
-                                        if (_e4320 > _e4323) {
-                                            phi_7483_ = _e4320;
-                                        } else {
-                                            phi_7483_ = _e4323;
-                                        }
-                                        let _e4326 = phi_7483_;
-                                        if (_e4317 > _e4326) {
-                                            phi_7488_ = _e4317;
-                                        } else {
-                                            phi_7488_ = _e4326;
-                                        }
-                                        let _e4329 = phi_7488_;
-                                        if (_e4241 < 0f) {
-                                            phi_7494_ = -(_e4241);
-                                        } else {
-                                            phi_7494_ = _e4241;
-                                        }
-                                        let _e4333 = phi_7494_;
-                                        if (_e4244 < 0f) {
-                                            phi_7500_ = -(_e4244);
-                                        } else {
-                                            phi_7500_ = _e4244;
-                                        }
-                                        let _e4337 = phi_7500_;
-                                        if (_e4247 < 0f) {
-                                            phi_7507_ = -(_e4247);
-                                        } else {
-                                            phi_7507_ = _e4247;
-                                        }
-                                        let _e4342 = phi_7507_;
-                                        let _e4343 = ((_e4333 + _e4337) + _e4342);
-                                        let _e4347 = -(_e4329);
-                                        if (_e4308 > _e4347) {
-                                            phi_7517_ = _e4308;
-                                        } else {
-                                            phi_7517_ = _e4347;
-                                        }
-                                        let _e4350 = phi_7517_;
-                                        let _e4355 = (((_e4350 - ((_e4343 * _e4231) * (0.000000059604645f * 17f))) - (_e4343 * _e4238)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4358 = ((_e4010 * _e4004) - (_e4013 * _e4003));
-                                        let _e4361 = ((_e4013 * _e4002) - (_e4007 * _e4004));
-                                        let _e4364 = ((_e4007 * _e4003) - (_e4010 * _e4002));
-                                        let _e4369 = (((_e4358 * _e4016[0]) + (_e4361 * _e4016[1])) + (_e4364 * _e4016[2]));
-                                        let _e4374 = (((_e4358 * _e4032) + (_e4361 * _e4033)) + (_e4364 * _e4034));
-                                        let _e4379 = (((_e4358 * _e4038) + (_e4361 * _e4039)) + (_e4364 * _e4040));
-                                        let _e4384 = (((_e4358 * _e4035) + (_e4361 * _e4036)) + (_e4364 * _e4037));
-                                        let _e4389 = (((_e4358 * _e4043[0]) + (_e4361 * _e4043[1])) + (_e4364 * _e4043[2]));
-                                        let _e4394 = (((_e4358 * _e4059) + (_e4361 * _e4060)) + (_e4364 * _e4061));
-                                        let _e4399 = (((_e4358 * _e4065) + (_e4361 * _e4066)) + (_e4364 * _e4067));
-                                        let _e4404 = (((_e4358 * _e4062) + (_e4361 * _e4063)) + (_e4364 * _e4064));
-                                        if (_e4369 < _e4374) {
-                                            phi_7588_ = _e4369;
-                                        } else {
-                                            phi_7588_ = _e4374;
-                                        }
-                                        let _e4407 = phi_7588_;
-                                        if (_e4379 < _e4384) {
-                                            phi_7593_ = _e4379;
-                                        } else {
-                                            phi_7593_ = _e4384;
-                                        }
-                                        let _e4410 = phi_7593_;
-                                        if (_e4407 < _e4410) {
-                                            phi_7598_ = _e4407;
-                                        } else {
-                                            phi_7598_ = _e4410;
-                                        }
-                                        let _e4413 = phi_7598_;
-                                        if (_e4389 < _e4394) {
-                                            phi_7603_ = _e4389;
-                                        } else {
-                                            phi_7603_ = _e4394;
-                                        }
-                                        let _e4416 = phi_7603_;
-                                        if (_e4399 < _e4404) {
-                                            phi_7608_ = _e4399;
-                                        } else {
-                                            phi_7608_ = _e4404;
-                                        }
-                                        let _e4419 = phi_7608_;
-                                        if (_e4416 < _e4419) {
-                                            phi_7613_ = _e4416;
-                                        } else {
-                                            phi_7613_ = _e4419;
-                                        }
-                                        let _e4422 = phi_7613_;
-                                        if (_e4413 < _e4422) {
-                                            phi_7618_ = _e4413;
-                                        } else {
-                                            phi_7618_ = _e4422;
-                                        }
-                                        let _e4425 = phi_7618_;
-                                        if (_e4369 > _e4374) {
-                                            phi_7623_ = _e4369;
-                                        } else {
-                                            phi_7623_ = _e4374;
-                                        }
-                                        let _e4428 = phi_7623_;
-                                        if (_e4379 > _e4384) {
-                                            phi_7628_ = _e4379;
-                                        } else {
-                                            phi_7628_ = _e4384;
-                                        }
-                                        let _e4431 = phi_7628_;
-                                        if (_e4428 > _e4431) {
-                                            phi_7633_ = _e4428;
-                                        } else {
-                                            phi_7633_ = _e4431;
-                                        }
-                                        let _e4434 = phi_7633_;
-                                        if (_e4389 > _e4394) {
-                                            phi_7638_ = _e4389;
-                                        } else {
-                                            phi_7638_ = _e4394;
-                                        }
-                                        let _e4437 = phi_7638_;
-                                        if (_e4399 > _e4404) {
-                                            phi_7643_ = _e4399;
-                                        } else {
-                                            phi_7643_ = _e4404;
-                                        }
-                                        let _e4440 = phi_7643_;
-                                        if (_e4437 > _e4440) {
-                                            phi_7648_ = _e4437;
-                                        } else {
-                                            phi_7648_ = _e4440;
-                                        }
-                                        let _e4443 = phi_7648_;
-                                        if (_e4434 > _e4443) {
-                                            phi_7653_ = _e4434;
-                                        } else {
-                                            phi_7653_ = _e4443;
-                                        }
-                                        let _e4446 = phi_7653_;
-                                        if (_e4358 < 0f) {
-                                            phi_7659_ = -(_e4358);
-                                        } else {
-                                            phi_7659_ = _e4358;
-                                        }
-                                        let _e4450 = phi_7659_;
-                                        if (_e4361 < 0f) {
-                                            phi_7665_ = -(_e4361);
-                                        } else {
-                                            phi_7665_ = _e4361;
-                                        }
-                                        let _e4454 = phi_7665_;
-                                        if (_e4364 < 0f) {
-                                            phi_7672_ = -(_e4364);
-                                        } else {
-                                            phi_7672_ = _e4364;
-                                        }
-                                        let _e4459 = phi_7672_;
-                                        let _e4460 = ((_e4450 + _e4454) + _e4459);
-                                        let _e4464 = -(_e4446);
-                                        if (_e4425 > _e4464) {
-                                            phi_7682_ = _e4425;
-                                        } else {
-                                            phi_7682_ = _e4464;
-                                        }
-                                        let _e4467 = phi_7682_;
-                                        let _e4472 = (((_e4467 - ((_e4460 * _e4231) * (0.000000059604645f * 17f))) - (_e4460 * _e4238)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4355 > _e4472) {
-                                            phi_7692_ = _e4355;
-                                        } else {
-                                            phi_7692_ = _e4472;
-                                        }
-                                        let _e4475 = phi_7692_;
-                                        phi_7872_ = (_e4475 > 0f);
+                                        phi_6918_ = _e3977;
                                     }
-                                    let _e4478 = phi_7872_;
-                                    phi_7873_ = _e4478;
+                                    let _e3980 = phi_6918_;
+                                    let _e3982 = ((_e3980 - ((((((_e3756 * 8f) * _e3866) * (0.000000059604645f * (524f / 64f))) + ((_e3873 * 19f) * ((_e3756 * (_e3810 + _e3864)) + (_e3810 * _e3864)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3756) * ((1f + _e3810) * (1f + _e3864))))) + ((_e1494 * (((_e3935 + (_e3866 * (0.000000059604645f * 8f))) + ((_e3940 * 6f) * (_e3810 + _e3864))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3810) * (1f + _e3864))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e3982 {
+                                        phi_7887_ = _e3982;
+                                    } else {
+                                        let _e3985 = local_1.member_1[0u];
+                                        let _e3991 = local_1.member_1[1u];
+                                        let _e3995 = (_e3985[0] + _e3991[0]);
+                                        let _e3996 = (_e3985[1] + _e3991[1]);
+                                        let _e3997 = (_e3985[2] + _e3991[2]);
+                                        let _e4000 = local_1.member_2[0u];
+                                        let _e4006 = local_1.member_2[1u];
+                                        let _e4010 = (_e4000[0] + _e4006[0]);
+                                        let _e4011 = (_e4000[1] + _e4006[1]);
+                                        let _e4012 = (_e4000[2] + _e4006[2]);
+                                        let _e4015 = ((_e3996 * _e4012) - (_e3997 * _e4011));
+                                        let _e4018 = ((_e3997 * _e4010) - (_e3995 * _e4012));
+                                        let _e4021 = ((_e3995 * _e4011) - (_e3996 * _e4010));
+                                        let _e4024 = local_1.member[0u];
+                                        let _e4030 = local_1.member_1[0u];
+                                        let _e4036 = local_1.member_2[0u];
+                                        let _e4040 = (_e4024[0] - _e4030[0]);
+                                        let _e4041 = (_e4024[1] - _e4030[1]);
+                                        let _e4042 = (_e4024[2] - _e4030[2]);
+                                        let _e4043 = (_e4040 - _e4036[0]);
+                                        let _e4044 = (_e4041 - _e4036[1]);
+                                        let _e4045 = (_e4042 - _e4036[2]);
+                                        let _e4046 = (_e4024[0] - _e4036[0]);
+                                        let _e4047 = (_e4024[1] - _e4036[1]);
+                                        let _e4048 = (_e4024[2] - _e4036[2]);
+                                        let _e4051 = local_1.member[1u];
+                                        let _e4057 = local_1.member_1[1u];
+                                        let _e4063 = local_1.member_2[1u];
+                                        let _e4067 = (_e4051[0] - _e4057[0]);
+                                        let _e4068 = (_e4051[1] - _e4057[1]);
+                                        let _e4069 = (_e4051[2] - _e4057[2]);
+                                        let _e4070 = (_e4067 - _e4063[0]);
+                                        let _e4071 = (_e4068 - _e4063[1]);
+                                        let _e4072 = (_e4069 - _e4063[2]);
+                                        let _e4073 = (_e4051[0] - _e4063[0]);
+                                        let _e4074 = (_e4051[1] - _e4063[1]);
+                                        let _e4075 = (_e4051[2] - _e4063[2]);
+                                        let _e4078 = local_1.member[0u];
+                                        if (_e4078[0] < 0f) {
+                                            phi_7121_ = -(_e4078[0]);
+                                        } else {
+                                            phi_7121_ = _e4078[0];
+                                        }
+                                        let _e4085 = phi_7121_;
+                                        if (_e4078[1] < 0f) {
+                                            phi_7128_ = -(_e4078[1]);
+                                        } else {
+                                            phi_7128_ = _e4078[1];
+                                        }
+                                        let _e4089 = phi_7128_;
+                                        if (_e4085 > _e4089) {
+                                            phi_7133_ = _e4085;
+                                        } else {
+                                            phi_7133_ = _e4089;
+                                        }
+                                        let _e4092 = phi_7133_;
+                                        if (_e4078[2] < 0f) {
+                                            phi_7140_ = -(_e4078[2]);
+                                        } else {
+                                            phi_7140_ = _e4078[2];
+                                        }
+                                        let _e4096 = phi_7140_;
+                                        if (_e4092 > _e4096) {
+                                            phi_7145_ = _e4092;
+                                        } else {
+                                            phi_7145_ = _e4096;
+                                        }
+                                        let _e4099 = phi_7145_;
+                                        let _e4102 = local_1.member[1u];
+                                        if (_e4102[0] < 0f) {
+                                            phi_7158_ = -(_e4102[0]);
+                                        } else {
+                                            phi_7158_ = _e4102[0];
+                                        }
+                                        let _e4109 = phi_7158_;
+                                        if (_e4102[1] < 0f) {
+                                            phi_7165_ = -(_e4102[1]);
+                                        } else {
+                                            phi_7165_ = _e4102[1];
+                                        }
+                                        let _e4113 = phi_7165_;
+                                        if (_e4109 > _e4113) {
+                                            phi_7170_ = _e4109;
+                                        } else {
+                                            phi_7170_ = _e4113;
+                                        }
+                                        let _e4116 = phi_7170_;
+                                        if (_e4102[2] < 0f) {
+                                            phi_7177_ = -(_e4102[2]);
+                                        } else {
+                                            phi_7177_ = _e4102[2];
+                                        }
+                                        let _e4120 = phi_7177_;
+                                        if (_e4116 > _e4120) {
+                                            phi_7182_ = _e4116;
+                                        } else {
+                                            phi_7182_ = _e4120;
+                                        }
+                                        let _e4123 = phi_7182_;
+                                        if (_e4099 > _e4123) {
+                                            phi_7187_ = _e4099;
+                                        } else {
+                                            phi_7187_ = _e4123;
+                                        }
+                                        let _e4126 = phi_7187_;
+                                        let _e4128 = local_1.member_3;
+                                        let _e4132 = local_1.member_1[0u];
+                                        if (_e4132[0] < 0f) {
+                                            phi_7204_ = -(_e4132[0]);
+                                        } else {
+                                            phi_7204_ = _e4132[0];
+                                        }
+                                        let _e4139 = phi_7204_;
+                                        if (_e4132[1] < 0f) {
+                                            phi_7211_ = -(_e4132[1]);
+                                        } else {
+                                            phi_7211_ = _e4132[1];
+                                        }
+                                        let _e4143 = phi_7211_;
+                                        if (_e4139 > _e4143) {
+                                            phi_7216_ = _e4139;
+                                        } else {
+                                            phi_7216_ = _e4143;
+                                        }
+                                        let _e4146 = phi_7216_;
+                                        if (_e4132[2] < 0f) {
+                                            phi_7223_ = -(_e4132[2]);
+                                        } else {
+                                            phi_7223_ = _e4132[2];
+                                        }
+                                        let _e4150 = phi_7223_;
+                                        if (_e4146 > _e4150) {
+                                            phi_7228_ = _e4146;
+                                        } else {
+                                            phi_7228_ = _e4150;
+                                        }
+                                        let _e4153 = phi_7228_;
+                                        let _e4156 = local_1.member_1[1u];
+                                        if (_e4156[0] < 0f) {
+                                            phi_7242_ = -(_e4156[0]);
+                                        } else {
+                                            phi_7242_ = _e4156[0];
+                                        }
+                                        let _e4163 = phi_7242_;
+                                        if (_e4156[1] < 0f) {
+                                            phi_7249_ = -(_e4156[1]);
+                                        } else {
+                                            phi_7249_ = _e4156[1];
+                                        }
+                                        let _e4167 = phi_7249_;
+                                        if (_e4163 > _e4167) {
+                                            phi_7254_ = _e4163;
+                                        } else {
+                                            phi_7254_ = _e4167;
+                                        }
+                                        let _e4170 = phi_7254_;
+                                        if (_e4156[2] < 0f) {
+                                            phi_7261_ = -(_e4156[2]);
+                                        } else {
+                                            phi_7261_ = _e4156[2];
+                                        }
+                                        let _e4174 = phi_7261_;
+                                        if (_e4170 > _e4174) {
+                                            phi_7266_ = _e4170;
+                                        } else {
+                                            phi_7266_ = _e4174;
+                                        }
+                                        let _e4177 = phi_7266_;
+                                        if (_e4153 > _e4177) {
+                                            phi_7271_ = _e4153;
+                                        } else {
+                                            phi_7271_ = _e4177;
+                                        }
+                                        let _e4180 = phi_7271_;
+                                        let _e4182 = local_1.member_3;
+                                        let _e4186 = local_1.member_2[0u];
+                                        if (_e4186[0] < 0f) {
+                                            phi_7288_ = -(_e4186[0]);
+                                        } else {
+                                            phi_7288_ = _e4186[0];
+                                        }
+                                        let _e4193 = phi_7288_;
+                                        if (_e4186[1] < 0f) {
+                                            phi_7295_ = -(_e4186[1]);
+                                        } else {
+                                            phi_7295_ = _e4186[1];
+                                        }
+                                        let _e4197 = phi_7295_;
+                                        if (_e4193 > _e4197) {
+                                            phi_7300_ = _e4193;
+                                        } else {
+                                            phi_7300_ = _e4197;
+                                        }
+                                        let _e4200 = phi_7300_;
+                                        if (_e4186[2] < 0f) {
+                                            phi_7307_ = -(_e4186[2]);
+                                        } else {
+                                            phi_7307_ = _e4186[2];
+                                        }
+                                        let _e4204 = phi_7307_;
+                                        if (_e4200 > _e4204) {
+                                            phi_7312_ = _e4200;
+                                        } else {
+                                            phi_7312_ = _e4204;
+                                        }
+                                        let _e4207 = phi_7312_;
+                                        let _e4210 = local_1.member_2[1u];
+                                        if (_e4210[0] < 0f) {
+                                            phi_7326_ = -(_e4210[0]);
+                                        } else {
+                                            phi_7326_ = _e4210[0];
+                                        }
+                                        let _e4217 = phi_7326_;
+                                        if (_e4210[1] < 0f) {
+                                            phi_7333_ = -(_e4210[1]);
+                                        } else {
+                                            phi_7333_ = _e4210[1];
+                                        }
+                                        let _e4221 = phi_7333_;
+                                        if (_e4217 > _e4221) {
+                                            phi_7338_ = _e4217;
+                                        } else {
+                                            phi_7338_ = _e4221;
+                                        }
+                                        let _e4224 = phi_7338_;
+                                        if (_e4210[2] < 0f) {
+                                            phi_7345_ = -(_e4210[2]);
+                                        } else {
+                                            phi_7345_ = _e4210[2];
+                                        }
+                                        let _e4228 = phi_7345_;
+                                        if (_e4224 > _e4228) {
+                                            phi_7350_ = _e4224;
+                                        } else {
+                                            phi_7350_ = _e4228;
+                                        }
+                                        let _e4231 = phi_7350_;
+                                        if (_e4207 > _e4231) {
+                                            phi_7355_ = _e4207;
+                                        } else {
+                                            phi_7355_ = _e4231;
+                                        }
+                                        let _e4234 = phi_7355_;
+                                        let _e4236 = local_1.member_3;
+                                        let _e4240 = ((((_e4126 + _e4128) + (_e4180 + _e4182)) + (_e4234 + _e4236)) * 2f);
+                                        let _e4243 = local_1.member_3;
+                                        let _e4247 = (((_e1494 * 1.0001f) + (_e4243 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4250 = ((_e4018 * _e3997) - (_e4021 * _e3996));
+                                        let _e4253 = ((_e4021 * _e3995) - (_e4015 * _e3997));
+                                        let _e4256 = ((_e4015 * _e3996) - (_e4018 * _e3995));
+                                        let _e4261 = (((_e4250 * _e4024[0]) + (_e4253 * _e4024[1])) + (_e4256 * _e4024[2]));
+                                        let _e4266 = (((_e4250 * _e4040) + (_e4253 * _e4041)) + (_e4256 * _e4042));
+                                        let _e4271 = (((_e4250 * _e4046) + (_e4253 * _e4047)) + (_e4256 * _e4048));
+                                        let _e4276 = (((_e4250 * _e4043) + (_e4253 * _e4044)) + (_e4256 * _e4045));
+                                        let _e4281 = (((_e4250 * _e4051[0]) + (_e4253 * _e4051[1])) + (_e4256 * _e4051[2]));
+                                        let _e4286 = (((_e4250 * _e4067) + (_e4253 * _e4068)) + (_e4256 * _e4069));
+                                        let _e4291 = (((_e4250 * _e4073) + (_e4253 * _e4074)) + (_e4256 * _e4075));
+                                        let _e4296 = (((_e4250 * _e4070) + (_e4253 * _e4071)) + (_e4256 * _e4072));
+                                        if (_e4261 < _e4266) {
+                                            phi_7434_ = _e4261;
+                                        } else {
+                                            phi_7434_ = _e4266;
+                                        }
+                                        let _e4299 = phi_7434_;
+                                        if (_e4271 < _e4276) {
+                                            phi_7439_ = _e4271;
+                                        } else {
+                                            phi_7439_ = _e4276;
+                                        }
+                                        let _e4302 = phi_7439_;
+                                        if (_e4299 < _e4302) {
+                                            phi_7444_ = _e4299;
+                                        } else {
+                                            phi_7444_ = _e4302;
+                                        }
+                                        let _e4305 = phi_7444_;
+                                        if (_e4281 < _e4286) {
+                                            phi_7449_ = _e4281;
+                                        } else {
+                                            phi_7449_ = _e4286;
+                                        }
+                                        let _e4308 = phi_7449_;
+                                        if (_e4291 < _e4296) {
+                                            phi_7454_ = _e4291;
+                                        } else {
+                                            phi_7454_ = _e4296;
+                                        }
+                                        let _e4311 = phi_7454_;
+                                        if (_e4308 < _e4311) {
+                                            phi_7459_ = _e4308;
+                                        } else {
+                                            phi_7459_ = _e4311;
+                                        }
+                                        let _e4314 = phi_7459_;
+                                        if (_e4305 < _e4314) {
+                                            phi_7464_ = _e4305;
+                                        } else {
+                                            phi_7464_ = _e4314;
+                                        }
+                                        let _e4317 = phi_7464_;
+                                        if (_e4261 > _e4266) {
+                                            phi_7469_ = _e4261;
+                                        } else {
+                                            phi_7469_ = _e4266;
+                                        }
+                                        let _e4320 = phi_7469_;
+                                        if (_e4271 > _e4276) {
+                                            phi_7474_ = _e4271;
+                                        } else {
+                                            phi_7474_ = _e4276;
+                                        }
+                                        let _e4323 = phi_7474_;
+                                        if (_e4320 > _e4323) {
+                                            phi_7479_ = _e4320;
+                                        } else {
+                                            phi_7479_ = _e4323;
+                                        }
+                                        let _e4326 = phi_7479_;
+                                        if (_e4281 > _e4286) {
+                                            phi_7484_ = _e4281;
+                                        } else {
+                                            phi_7484_ = _e4286;
+                                        }
+                                        let _e4329 = phi_7484_;
+                                        if (_e4291 > _e4296) {
+                                            phi_7489_ = _e4291;
+                                        } else {
+                                            phi_7489_ = _e4296;
+                                        }
+                                        let _e4332 = phi_7489_;
+                                        if (_e4329 > _e4332) {
+                                            phi_7494_ = _e4329;
+                                        } else {
+                                            phi_7494_ = _e4332;
+                                        }
+                                        let _e4335 = phi_7494_;
+                                        if (_e4326 > _e4335) {
+                                            phi_7499_ = _e4326;
+                                        } else {
+                                            phi_7499_ = _e4335;
+                                        }
+                                        let _e4338 = phi_7499_;
+                                        if (_e4250 < 0f) {
+                                            phi_7505_ = -(_e4250);
+                                        } else {
+                                            phi_7505_ = _e4250;
+                                        }
+                                        let _e4342 = phi_7505_;
+                                        if (_e4253 < 0f) {
+                                            phi_7511_ = -(_e4253);
+                                        } else {
+                                            phi_7511_ = _e4253;
+                                        }
+                                        let _e4346 = phi_7511_;
+                                        if (_e4256 < 0f) {
+                                            phi_7518_ = -(_e4256);
+                                        } else {
+                                            phi_7518_ = _e4256;
+                                        }
+                                        let _e4351 = phi_7518_;
+                                        let _e4352 = ((_e4342 + _e4346) + _e4351);
+                                        let _e4357 = -(_e4338);
+                                        if (_e4317 > _e4357) {
+                                            phi_7529_ = _e4317;
+                                        } else {
+                                            phi_7529_ = _e4357;
+                                        }
+                                        let _e4360 = phi_7529_;
+                                        let _e4365 = (((_e4360 - ((_e4352 * _e4240) * (0.000000059604645f * (17f / 2f)))) - (_e4352 * _e4247)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4368 = ((_e4018 * _e4012) - (_e4021 * _e4011));
+                                        let _e4371 = ((_e4021 * _e4010) - (_e4015 * _e4012));
+                                        let _e4374 = ((_e4015 * _e4011) - (_e4018 * _e4010));
+                                        let _e4379 = (((_e4368 * _e4024[0]) + (_e4371 * _e4024[1])) + (_e4374 * _e4024[2]));
+                                        let _e4384 = (((_e4368 * _e4040) + (_e4371 * _e4041)) + (_e4374 * _e4042));
+                                        let _e4389 = (((_e4368 * _e4046) + (_e4371 * _e4047)) + (_e4374 * _e4048));
+                                        let _e4394 = (((_e4368 * _e4043) + (_e4371 * _e4044)) + (_e4374 * _e4045));
+                                        let _e4399 = (((_e4368 * _e4051[0]) + (_e4371 * _e4051[1])) + (_e4374 * _e4051[2]));
+                                        let _e4404 = (((_e4368 * _e4067) + (_e4371 * _e4068)) + (_e4374 * _e4069));
+                                        let _e4409 = (((_e4368 * _e4073) + (_e4371 * _e4074)) + (_e4374 * _e4075));
+                                        let _e4414 = (((_e4368 * _e4070) + (_e4371 * _e4071)) + (_e4374 * _e4072));
+                                        if (_e4379 < _e4384) {
+                                            phi_7600_ = _e4379;
+                                        } else {
+                                            phi_7600_ = _e4384;
+                                        }
+                                        let _e4417 = phi_7600_;
+                                        if (_e4389 < _e4394) {
+                                            phi_7605_ = _e4389;
+                                        } else {
+                                            phi_7605_ = _e4394;
+                                        }
+                                        let _e4420 = phi_7605_;
+                                        if (_e4417 < _e4420) {
+                                            phi_7610_ = _e4417;
+                                        } else {
+                                            phi_7610_ = _e4420;
+                                        }
+                                        let _e4423 = phi_7610_;
+                                        if (_e4399 < _e4404) {
+                                            phi_7615_ = _e4399;
+                                        } else {
+                                            phi_7615_ = _e4404;
+                                        }
+                                        let _e4426 = phi_7615_;
+                                        if (_e4409 < _e4414) {
+                                            phi_7620_ = _e4409;
+                                        } else {
+                                            phi_7620_ = _e4414;
+                                        }
+                                        let _e4429 = phi_7620_;
+                                        if (_e4426 < _e4429) {
+                                            phi_7625_ = _e4426;
+                                        } else {
+                                            phi_7625_ = _e4429;
+                                        }
+                                        let _e4432 = phi_7625_;
+                                        if (_e4423 < _e4432) {
+                                            phi_7630_ = _e4423;
+                                        } else {
+                                            phi_7630_ = _e4432;
+                                        }
+                                        let _e4435 = phi_7630_;
+                                        if (_e4379 > _e4384) {
+                                            phi_7635_ = _e4379;
+                                        } else {
+                                            phi_7635_ = _e4384;
+                                        }
+                                        let _e4438 = phi_7635_;
+                                        if (_e4389 > _e4394) {
+                                            phi_7640_ = _e4389;
+                                        } else {
+                                            phi_7640_ = _e4394;
+                                        }
+                                        let _e4441 = phi_7640_;
+                                        if (_e4438 > _e4441) {
+                                            phi_7645_ = _e4438;
+                                        } else {
+                                            phi_7645_ = _e4441;
+                                        }
+                                        let _e4444 = phi_7645_;
+                                        if (_e4399 > _e4404) {
+                                            phi_7650_ = _e4399;
+                                        } else {
+                                            phi_7650_ = _e4404;
+                                        }
+                                        let _e4447 = phi_7650_;
+                                        if (_e4409 > _e4414) {
+                                            phi_7655_ = _e4409;
+                                        } else {
+                                            phi_7655_ = _e4414;
+                                        }
+                                        let _e4450 = phi_7655_;
+                                        if (_e4447 > _e4450) {
+                                            phi_7660_ = _e4447;
+                                        } else {
+                                            phi_7660_ = _e4450;
+                                        }
+                                        let _e4453 = phi_7660_;
+                                        if (_e4444 > _e4453) {
+                                            phi_7665_ = _e4444;
+                                        } else {
+                                            phi_7665_ = _e4453;
+                                        }
+                                        let _e4456 = phi_7665_;
+                                        if (_e4368 < 0f) {
+                                            phi_7671_ = -(_e4368);
+                                        } else {
+                                            phi_7671_ = _e4368;
+                                        }
+                                        let _e4460 = phi_7671_;
+                                        if (_e4371 < 0f) {
+                                            phi_7677_ = -(_e4371);
+                                        } else {
+                                            phi_7677_ = _e4371;
+                                        }
+                                        let _e4464 = phi_7677_;
+                                        if (_e4374 < 0f) {
+                                            phi_7684_ = -(_e4374);
+                                        } else {
+                                            phi_7684_ = _e4374;
+                                        }
+                                        let _e4469 = phi_7684_;
+                                        let _e4470 = ((_e4460 + _e4464) + _e4469);
+                                        let _e4475 = -(_e4456);
+                                        if (_e4435 > _e4475) {
+                                            phi_7695_ = _e4435;
+                                        } else {
+                                            phi_7695_ = _e4475;
+                                        }
+                                        let _e4478 = phi_7695_;
+                                        let _e4483 = (((_e4478 - ((_e4470 * _e4240) * (0.000000059604645f * (17f / 2f)))) - (_e4470 * _e4247)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4365 > _e4483) {
+                                            phi_7705_ = _e4365;
+                                        } else {
+                                            phi_7705_ = _e4483;
+                                        }
+                                        let _e4486 = phi_7705_;
+                                        phi_7887_ = (_e3982 || (_e4486 > 0f));
+                                    }
+                                    let _e4490 = phi_7887_;
+                                    phi_7889_ = (_e3547 && _e4490);
                                 } else {
-                                    phi_7873_ = false;
+                                    phi_7889_ = _e3547;
                                 }
-                                let _e4480 = phi_7873_;
-                                phi_7875_ = !(_e4480);
+                                let _e4493 = phi_7889_;
+                                phi_7891_ = (_e2514 || _e4493);
                             }
-                            let _e4483 = phi_7875_;
-                            if _e4483 {
-                                let _e4485 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1021] = ((2147483648u | (_e4485 << bitcast<u32>(12i))) | _e1024);
+                            let _e4496 = phi_7891_;
+                            if !(_e4496) {
+                                let _e4499 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1021] = ((2147483648u | (_e4499 << bitcast<u32>(12i))) | _e1024);
                             }
                         }
-                        phi_7885_ = true;
+                        phi_7902_ = true;
                     }
-                    let _e4492 = phi_7885_;
-                    phi_7886_ = _e4492;
+                    let _e4506 = phi_7902_;
+                    phi_7903_ = _e4506;
                 } else {
-                    phi_7886_ = false;
+                    phi_7903_ = false;
                 }
-                let _e4494 = phi_7886_;
+                let _e4508 = phi_7903_;
                 continue;
                 continuing {
                     phi_1862_ = _e1013;
-                    break if !(_e4494);
+                    break if !(_e4508);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4498 = atomicLoad((&counters[5u]));
-                if (_e4498 > 0u) {
-                    let _e4501 = atomicAdd((&output.member[0u]), _e4498);
-                    if ((_e4501 + _e4498) < _e4501) {
-                        let _e4505 = atomicAdd((&output.member[2u]), 1u);
+                let _e4512 = atomicLoad((&counters[5u]));
+                if (_e4512 > 0u) {
+                    let _e4515 = atomicAdd((&output.member[0u]), _e4512);
+                    if ((_e4515 + _e4512) < _e4515) {
+                        let _e4519 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4501);
+                    atomicStore((&counters[6u]), _e4515);
                 }
             }
             workgroupBarrier();
-            let _e4508 = atomicLoad((&counters[6u]));
+            let _e4522 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4511 = atomicLoad((&counters[7u]));
-                if (_e4511 > 0u) {
-                    let _e4514 = atomicAdd((&output.member[1u]), _e4511);
-                    if ((_e4514 + _e4511) < _e4514) {
-                        let _e4518 = atomicAdd((&output.member[3u]), 1u);
+                let _e4525 = atomicLoad((&counters[7u]));
+                if (_e4525 > 0u) {
+                    let _e4528 = atomicAdd((&output.member[1u]), _e4525);
+                    if ((_e4528 + _e4525) < _e4528) {
+                        let _e4532 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7936_ = type_9(0u, 16u);
+            phi_7953_ = type_9(0u, 16u);
             loop {
-                let _e4520 = phi_7936_;
-                if (_e4520.member < _e4520.member_1) {
-                    phi_7937_ = type_9((_e4520.member + 1u), _e4520.member_1);
-                    phi_7960_ = type_9(1u, _e4520.member);
+                let _e4534 = phi_7953_;
+                if (_e4534.member < _e4534.member_1) {
+                    phi_7954_ = type_9((_e4534.member + 1u), _e4534.member_1);
+                    phi_7977_ = type_9(1u, _e4534.member);
                 } else {
-                    phi_7937_ = _e4520;
-                    phi_7960_ = type_9(0u, type_9().member_1);
+                    phi_7954_ = _e4534;
+                    phi_7977_ = type_9(0u, type_9().member_1);
                 }
-                let _e4532 = phi_7937_;
-                let _e4534 = phi_7960_;
-                if (bitcast<i32>(_e4534.member) != 0i) {
-                    let _e4540 = (_e67 + (_e4534.member_1 * 128u));
-                    if (_e4540 >= _e999) {
-                        phi_8057_ = false;
+                let _e4546 = phi_7954_;
+                let _e4548 = phi_7977_;
+                if (bitcast<i32>(_e4548.member) != 0i) {
+                    let _e4554 = (_e67 + (_e4548.member_1 * 128u));
+                    if (_e4554 >= _e999) {
+                        phi_8074_ = false;
                     } else {
-                        let _e4543 = hits[_e4540];
-                        if ((_e4543 & 2147483648u) == 0u) {
-                            phi_7983_ = 4294967295u;
+                        let _e4557 = hits[_e4554];
+                        if ((_e4557 & 2147483648u) == 0u) {
+                            phi_8000_ = 4294967295u;
                         } else {
-                            phi_7983_ = ((_e4543 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_8000_ = ((_e4557 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4550 = phi_7983_;
-                        if (_e4550 != 4294967295u) {
-                            let _e4554 = ((_e4543 >> bitcast<u32>(10i)) & 3u);
-                            let _e4561 = firsts[(2u * _e4554)];
-                            let _e4564 = leaves.member[(_e4561 + ((_e4543 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4568 = firsts[((2u * _e4554) + 1u)];
-                            let _e4571 = leaves.member[(_e4568 + (_e4543 & 31u))];
-                            let _e4576 = params.member.member_1.member_3;
-                            let _e4577 = (_e4508 + _e4550);
-                            if (_e4564.member_1 < _e4571.member_1) {
-                                phi_8038_ = type_9(_e4564.member_1, _e4571.member_1);
+                        let _e4564 = phi_8000_;
+                        if (_e4564 != 4294967295u) {
+                            let _e4568 = ((_e4557 >> bitcast<u32>(10i)) & 3u);
+                            let _e4575 = firsts[(2u * _e4568)];
+                            let _e4578 = leaves.member[(_e4575 + ((_e4557 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4582 = firsts[((2u * _e4568) + 1u)];
+                            let _e4585 = leaves.member[(_e4582 + (_e4557 & 31u))];
+                            let _e4590 = params.member.member_1.member_3;
+                            let _e4591 = (_e4522 + _e4564);
+                            if (_e4578.member_1 < _e4585.member_1) {
+                                phi_8055_ = type_9(_e4578.member_1, _e4585.member_1);
                             } else {
-                                phi_8038_ = type_9(_e4571.member_1, _e4564.member_1);
+                                phi_8055_ = type_9(_e4585.member_1, _e4578.member_1);
                             }
-                            let _e4582 = phi_8038_;
-                            if (_e4577 < _e4576) {
-                                let _e4586 = (2u * _e4577);
-                                atomicStore((&output.member[(4u + _e4586)]), _e4582.member);
-                                atomicStore((&output.member[(_e4586 + 5u)]), _e4582.member_1);
+                            let _e4596 = phi_8055_;
+                            if (_e4591 < _e4590) {
+                                let _e4600 = (2u * _e4591);
+                                atomicStore((&output.member[(4u + _e4600)]), _e4596.member);
+                                atomicStore((&output.member[(_e4600 + 5u)]), _e4596.member_1);
                             }
                         }
-                        phi_8057_ = true;
+                        phi_8074_ = true;
                     }
-                    let _e4592 = phi_8057_;
-                    phi_8058_ = _e4592;
+                    let _e4606 = phi_8074_;
+                    phi_8075_ = _e4606;
                 } else {
-                    phi_8058_ = false;
+                    phi_8075_ = false;
                 }
-                let _e4594 = phi_8058_;
+                let _e4608 = phi_8075_;
                 continue;
                 continuing {
-                    phi_7936_ = _e4532;
-                    break if !(_e4594);
+                    phi_7953_ = _e4546;
+                    break if !(_e4608);
                 }
             }
             workgroupBarrier();

@@ -455,355 +455,355 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_3924_: f32;
     var phi_3929_: f32;
     var phi_3934_: f32;
-    var phi_4012_: f32;
-    var phi_4017_: f32;
-    var phi_4022_: f32;
-    var phi_4027_: f32;
-    var phi_4032_: f32;
-    var phi_4037_: f32;
-    var phi_4042_: f32;
-    var phi_4047_: f32;
-    var phi_4052_: f32;
-    var phi_4057_: f32;
-    var phi_4062_: f32;
-    var phi_4067_: f32;
-    var phi_4072_: f32;
-    var phi_4077_: f32;
-    var phi_4083_: f32;
-    var phi_4089_: f32;
-    var phi_4096_: f32;
-    var phi_4106_: f32;
-    var phi_4177_: f32;
-    var phi_4182_: f32;
-    var phi_4187_: f32;
-    var phi_4192_: f32;
-    var phi_4197_: f32;
-    var phi_4202_: f32;
-    var phi_4207_: f32;
-    var phi_4212_: f32;
-    var phi_4217_: f32;
-    var phi_4222_: f32;
-    var phi_4227_: f32;
-    var phi_4232_: f32;
-    var phi_4237_: f32;
-    var phi_4242_: f32;
-    var phi_4248_: f32;
-    var phi_4254_: f32;
-    var phi_4261_: f32;
-    var phi_4271_: f32;
-    var phi_4281_: f32;
-    var phi_4354_: f32;
-    var phi_4359_: f32;
-    var phi_4364_: f32;
-    var phi_4369_: f32;
-    var phi_4374_: f32;
-    var phi_4379_: f32;
-    var phi_4384_: f32;
-    var phi_4389_: f32;
-    var phi_4394_: f32;
-    var phi_4399_: f32;
-    var phi_4404_: f32;
-    var phi_4409_: f32;
-    var phi_4414_: f32;
-    var phi_4419_: f32;
-    var phi_4425_: f32;
-    var phi_4431_: f32;
-    var phi_4438_: f32;
-    var phi_4448_: f32;
-    var phi_4458_: f32;
-    var phi_4461_: bool;
-    var phi_4913_: f32;
-    var phi_4920_: f32;
+    var phi_4013_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4028_: f32;
+    var phi_4033_: f32;
+    var phi_4038_: f32;
+    var phi_4043_: f32;
+    var phi_4048_: f32;
+    var phi_4053_: f32;
+    var phi_4058_: f32;
+    var phi_4063_: f32;
+    var phi_4068_: f32;
+    var phi_4073_: f32;
+    var phi_4078_: f32;
+    var phi_4084_: f32;
+    var phi_4090_: f32;
+    var phi_4097_: f32;
+    var phi_4108_: f32;
+    var phi_4179_: f32;
+    var phi_4184_: f32;
+    var phi_4189_: f32;
+    var phi_4194_: f32;
+    var phi_4199_: f32;
+    var phi_4204_: f32;
+    var phi_4209_: f32;
+    var phi_4214_: f32;
+    var phi_4219_: f32;
+    var phi_4224_: f32;
+    var phi_4229_: f32;
+    var phi_4234_: f32;
+    var phi_4239_: f32;
+    var phi_4244_: f32;
+    var phi_4250_: f32;
+    var phi_4256_: f32;
+    var phi_4263_: f32;
+    var phi_4274_: f32;
+    var phi_4284_: f32;
+    var phi_4357_: f32;
+    var phi_4362_: f32;
+    var phi_4367_: f32;
+    var phi_4372_: f32;
+    var phi_4377_: f32;
+    var phi_4382_: f32;
+    var phi_4387_: f32;
+    var phi_4392_: f32;
+    var phi_4397_: f32;
+    var phi_4402_: f32;
+    var phi_4407_: f32;
+    var phi_4412_: f32;
+    var phi_4417_: f32;
+    var phi_4422_: f32;
+    var phi_4428_: f32;
+    var phi_4434_: f32;
+    var phi_4441_: f32;
+    var phi_4452_: f32;
+    var phi_4462_: f32;
+    var phi_4466_: bool;
+    var phi_4918_: f32;
     var phi_4925_: f32;
-    var phi_4932_: f32;
+    var phi_4930_: f32;
     var phi_4937_: f32;
-    var phi_4950_: f32;
-    var phi_4957_: f32;
+    var phi_4942_: f32;
+    var phi_4955_: f32;
     var phi_4962_: f32;
-    var phi_4969_: f32;
+    var phi_4967_: f32;
     var phi_4974_: f32;
     var phi_4979_: f32;
-    var phi_4996_: f32;
-    var phi_5003_: f32;
+    var phi_4984_: f32;
+    var phi_5001_: f32;
     var phi_5008_: f32;
-    var phi_5015_: f32;
+    var phi_5013_: f32;
     var phi_5020_: f32;
-    var phi_5034_: f32;
-    var phi_5041_: f32;
+    var phi_5025_: f32;
+    var phi_5039_: f32;
     var phi_5046_: f32;
-    var phi_5053_: f32;
+    var phi_5051_: f32;
     var phi_5058_: f32;
     var phi_5063_: f32;
-    var phi_5080_: f32;
-    var phi_5087_: f32;
+    var phi_5068_: f32;
+    var phi_5085_: f32;
     var phi_5092_: f32;
-    var phi_5099_: f32;
+    var phi_5097_: f32;
     var phi_5104_: f32;
-    var phi_5118_: f32;
-    var phi_5125_: f32;
+    var phi_5109_: f32;
+    var phi_5123_: f32;
     var phi_5130_: f32;
-    var phi_5137_: f32;
+    var phi_5135_: f32;
     var phi_5142_: f32;
     var phi_5147_: f32;
-    var phi_5178_: f32;
-    var phi_5184_: f32;
-    var phi_5191_: f32;
-    var phi_5198_: f32;
-    var phi_5204_: f32;
-    var phi_5211_: f32;
-    var phi_5217_: f32;
-    var phi_5223_: f32;
-    var phi_5229_: f32;
-    var phi_5236_: f32;
-    var phi_5243_: f32;
-    var phi_5267_: f32;
+    var phi_5152_: f32;
+    var phi_5183_: f32;
+    var phi_5189_: f32;
+    var phi_5196_: f32;
+    var phi_5203_: f32;
+    var phi_5209_: f32;
+    var phi_5216_: f32;
+    var phi_5222_: f32;
+    var phi_5228_: f32;
+    var phi_5234_: f32;
+    var phi_5241_: f32;
+    var phi_5248_: f32;
     var phi_5272_: f32;
     var phi_5277_: f32;
     var phi_5282_: f32;
     var phi_5287_: f32;
     var phi_5292_: f32;
-    var phi_5302_: f32;
-    var phi_5505_: f32;
-    var phi_5512_: f32;
+    var phi_5297_: f32;
+    var phi_5307_: f32;
+    var phi_5510_: f32;
     var phi_5517_: f32;
-    var phi_5524_: f32;
+    var phi_5522_: f32;
     var phi_5529_: f32;
-    var phi_5542_: f32;
-    var phi_5549_: f32;
+    var phi_5534_: f32;
+    var phi_5547_: f32;
     var phi_5554_: f32;
-    var phi_5561_: f32;
+    var phi_5559_: f32;
     var phi_5566_: f32;
     var phi_5571_: f32;
-    var phi_5588_: f32;
-    var phi_5595_: f32;
+    var phi_5576_: f32;
+    var phi_5593_: f32;
     var phi_5600_: f32;
-    var phi_5607_: f32;
+    var phi_5605_: f32;
     var phi_5612_: f32;
-    var phi_5626_: f32;
-    var phi_5633_: f32;
+    var phi_5617_: f32;
+    var phi_5631_: f32;
     var phi_5638_: f32;
-    var phi_5645_: f32;
+    var phi_5643_: f32;
     var phi_5650_: f32;
     var phi_5655_: f32;
-    var phi_5672_: f32;
-    var phi_5679_: f32;
+    var phi_5660_: f32;
+    var phi_5677_: f32;
     var phi_5684_: f32;
-    var phi_5691_: f32;
+    var phi_5689_: f32;
     var phi_5696_: f32;
-    var phi_5710_: f32;
-    var phi_5717_: f32;
+    var phi_5701_: f32;
+    var phi_5715_: f32;
     var phi_5722_: f32;
-    var phi_5729_: f32;
+    var phi_5727_: f32;
     var phi_5734_: f32;
     var phi_5739_: f32;
-    var phi_5817_: f32;
-    var phi_5822_: f32;
-    var phi_5827_: f32;
-    var phi_5832_: f32;
-    var phi_5837_: f32;
-    var phi_5842_: f32;
-    var phi_5847_: f32;
-    var phi_5852_: f32;
-    var phi_5857_: f32;
-    var phi_5862_: f32;
-    var phi_5867_: f32;
-    var phi_5872_: f32;
-    var phi_5877_: f32;
-    var phi_5882_: f32;
+    var phi_5744_: f32;
+    var phi_5823_: f32;
+    var phi_5828_: f32;
+    var phi_5833_: f32;
+    var phi_5838_: f32;
+    var phi_5843_: f32;
+    var phi_5848_: f32;
+    var phi_5853_: f32;
+    var phi_5858_: f32;
+    var phi_5863_: f32;
+    var phi_5868_: f32;
+    var phi_5873_: f32;
+    var phi_5878_: f32;
+    var phi_5883_: f32;
     var phi_5888_: f32;
     var phi_5894_: f32;
-    var phi_5901_: f32;
-    var phi_5911_: f32;
-    var phi_5982_: f32;
-    var phi_5987_: f32;
-    var phi_5992_: f32;
-    var phi_5997_: f32;
-    var phi_6002_: f32;
-    var phi_6007_: f32;
-    var phi_6012_: f32;
-    var phi_6017_: f32;
-    var phi_6022_: f32;
-    var phi_6027_: f32;
-    var phi_6032_: f32;
-    var phi_6037_: f32;
-    var phi_6042_: f32;
-    var phi_6047_: f32;
-    var phi_6053_: f32;
-    var phi_6059_: f32;
+    var phi_5900_: f32;
+    var phi_5907_: f32;
+    var phi_5918_: f32;
+    var phi_5989_: f32;
+    var phi_5994_: f32;
+    var phi_5999_: f32;
+    var phi_6004_: f32;
+    var phi_6009_: f32;
+    var phi_6014_: f32;
+    var phi_6019_: f32;
+    var phi_6024_: f32;
+    var phi_6029_: f32;
+    var phi_6034_: f32;
+    var phi_6039_: f32;
+    var phi_6044_: f32;
+    var phi_6049_: f32;
+    var phi_6054_: f32;
+    var phi_6060_: f32;
     var phi_6066_: f32;
-    var phi_6076_: f32;
-    var phi_6086_: f32;
-    var phi_6159_: f32;
-    var phi_6164_: f32;
-    var phi_6169_: f32;
-    var phi_6174_: f32;
-    var phi_6179_: f32;
-    var phi_6184_: f32;
-    var phi_6189_: f32;
-    var phi_6194_: f32;
-    var phi_6199_: f32;
-    var phi_6204_: f32;
-    var phi_6209_: f32;
-    var phi_6214_: f32;
-    var phi_6219_: f32;
-    var phi_6224_: f32;
-    var phi_6230_: f32;
-    var phi_6236_: f32;
-    var phi_6243_: f32;
-    var phi_6253_: f32;
-    var phi_6263_: f32;
-    var phi_6266_: bool;
-    var phi_6511_: f32;
-    var phi_6518_: f32;
-    var phi_6523_: f32;
-    var phi_6530_: f32;
-    var phi_6535_: f32;
-    var phi_6548_: f32;
-    var phi_6555_: f32;
-    var phi_6560_: f32;
-    var phi_6567_: f32;
-    var phi_6572_: f32;
+    var phi_6073_: f32;
+    var phi_6084_: f32;
+    var phi_6094_: f32;
+    var phi_6167_: f32;
+    var phi_6172_: f32;
+    var phi_6177_: f32;
+    var phi_6182_: f32;
+    var phi_6187_: f32;
+    var phi_6192_: f32;
+    var phi_6197_: f32;
+    var phi_6202_: f32;
+    var phi_6207_: f32;
+    var phi_6212_: f32;
+    var phi_6217_: f32;
+    var phi_6222_: f32;
+    var phi_6227_: f32;
+    var phi_6232_: f32;
+    var phi_6238_: f32;
+    var phi_6244_: f32;
+    var phi_6251_: f32;
+    var phi_6262_: f32;
+    var phi_6272_: f32;
+    var phi_6276_: bool;
+    var phi_6521_: f32;
+    var phi_6528_: f32;
+    var phi_6533_: f32;
+    var phi_6540_: f32;
+    var phi_6545_: f32;
+    var phi_6558_: f32;
+    var phi_6565_: f32;
+    var phi_6570_: f32;
     var phi_6577_: f32;
-    var phi_6594_: f32;
-    var phi_6601_: f32;
-    var phi_6606_: f32;
-    var phi_6613_: f32;
-    var phi_6618_: f32;
-    var phi_6632_: f32;
-    var phi_6639_: f32;
-    var phi_6644_: f32;
-    var phi_6651_: f32;
-    var phi_6656_: f32;
+    var phi_6582_: f32;
+    var phi_6587_: f32;
+    var phi_6604_: f32;
+    var phi_6611_: f32;
+    var phi_6616_: f32;
+    var phi_6623_: f32;
+    var phi_6628_: f32;
+    var phi_6642_: f32;
+    var phi_6649_: f32;
+    var phi_6654_: f32;
     var phi_6661_: f32;
-    var phi_6678_: f32;
-    var phi_6685_: f32;
-    var phi_6690_: f32;
-    var phi_6697_: f32;
-    var phi_6702_: f32;
-    var phi_6716_: f32;
-    var phi_6723_: f32;
-    var phi_6728_: f32;
-    var phi_6735_: f32;
-    var phi_6740_: f32;
+    var phi_6666_: f32;
+    var phi_6671_: f32;
+    var phi_6688_: f32;
+    var phi_6695_: f32;
+    var phi_6700_: f32;
+    var phi_6707_: f32;
+    var phi_6712_: f32;
+    var phi_6726_: f32;
+    var phi_6733_: f32;
+    var phi_6738_: f32;
     var phi_6745_: f32;
-    var phi_6776_: f32;
-    var phi_6782_: f32;
-    var phi_6789_: f32;
-    var phi_6796_: f32;
-    var phi_6802_: f32;
-    var phi_6809_: f32;
-    var phi_6815_: f32;
-    var phi_6821_: f32;
-    var phi_6827_: f32;
-    var phi_6834_: f32;
-    var phi_6841_: f32;
-    var phi_6865_: f32;
-    var phi_6870_: f32;
+    var phi_6750_: f32;
+    var phi_6755_: f32;
+    var phi_6786_: f32;
+    var phi_6792_: f32;
+    var phi_6799_: f32;
+    var phi_6806_: f32;
+    var phi_6812_: f32;
+    var phi_6819_: f32;
+    var phi_6825_: f32;
+    var phi_6831_: f32;
+    var phi_6837_: f32;
+    var phi_6844_: f32;
+    var phi_6851_: f32;
     var phi_6875_: f32;
     var phi_6880_: f32;
     var phi_6885_: f32;
     var phi_6890_: f32;
+    var phi_6895_: f32;
     var phi_6900_: f32;
-    var phi_7103_: f32;
-    var phi_7110_: f32;
-    var phi_7115_: f32;
-    var phi_7122_: f32;
-    var phi_7127_: f32;
-    var phi_7140_: f32;
-    var phi_7147_: f32;
-    var phi_7152_: f32;
-    var phi_7159_: f32;
-    var phi_7164_: f32;
+    var phi_6910_: f32;
+    var phi_7113_: f32;
+    var phi_7120_: f32;
+    var phi_7125_: f32;
+    var phi_7132_: f32;
+    var phi_7137_: f32;
+    var phi_7150_: f32;
+    var phi_7157_: f32;
+    var phi_7162_: f32;
     var phi_7169_: f32;
-    var phi_7186_: f32;
-    var phi_7193_: f32;
-    var phi_7198_: f32;
-    var phi_7205_: f32;
-    var phi_7210_: f32;
-    var phi_7224_: f32;
-    var phi_7231_: f32;
-    var phi_7236_: f32;
-    var phi_7243_: f32;
-    var phi_7248_: f32;
+    var phi_7174_: f32;
+    var phi_7179_: f32;
+    var phi_7196_: f32;
+    var phi_7203_: f32;
+    var phi_7208_: f32;
+    var phi_7215_: f32;
+    var phi_7220_: f32;
+    var phi_7234_: f32;
+    var phi_7241_: f32;
+    var phi_7246_: f32;
     var phi_7253_: f32;
-    var phi_7270_: f32;
-    var phi_7277_: f32;
-    var phi_7282_: f32;
-    var phi_7289_: f32;
-    var phi_7294_: f32;
-    var phi_7308_: f32;
-    var phi_7315_: f32;
-    var phi_7320_: f32;
-    var phi_7327_: f32;
-    var phi_7332_: f32;
+    var phi_7258_: f32;
+    var phi_7263_: f32;
+    var phi_7280_: f32;
+    var phi_7287_: f32;
+    var phi_7292_: f32;
+    var phi_7299_: f32;
+    var phi_7304_: f32;
+    var phi_7318_: f32;
+    var phi_7325_: f32;
+    var phi_7330_: f32;
     var phi_7337_: f32;
-    var phi_7415_: f32;
-    var phi_7420_: f32;
-    var phi_7425_: f32;
-    var phi_7430_: f32;
-    var phi_7435_: f32;
-    var phi_7440_: f32;
-    var phi_7445_: f32;
-    var phi_7450_: f32;
-    var phi_7455_: f32;
-    var phi_7460_: f32;
-    var phi_7465_: f32;
-    var phi_7470_: f32;
-    var phi_7475_: f32;
-    var phi_7480_: f32;
+    var phi_7342_: f32;
+    var phi_7347_: f32;
+    var phi_7426_: f32;
+    var phi_7431_: f32;
+    var phi_7436_: f32;
+    var phi_7441_: f32;
+    var phi_7446_: f32;
+    var phi_7451_: f32;
+    var phi_7456_: f32;
+    var phi_7461_: f32;
+    var phi_7466_: f32;
+    var phi_7471_: f32;
+    var phi_7476_: f32;
+    var phi_7481_: f32;
     var phi_7486_: f32;
-    var phi_7492_: f32;
-    var phi_7499_: f32;
-    var phi_7509_: f32;
-    var phi_7580_: f32;
-    var phi_7585_: f32;
-    var phi_7590_: f32;
-    var phi_7595_: f32;
-    var phi_7600_: f32;
-    var phi_7605_: f32;
-    var phi_7610_: f32;
-    var phi_7615_: f32;
-    var phi_7620_: f32;
-    var phi_7625_: f32;
-    var phi_7630_: f32;
-    var phi_7635_: f32;
-    var phi_7640_: f32;
-    var phi_7645_: f32;
-    var phi_7651_: f32;
+    var phi_7491_: f32;
+    var phi_7497_: f32;
+    var phi_7503_: f32;
+    var phi_7510_: f32;
+    var phi_7521_: f32;
+    var phi_7592_: f32;
+    var phi_7597_: f32;
+    var phi_7602_: f32;
+    var phi_7607_: f32;
+    var phi_7612_: f32;
+    var phi_7617_: f32;
+    var phi_7622_: f32;
+    var phi_7627_: f32;
+    var phi_7632_: f32;
+    var phi_7637_: f32;
+    var phi_7642_: f32;
+    var phi_7647_: f32;
+    var phi_7652_: f32;
     var phi_7657_: f32;
-    var phi_7664_: f32;
-    var phi_7674_: f32;
-    var phi_7684_: f32;
-    var phi_7757_: f32;
-    var phi_7762_: f32;
-    var phi_7767_: f32;
-    var phi_7772_: f32;
-    var phi_7777_: f32;
-    var phi_7782_: f32;
-    var phi_7787_: f32;
-    var phi_7792_: f32;
-    var phi_7797_: f32;
-    var phi_7802_: f32;
-    var phi_7807_: f32;
-    var phi_7812_: f32;
-    var phi_7817_: f32;
-    var phi_7822_: f32;
-    var phi_7828_: f32;
-    var phi_7834_: f32;
+    var phi_7663_: f32;
+    var phi_7669_: f32;
+    var phi_7676_: f32;
+    var phi_7687_: f32;
+    var phi_7697_: f32;
+    var phi_7770_: f32;
+    var phi_7775_: f32;
+    var phi_7780_: f32;
+    var phi_7785_: f32;
+    var phi_7790_: f32;
+    var phi_7795_: f32;
+    var phi_7800_: f32;
+    var phi_7805_: f32;
+    var phi_7810_: f32;
+    var phi_7815_: f32;
+    var phi_7820_: f32;
+    var phi_7825_: f32;
+    var phi_7830_: f32;
+    var phi_7835_: f32;
     var phi_7841_: f32;
-    var phi_7851_: f32;
-    var phi_7861_: f32;
-    var phi_7864_: bool;
-    var phi_7865_: bool;
-    var phi_7867_: bool;
-    var phi_7877_: bool;
-    var phi_7878_: bool;
-    var phi_7928_: type_9;
-    var phi_7929_: type_9;
-    var phi_7952_: type_9;
-    var phi_7975_: u32;
-    var phi_8049_: bool;
-    var phi_8050_: bool;
+    var phi_7847_: f32;
+    var phi_7854_: f32;
+    var phi_7865_: f32;
+    var phi_7875_: f32;
+    var phi_7879_: bool;
+    var phi_7881_: bool;
+    var phi_7883_: bool;
+    var phi_7894_: bool;
+    var phi_7895_: bool;
+    var phi_7945_: type_9;
+    var phi_7946_: type_9;
+    var phi_7969_: type_9;
+    var phi_7992_: u32;
+    var phi_8066_: bool;
+    var phi_8067_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1049,8 +1049,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_943_ = type_9(0u, 32u);
-            let _e4925 = local_3;
-            phi_946_ = _e4925;
+            let _e4942 = local_3;
+            phi_946_ = _e4942;
             loop {
                 let _e472 = phi_943_;
                 let _e474 = phi_946_;
@@ -1383,7 +1383,7 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 if (bitcast<i32>(_e987.member) != 0i) {
                     let _e993 = (_e67 + (_e987.member_1 * 128u));
                     if (_e993 >= _e971) {
-                        phi_7877_ = false;
+                        phi_7894_ = false;
                     } else {
                         let _e996 = hits[_e993];
                         let _e999 = ((_e996 >> bitcast<u32>(10i)) & 3u);
@@ -2005,8 +2005,9 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 phi_3497_ = _e1957;
                             }
                             let _e1960 = phi_3497_;
-                            if ((_e1960 - ((((((_e1736 * 8f) * _e1846) * (0.000000059604645f * (490f / 64f))) + ((_e1853 * 19f) * ((_e1736 * (_e1790 + _e1844)) + (_e1790 * _e1844)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1736) * ((1f + _e1790) * (1f + _e1844))))) + ((_e1450 * (((_e1915 + (_e1846 * (0.000000059604645f * 4f))) + ((_e1920 * 6f) * (_e1790 + _e1844))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1790) * (1f + _e1844))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4461_ = true;
+                            let _e1962 = ((_e1960 - ((((((_e1736 * 8f) * _e1846) * (0.000000059604645f * (524f / 64f))) + ((_e1853 * 19f) * ((_e1736 * (_e1790 + _e1844)) + (_e1790 * _e1844)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1736) * ((1f + _e1790) * (1f + _e1844))))) + ((_e1450 * (((_e1915 + (_e1846 * (0.000000059604645f * 8f))) + ((_e1920 * 6f) * (_e1790 + _e1844))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1790) * (1f + _e1844))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1962 {
+                                phi_4466_ = _e1962;
                             } else {
                                 let _e1965 = local_2.member_1[0u];
                                 let _e1971 = local_2.member_1[1u];
@@ -2246,2481 +2247,2483 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 }
                                 let _e2208 = phi_3934_;
                                 let _e2210 = local_2.member_3;
-                                let _e2213 = (((_e2100 + _e2102) + (_e2154 + _e2156)) + (_e2208 + _e2210));
-                                let _e2216 = local_2.member_3;
-                                let _e2220 = (((_e1450 * 1.0001f) + (_e2216 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2223 = ((_e1998 * _e1977) - (_e2001 * _e1976));
-                                let _e2226 = ((_e2001 * _e1975) - (_e1995 * _e1977));
-                                let _e2229 = ((_e1995 * _e1976) - (_e1998 * _e1975));
-                                let _e2234 = (((_e2223 * _e2004[0]) + (_e2226 * _e2004[1])) + (_e2229 * _e2004[2]));
-                                let _e2239 = (((_e2223 * _e2020) + (_e2226 * _e2021)) + (_e2229 * _e2022));
-                                let _e2244 = (((_e2223 * _e2023) + (_e2226 * _e2024)) + (_e2229 * _e2025));
-                                let _e2249 = (((_e2223 * _e2004[0]) + (_e2226 * _e2004[1])) + (_e2229 * _e2004[2]));
-                                let _e2254 = (((_e2223 * _e2028[0]) + (_e2226 * _e2028[1])) + (_e2229 * _e2028[2]));
-                                let _e2259 = (((_e2223 * _e2044) + (_e2226 * _e2045)) + (_e2229 * _e2046));
-                                let _e2264 = (((_e2223 * _e2047) + (_e2226 * _e2048)) + (_e2229 * _e2049));
-                                let _e2269 = (((_e2223 * _e2028[0]) + (_e2226 * _e2028[1])) + (_e2229 * _e2028[2]));
-                                if (_e2234 < _e2239) {
-                                    phi_4012_ = _e2234;
+                                let _e2214 = ((((_e2100 + _e2102) + (_e2154 + _e2156)) + (_e2208 + _e2210)) * 2f);
+                                let _e2217 = local_2.member_3;
+                                let _e2221 = (((_e1450 * 1.0001f) + (_e2217 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2224 = ((_e1998 * _e1977) - (_e2001 * _e1976));
+                                let _e2227 = ((_e2001 * _e1975) - (_e1995 * _e1977));
+                                let _e2230 = ((_e1995 * _e1976) - (_e1998 * _e1975));
+                                let _e2235 = (((_e2224 * _e2004[0]) + (_e2227 * _e2004[1])) + (_e2230 * _e2004[2]));
+                                let _e2240 = (((_e2224 * _e2020) + (_e2227 * _e2021)) + (_e2230 * _e2022));
+                                let _e2245 = (((_e2224 * _e2023) + (_e2227 * _e2024)) + (_e2230 * _e2025));
+                                let _e2250 = (((_e2224 * _e2004[0]) + (_e2227 * _e2004[1])) + (_e2230 * _e2004[2]));
+                                let _e2255 = (((_e2224 * _e2028[0]) + (_e2227 * _e2028[1])) + (_e2230 * _e2028[2]));
+                                let _e2260 = (((_e2224 * _e2044) + (_e2227 * _e2045)) + (_e2230 * _e2046));
+                                let _e2265 = (((_e2224 * _e2047) + (_e2227 * _e2048)) + (_e2230 * _e2049));
+                                let _e2270 = (((_e2224 * _e2028[0]) + (_e2227 * _e2028[1])) + (_e2230 * _e2028[2]));
+                                if (_e2235 < _e2240) {
+                                    phi_4013_ = _e2235;
                                 } else {
-                                    phi_4012_ = _e2239;
+                                    phi_4013_ = _e2240;
                                 }
-                                let _e2272 = phi_4012_;
-                                if (_e2244 < _e2249) {
-                                    phi_4017_ = _e2244;
+                                let _e2273 = phi_4013_;
+                                if (_e2245 < _e2250) {
+                                    phi_4018_ = _e2245;
                                 } else {
-                                    phi_4017_ = _e2249;
+                                    phi_4018_ = _e2250;
                                 }
-                                let _e2275 = phi_4017_;
-                                if (_e2272 < _e2275) {
-                                    phi_4022_ = _e2272;
+                                let _e2276 = phi_4018_;
+                                if (_e2273 < _e2276) {
+                                    phi_4023_ = _e2273;
                                 } else {
-                                    phi_4022_ = _e2275;
+                                    phi_4023_ = _e2276;
                                 }
-                                let _e2278 = phi_4022_;
-                                if (_e2254 < _e2259) {
-                                    phi_4027_ = _e2254;
+                                let _e2279 = phi_4023_;
+                                if (_e2255 < _e2260) {
+                                    phi_4028_ = _e2255;
                                 } else {
-                                    phi_4027_ = _e2259;
+                                    phi_4028_ = _e2260;
                                 }
-                                let _e2281 = phi_4027_;
-                                if (_e2264 < _e2269) {
-                                    phi_4032_ = _e2264;
+                                let _e2282 = phi_4028_;
+                                if (_e2265 < _e2270) {
+                                    phi_4033_ = _e2265;
                                 } else {
-                                    phi_4032_ = _e2269;
+                                    phi_4033_ = _e2270;
                                 }
-                                let _e2284 = phi_4032_;
-                                if (_e2281 < _e2284) {
-                                    phi_4037_ = _e2281;
+                                let _e2285 = phi_4033_;
+                                if (_e2282 < _e2285) {
+                                    phi_4038_ = _e2282;
                                 } else {
-                                    phi_4037_ = _e2284;
+                                    phi_4038_ = _e2285;
                                 }
-                                let _e2287 = phi_4037_;
-                                if (_e2278 < _e2287) {
-                                    phi_4042_ = _e2278;
+                                let _e2288 = phi_4038_;
+                                if (_e2279 < _e2288) {
+                                    phi_4043_ = _e2279;
                                 } else {
-                                    phi_4042_ = _e2287;
+                                    phi_4043_ = _e2288;
                                 }
-                                let _e2290 = phi_4042_;
-                                if (_e2234 > _e2239) {
-                                    phi_4047_ = _e2234;
+                                let _e2291 = phi_4043_;
+                                if (_e2235 > _e2240) {
+                                    phi_4048_ = _e2235;
                                 } else {
-                                    phi_4047_ = _e2239;
+                                    phi_4048_ = _e2240;
                                 }
-                                let _e2293 = phi_4047_;
-                                if (_e2244 > _e2249) {
-                                    phi_4052_ = _e2244;
+                                let _e2294 = phi_4048_;
+                                if (_e2245 > _e2250) {
+                                    phi_4053_ = _e2245;
                                 } else {
-                                    phi_4052_ = _e2249;
+                                    phi_4053_ = _e2250;
                                 }
-                                let _e2296 = phi_4052_;
-                                if (_e2293 > _e2296) {
-                                    phi_4057_ = _e2293;
+                                let _e2297 = phi_4053_;
+                                if (_e2294 > _e2297) {
+                                    phi_4058_ = _e2294;
                                 } else {
-                                    phi_4057_ = _e2296;
+                                    phi_4058_ = _e2297;
                                 }
-                                let _e2299 = phi_4057_;
-                                if (_e2254 > _e2259) {
-                                    phi_4062_ = _e2254;
+                                let _e2300 = phi_4058_;
+                                if (_e2255 > _e2260) {
+                                    phi_4063_ = _e2255;
                                 } else {
-                                    phi_4062_ = _e2259;
+                                    phi_4063_ = _e2260;
                                 }
-                                let _e2302 = phi_4062_;
-                                if (_e2264 > _e2269) {
-                                    phi_4067_ = _e2264;
+                                let _e2303 = phi_4063_;
+                                if (_e2265 > _e2270) {
+                                    phi_4068_ = _e2265;
                                 } else {
-                                    phi_4067_ = _e2269;
+                                    phi_4068_ = _e2270;
                                 }
-                                let _e2305 = phi_4067_;
-                                if (_e2302 > _e2305) {
-                                    phi_4072_ = _e2302;
+                                let _e2306 = phi_4068_;
+                                if (_e2303 > _e2306) {
+                                    phi_4073_ = _e2303;
                                 } else {
-                                    phi_4072_ = _e2305;
+                                    phi_4073_ = _e2306;
                                 }
-                                let _e2308 = phi_4072_;
-                                if (_e2299 > _e2308) {
-                                    phi_4077_ = _e2299;
+                                let _e2309 = phi_4073_;
+                                if (_e2300 > _e2309) {
+                                    phi_4078_ = _e2300;
                                 } else {
-                                    phi_4077_ = _e2308;
+                                    phi_4078_ = _e2309;
                                 }
-                                let _e2311 = phi_4077_;
-                                if (_e2223 < 0f) {
-                                    phi_4083_ = -(_e2223);
+                                let _e2312 = phi_4078_;
+                                if (_e2224 < 0f) {
+                                    phi_4084_ = -(_e2224);
                                 } else {
-                                    phi_4083_ = _e2223;
+                                    phi_4084_ = _e2224;
                                 }
-                                let _e2315 = phi_4083_;
-                                if (_e2226 < 0f) {
-                                    phi_4089_ = -(_e2226);
+                                let _e2316 = phi_4084_;
+                                if (_e2227 < 0f) {
+                                    phi_4090_ = -(_e2227);
                                 } else {
-                                    phi_4089_ = _e2226;
+                                    phi_4090_ = _e2227;
                                 }
-                                let _e2319 = phi_4089_;
-                                if (_e2229 < 0f) {
-                                    phi_4096_ = -(_e2229);
+                                let _e2320 = phi_4090_;
+                                if (_e2230 < 0f) {
+                                    phi_4097_ = -(_e2230);
                                 } else {
-                                    phi_4096_ = _e2229;
+                                    phi_4097_ = _e2230;
                                 }
-                                let _e2324 = phi_4096_;
-                                let _e2325 = ((_e2315 + _e2319) + _e2324);
-                                let _e2329 = -(_e2311);
-                                if (_e2290 > _e2329) {
-                                    phi_4106_ = _e2290;
+                                let _e2325 = phi_4097_;
+                                let _e2326 = ((_e2316 + _e2320) + _e2325);
+                                let _e2331 = -(_e2312);
+                                if (_e2291 > _e2331) {
+                                    phi_4108_ = _e2291;
                                 } else {
-                                    phi_4106_ = _e2329;
+                                    phi_4108_ = _e2331;
                                 }
-                                let _e2332 = phi_4106_;
-                                let _e2337 = (((_e2332 - ((_e2325 * _e2213) * (0.000000059604645f * 17f))) - (_e2325 * _e2220)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2340 = ((_e1998 * _e1992) - (_e2001 * _e1991));
-                                let _e2343 = ((_e2001 * _e1990) - (_e1995 * _e1992));
-                                let _e2346 = ((_e1995 * _e1991) - (_e1998 * _e1990));
-                                let _e2351 = (((_e2340 * _e2004[0]) + (_e2343 * _e2004[1])) + (_e2346 * _e2004[2]));
-                                let _e2356 = (((_e2340 * _e2020) + (_e2343 * _e2021)) + (_e2346 * _e2022));
-                                let _e2361 = (((_e2340 * _e2023) + (_e2343 * _e2024)) + (_e2346 * _e2025));
-                                let _e2366 = (((_e2340 * _e2004[0]) + (_e2343 * _e2004[1])) + (_e2346 * _e2004[2]));
-                                let _e2371 = (((_e2340 * _e2028[0]) + (_e2343 * _e2028[1])) + (_e2346 * _e2028[2]));
-                                let _e2376 = (((_e2340 * _e2044) + (_e2343 * _e2045)) + (_e2346 * _e2046));
-                                let _e2381 = (((_e2340 * _e2047) + (_e2343 * _e2048)) + (_e2346 * _e2049));
-                                let _e2386 = (((_e2340 * _e2028[0]) + (_e2343 * _e2028[1])) + (_e2346 * _e2028[2]));
-                                if (_e2351 < _e2356) {
-                                    phi_4177_ = _e2351;
+                                let _e2334 = phi_4108_;
+                                let _e2339 = (((_e2334 - ((_e2326 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2326 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2342 = ((_e1998 * _e1992) - (_e2001 * _e1991));
+                                let _e2345 = ((_e2001 * _e1990) - (_e1995 * _e1992));
+                                let _e2348 = ((_e1995 * _e1991) - (_e1998 * _e1990));
+                                let _e2353 = (((_e2342 * _e2004[0]) + (_e2345 * _e2004[1])) + (_e2348 * _e2004[2]));
+                                let _e2358 = (((_e2342 * _e2020) + (_e2345 * _e2021)) + (_e2348 * _e2022));
+                                let _e2363 = (((_e2342 * _e2023) + (_e2345 * _e2024)) + (_e2348 * _e2025));
+                                let _e2368 = (((_e2342 * _e2004[0]) + (_e2345 * _e2004[1])) + (_e2348 * _e2004[2]));
+                                let _e2373 = (((_e2342 * _e2028[0]) + (_e2345 * _e2028[1])) + (_e2348 * _e2028[2]));
+                                let _e2378 = (((_e2342 * _e2044) + (_e2345 * _e2045)) + (_e2348 * _e2046));
+                                let _e2383 = (((_e2342 * _e2047) + (_e2345 * _e2048)) + (_e2348 * _e2049));
+                                let _e2388 = (((_e2342 * _e2028[0]) + (_e2345 * _e2028[1])) + (_e2348 * _e2028[2]));
+                                if (_e2353 < _e2358) {
+                                    phi_4179_ = _e2353;
                                 } else {
-                                    phi_4177_ = _e2356;
+                                    phi_4179_ = _e2358;
                                 }
-                                let _e2389 = phi_4177_;
-                                if (_e2361 < _e2366) {
-                                    phi_4182_ = _e2361;
+                                let _e2391 = phi_4179_;
+                                if (_e2363 < _e2368) {
+                                    phi_4184_ = _e2363;
                                 } else {
-                                    phi_4182_ = _e2366;
+                                    phi_4184_ = _e2368;
                                 }
-                                let _e2392 = phi_4182_;
-                                if (_e2389 < _e2392) {
-                                    phi_4187_ = _e2389;
+                                let _e2394 = phi_4184_;
+                                if (_e2391 < _e2394) {
+                                    phi_4189_ = _e2391;
                                 } else {
-                                    phi_4187_ = _e2392;
+                                    phi_4189_ = _e2394;
                                 }
-                                let _e2395 = phi_4187_;
-                                if (_e2371 < _e2376) {
-                                    phi_4192_ = _e2371;
+                                let _e2397 = phi_4189_;
+                                if (_e2373 < _e2378) {
+                                    phi_4194_ = _e2373;
                                 } else {
-                                    phi_4192_ = _e2376;
+                                    phi_4194_ = _e2378;
                                 }
-                                let _e2398 = phi_4192_;
-                                if (_e2381 < _e2386) {
-                                    phi_4197_ = _e2381;
+                                let _e2400 = phi_4194_;
+                                if (_e2383 < _e2388) {
+                                    phi_4199_ = _e2383;
                                 } else {
-                                    phi_4197_ = _e2386;
+                                    phi_4199_ = _e2388;
                                 }
-                                let _e2401 = phi_4197_;
-                                if (_e2398 < _e2401) {
-                                    phi_4202_ = _e2398;
+                                let _e2403 = phi_4199_;
+                                if (_e2400 < _e2403) {
+                                    phi_4204_ = _e2400;
                                 } else {
-                                    phi_4202_ = _e2401;
+                                    phi_4204_ = _e2403;
                                 }
-                                let _e2404 = phi_4202_;
-                                if (_e2395 < _e2404) {
-                                    phi_4207_ = _e2395;
+                                let _e2406 = phi_4204_;
+                                if (_e2397 < _e2406) {
+                                    phi_4209_ = _e2397;
                                 } else {
-                                    phi_4207_ = _e2404;
+                                    phi_4209_ = _e2406;
                                 }
-                                let _e2407 = phi_4207_;
-                                if (_e2351 > _e2356) {
-                                    phi_4212_ = _e2351;
+                                let _e2409 = phi_4209_;
+                                if (_e2353 > _e2358) {
+                                    phi_4214_ = _e2353;
                                 } else {
-                                    phi_4212_ = _e2356;
+                                    phi_4214_ = _e2358;
                                 }
-                                let _e2410 = phi_4212_;
-                                if (_e2361 > _e2366) {
-                                    phi_4217_ = _e2361;
+                                let _e2412 = phi_4214_;
+                                if (_e2363 > _e2368) {
+                                    phi_4219_ = _e2363;
                                 } else {
-                                    phi_4217_ = _e2366;
+                                    phi_4219_ = _e2368;
                                 }
-                                let _e2413 = phi_4217_;
-                                if (_e2410 > _e2413) {
-                                    phi_4222_ = _e2410;
+                                let _e2415 = phi_4219_;
+                                if (_e2412 > _e2415) {
+                                    phi_4224_ = _e2412;
                                 } else {
-                                    phi_4222_ = _e2413;
+                                    phi_4224_ = _e2415;
                                 }
-                                let _e2416 = phi_4222_;
-                                if (_e2371 > _e2376) {
-                                    phi_4227_ = _e2371;
+                                let _e2418 = phi_4224_;
+                                if (_e2373 > _e2378) {
+                                    phi_4229_ = _e2373;
                                 } else {
-                                    phi_4227_ = _e2376;
+                                    phi_4229_ = _e2378;
                                 }
-                                let _e2419 = phi_4227_;
-                                if (_e2381 > _e2386) {
-                                    phi_4232_ = _e2381;
+                                let _e2421 = phi_4229_;
+                                if (_e2383 > _e2388) {
+                                    phi_4234_ = _e2383;
                                 } else {
-                                    phi_4232_ = _e2386;
+                                    phi_4234_ = _e2388;
                                 }
-                                let _e2422 = phi_4232_;
-                                if (_e2419 > _e2422) {
-                                    phi_4237_ = _e2419;
+                                let _e2424 = phi_4234_;
+                                if (_e2421 > _e2424) {
+                                    phi_4239_ = _e2421;
                                 } else {
-                                    phi_4237_ = _e2422;
+                                    phi_4239_ = _e2424;
                                 }
-                                let _e2425 = phi_4237_;
-                                if (_e2416 > _e2425) {
-                                    phi_4242_ = _e2416;
+                                let _e2427 = phi_4239_;
+                                if (_e2418 > _e2427) {
+                                    phi_4244_ = _e2418;
                                 } else {
-                                    phi_4242_ = _e2425;
+                                    phi_4244_ = _e2427;
                                 }
-                                let _e2428 = phi_4242_;
-                                if (_e2340 < 0f) {
-                                    phi_4248_ = -(_e2340);
+                                let _e2430 = phi_4244_;
+                                if (_e2342 < 0f) {
+                                    phi_4250_ = -(_e2342);
                                 } else {
-                                    phi_4248_ = _e2340;
+                                    phi_4250_ = _e2342;
                                 }
-                                let _e2432 = phi_4248_;
-                                if (_e2343 < 0f) {
-                                    phi_4254_ = -(_e2343);
+                                let _e2434 = phi_4250_;
+                                if (_e2345 < 0f) {
+                                    phi_4256_ = -(_e2345);
                                 } else {
-                                    phi_4254_ = _e2343;
+                                    phi_4256_ = _e2345;
                                 }
-                                let _e2436 = phi_4254_;
-                                if (_e2346 < 0f) {
-                                    phi_4261_ = -(_e2346);
+                                let _e2438 = phi_4256_;
+                                if (_e2348 < 0f) {
+                                    phi_4263_ = -(_e2348);
                                 } else {
-                                    phi_4261_ = _e2346;
+                                    phi_4263_ = _e2348;
                                 }
-                                let _e2441 = phi_4261_;
-                                let _e2442 = ((_e2432 + _e2436) + _e2441);
-                                let _e2446 = -(_e2428);
-                                if (_e2407 > _e2446) {
-                                    phi_4271_ = _e2407;
+                                let _e2443 = phi_4263_;
+                                let _e2444 = ((_e2434 + _e2438) + _e2443);
+                                let _e2449 = -(_e2430);
+                                if (_e2409 > _e2449) {
+                                    phi_4274_ = _e2409;
                                 } else {
-                                    phi_4271_ = _e2446;
+                                    phi_4274_ = _e2449;
                                 }
-                                let _e2449 = phi_4271_;
-                                let _e2454 = (((_e2449 - ((_e2442 * _e2213) * (0.000000059604645f * 17f))) - (_e2442 * _e2220)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2337 > _e2454) {
-                                    phi_4281_ = _e2337;
+                                let _e2452 = phi_4274_;
+                                let _e2457 = (((_e2452 - ((_e2444 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2444 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2339 > _e2457) {
+                                    phi_4284_ = _e2339;
                                 } else {
-                                    phi_4281_ = _e2454;
+                                    phi_4284_ = _e2457;
                                 }
-                                let _e2457 = phi_4281_;
-                                let _e2458 = (_e1990 - _e1975);
-                                let _e2459 = (_e1991 - _e1976);
-                                let _e2460 = (_e1992 - _e1977);
-                                let _e2463 = ((_e1998 * _e2460) - (_e2001 * _e2459));
-                                let _e2466 = ((_e2001 * _e2458) - (_e1995 * _e2460));
-                                let _e2469 = ((_e1995 * _e2459) - (_e1998 * _e2458));
-                                let _e2474 = (((_e2463 * _e2004[0]) + (_e2466 * _e2004[1])) + (_e2469 * _e2004[2]));
-                                let _e2479 = (((_e2463 * _e2020) + (_e2466 * _e2021)) + (_e2469 * _e2022));
-                                let _e2484 = (((_e2463 * _e2023) + (_e2466 * _e2024)) + (_e2469 * _e2025));
-                                let _e2489 = (((_e2463 * _e2004[0]) + (_e2466 * _e2004[1])) + (_e2469 * _e2004[2]));
-                                let _e2494 = (((_e2463 * _e2028[0]) + (_e2466 * _e2028[1])) + (_e2469 * _e2028[2]));
-                                let _e2499 = (((_e2463 * _e2044) + (_e2466 * _e2045)) + (_e2469 * _e2046));
-                                let _e2504 = (((_e2463 * _e2047) + (_e2466 * _e2048)) + (_e2469 * _e2049));
-                                let _e2509 = (((_e2463 * _e2028[0]) + (_e2466 * _e2028[1])) + (_e2469 * _e2028[2]));
-                                if (_e2474 < _e2479) {
-                                    phi_4354_ = _e2474;
+                                let _e2460 = phi_4284_;
+                                let _e2461 = (_e1990 - _e1975);
+                                let _e2462 = (_e1991 - _e1976);
+                                let _e2463 = (_e1992 - _e1977);
+                                let _e2466 = ((_e1998 * _e2463) - (_e2001 * _e2462));
+                                let _e2469 = ((_e2001 * _e2461) - (_e1995 * _e2463));
+                                let _e2472 = ((_e1995 * _e2462) - (_e1998 * _e2461));
+                                let _e2477 = (((_e2466 * _e2004[0]) + (_e2469 * _e2004[1])) + (_e2472 * _e2004[2]));
+                                let _e2482 = (((_e2466 * _e2020) + (_e2469 * _e2021)) + (_e2472 * _e2022));
+                                let _e2487 = (((_e2466 * _e2023) + (_e2469 * _e2024)) + (_e2472 * _e2025));
+                                let _e2492 = (((_e2466 * _e2004[0]) + (_e2469 * _e2004[1])) + (_e2472 * _e2004[2]));
+                                let _e2497 = (((_e2466 * _e2028[0]) + (_e2469 * _e2028[1])) + (_e2472 * _e2028[2]));
+                                let _e2502 = (((_e2466 * _e2044) + (_e2469 * _e2045)) + (_e2472 * _e2046));
+                                let _e2507 = (((_e2466 * _e2047) + (_e2469 * _e2048)) + (_e2472 * _e2049));
+                                let _e2512 = (((_e2466 * _e2028[0]) + (_e2469 * _e2028[1])) + (_e2472 * _e2028[2]));
+                                if (_e2477 < _e2482) {
+                                    phi_4357_ = _e2477;
                                 } else {
-                                    phi_4354_ = _e2479;
+                                    phi_4357_ = _e2482;
                                 }
-                                let _e2512 = phi_4354_;
-                                if (_e2484 < _e2489) {
-                                    phi_4359_ = _e2484;
+                                let _e2515 = phi_4357_;
+                                if (_e2487 < _e2492) {
+                                    phi_4362_ = _e2487;
                                 } else {
-                                    phi_4359_ = _e2489;
+                                    phi_4362_ = _e2492;
                                 }
-                                let _e2515 = phi_4359_;
-                                if (_e2512 < _e2515) {
-                                    phi_4364_ = _e2512;
+                                let _e2518 = phi_4362_;
+                                if (_e2515 < _e2518) {
+                                    phi_4367_ = _e2515;
                                 } else {
-                                    phi_4364_ = _e2515;
+                                    phi_4367_ = _e2518;
                                 }
-                                let _e2518 = phi_4364_;
-                                if (_e2494 < _e2499) {
-                                    phi_4369_ = _e2494;
+                                let _e2521 = phi_4367_;
+                                if (_e2497 < _e2502) {
+                                    phi_4372_ = _e2497;
                                 } else {
-                                    phi_4369_ = _e2499;
+                                    phi_4372_ = _e2502;
                                 }
-                                let _e2521 = phi_4369_;
-                                if (_e2504 < _e2509) {
-                                    phi_4374_ = _e2504;
+                                let _e2524 = phi_4372_;
+                                if (_e2507 < _e2512) {
+                                    phi_4377_ = _e2507;
                                 } else {
-                                    phi_4374_ = _e2509;
+                                    phi_4377_ = _e2512;
                                 }
-                                let _e2524 = phi_4374_;
-                                if (_e2521 < _e2524) {
-                                    phi_4379_ = _e2521;
+                                let _e2527 = phi_4377_;
+                                if (_e2524 < _e2527) {
+                                    phi_4382_ = _e2524;
                                 } else {
-                                    phi_4379_ = _e2524;
+                                    phi_4382_ = _e2527;
                                 }
-                                let _e2527 = phi_4379_;
-                                if (_e2518 < _e2527) {
-                                    phi_4384_ = _e2518;
+                                let _e2530 = phi_4382_;
+                                if (_e2521 < _e2530) {
+                                    phi_4387_ = _e2521;
                                 } else {
-                                    phi_4384_ = _e2527;
+                                    phi_4387_ = _e2530;
                                 }
-                                let _e2530 = phi_4384_;
-                                if (_e2474 > _e2479) {
-                                    phi_4389_ = _e2474;
+                                let _e2533 = phi_4387_;
+                                if (_e2477 > _e2482) {
+                                    phi_4392_ = _e2477;
                                 } else {
-                                    phi_4389_ = _e2479;
+                                    phi_4392_ = _e2482;
                                 }
-                                let _e2533 = phi_4389_;
-                                if (_e2484 > _e2489) {
-                                    phi_4394_ = _e2484;
+                                let _e2536 = phi_4392_;
+                                if (_e2487 > _e2492) {
+                                    phi_4397_ = _e2487;
                                 } else {
-                                    phi_4394_ = _e2489;
+                                    phi_4397_ = _e2492;
                                 }
-                                let _e2536 = phi_4394_;
-                                if (_e2533 > _e2536) {
-                                    phi_4399_ = _e2533;
+                                let _e2539 = phi_4397_;
+                                if (_e2536 > _e2539) {
+                                    phi_4402_ = _e2536;
                                 } else {
-                                    phi_4399_ = _e2536;
+                                    phi_4402_ = _e2539;
                                 }
-                                let _e2539 = phi_4399_;
-                                if (_e2494 > _e2499) {
-                                    phi_4404_ = _e2494;
+                                let _e2542 = phi_4402_;
+                                if (_e2497 > _e2502) {
+                                    phi_4407_ = _e2497;
                                 } else {
-                                    phi_4404_ = _e2499;
+                                    phi_4407_ = _e2502;
                                 }
-                                let _e2542 = phi_4404_;
-                                if (_e2504 > _e2509) {
-                                    phi_4409_ = _e2504;
+                                let _e2545 = phi_4407_;
+                                if (_e2507 > _e2512) {
+                                    phi_4412_ = _e2507;
                                 } else {
-                                    phi_4409_ = _e2509;
+                                    phi_4412_ = _e2512;
                                 }
-                                let _e2545 = phi_4409_;
-                                if (_e2542 > _e2545) {
-                                    phi_4414_ = _e2542;
+                                let _e2548 = phi_4412_;
+                                if (_e2545 > _e2548) {
+                                    phi_4417_ = _e2545;
                                 } else {
-                                    phi_4414_ = _e2545;
+                                    phi_4417_ = _e2548;
                                 }
-                                let _e2548 = phi_4414_;
-                                if (_e2539 > _e2548) {
-                                    phi_4419_ = _e2539;
+                                let _e2551 = phi_4417_;
+                                if (_e2542 > _e2551) {
+                                    phi_4422_ = _e2542;
                                 } else {
-                                    phi_4419_ = _e2548;
+                                    phi_4422_ = _e2551;
                                 }
-                                let _e2551 = phi_4419_;
-                                if (_e2463 < 0f) {
-                                    phi_4425_ = -(_e2463);
-                                } else {
-                                    phi_4425_ = _e2463;
-                                }
-                                let _e2555 = phi_4425_;
+                                let _e2554 = phi_4422_;
                                 if (_e2466 < 0f) {
-                                    phi_4431_ = -(_e2466);
+                                    phi_4428_ = -(_e2466);
                                 } else {
-                                    phi_4431_ = _e2466;
+                                    phi_4428_ = _e2466;
                                 }
-                                let _e2559 = phi_4431_;
+                                let _e2558 = phi_4428_;
                                 if (_e2469 < 0f) {
-                                    phi_4438_ = -(_e2469);
+                                    phi_4434_ = -(_e2469);
                                 } else {
-                                    phi_4438_ = _e2469;
+                                    phi_4434_ = _e2469;
                                 }
-                                let _e2564 = phi_4438_;
-                                let _e2565 = ((_e2555 + _e2559) + _e2564);
-                                let _e2569 = -(_e2551);
-                                if (_e2530 > _e2569) {
-                                    phi_4448_ = _e2530;
+                                let _e2562 = phi_4434_;
+                                if (_e2472 < 0f) {
+                                    phi_4441_ = -(_e2472);
                                 } else {
-                                    phi_4448_ = _e2569;
+                                    phi_4441_ = _e2472;
                                 }
-                                let _e2572 = phi_4448_;
-                                let _e2577 = (((_e2572 - ((_e2565 * _e2213) * (0.000000059604645f * 17f))) - (_e2565 * _e2220)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2457 > _e2577) {
-                                    phi_4458_ = _e2457;
+                                let _e2567 = phi_4441_;
+                                let _e2568 = ((_e2558 + _e2562) + _e2567);
+                                let _e2573 = -(_e2554);
+                                if (_e2533 > _e2573) {
+                                    phi_4452_ = _e2533;
                                 } else {
-                                    phi_4458_ = _e2577;
+                                    phi_4452_ = _e2573;
                                 }
-                                let _e2580 = phi_4458_;
-                                phi_4461_ = (_e2580 > 0f);
+                                let _e2576 = phi_4452_;
+                                let _e2581 = (((_e2576 - ((_e2568 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2568 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2460 > _e2581) {
+                                    phi_4462_ = _e2460;
+                                } else {
+                                    phi_4462_ = _e2581;
+                                }
+                                let _e2584 = phi_4462_;
+                                phi_4466_ = (_e1962 || (_e2584 > 0f));
                             }
-                            let _e2583 = phi_4461_;
-                            if _e2583 {
-                                phi_7867_ = false;
+                            let _e2588 = phi_4466_;
+                            if _e2588 {
+                                phi_7883_ = _e2588;
                             } else {
-                                let _e2586 = local_2.member[0u];
-                                let _e2592 = local_2.member[1u];
-                                let _e2599 = ((_e2586[0] + _e2592[0]) * 0.5f);
-                                let _e2600 = ((_e2586[1] + _e2592[1]) * 0.5f);
-                                let _e2601 = ((_e2586[2] + _e2592[2]) * 0.5f);
-                                let _e2604 = local_2.member_1[0u];
-                                let _e2610 = local_2.member_1[1u];
-                                let _e2617 = ((_e2604[0] + _e2610[0]) * 0.5f);
-                                let _e2618 = ((_e2604[1] + _e2610[1]) * 0.5f);
-                                let _e2619 = ((_e2604[2] + _e2610[2]) * 0.5f);
-                                let _e2622 = local_2.member_2[0u];
-                                let _e2628 = local_2.member_2[1u];
-                                let _e2635 = ((_e2622[0] + _e2628[0]) * 0.5f);
-                                let _e2636 = ((_e2622[1] + _e2628[1]) * 0.5f);
-                                let _e2637 = ((_e2622[2] + _e2628[2]) * 0.5f);
-                                let _e2640 = local_2.member[0u];
-                                let _e2643 = local_2.member_1[0u];
-                                let _e2646 = local_2.member_2[0u];
-                                let _e2648 = local_2.member_3;
-                                let _e2651 = local_2.member[1u];
-                                let _e2654 = local_2.member_1[1u];
-                                let _e2657 = local_2.member_2[1u];
-                                let _e2659 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2640, array<f32, 3>(_e2599, _e2600, _e2601)), array<array<f32, 3>, 2>(_e2643, array<f32, 3>(_e2617, _e2618, _e2619)), array<array<f32, 3>, 2>(_e2646, array<f32, 3>(_e2635, _e2636, _e2637)), _e2648);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2599, _e2600, _e2601), _e2651), array<array<f32, 3>, 2>(array<f32, 3>(_e2617, _e2618, _e2619), _e2654), array<array<f32, 3>, 2>(array<f32, 3>(_e2635, _e2636, _e2637), _e2657), _e2659);
-                                let _e2676 = local.member_1[0u];
-                                let _e2682 = local.member_2[0u];
-                                let _e2688 = ((_e2676[1] * _e2682[2]) - (_e2676[2] * _e2682[1]));
-                                let _e2691 = ((_e2676[2] * _e2682[0]) - (_e2676[0] * _e2682[2]));
-                                let _e2694 = ((_e2676[0] * _e2682[1]) - (_e2676[1] * _e2682[0]));
-                                let _e2697 = local.member_1[1u];
-                                let _e2703 = local.member_2[1u];
-                                let _e2709 = ((_e2697[1] * _e2703[2]) - (_e2697[2] * _e2703[1]));
-                                let _e2712 = ((_e2697[2] * _e2703[0]) - (_e2697[0] * _e2703[2]));
-                                let _e2715 = ((_e2697[0] * _e2703[1]) - (_e2697[1] * _e2703[0]));
-                                let _e2718 = local.member_1[0u];
-                                let _e2724 = local.member_2[1u];
-                                let _e2739 = local.member_1[1u];
-                                let _e2745 = local.member_2[0u];
-                                let _e2758 = (((_e2718[1] * _e2724[2]) - (_e2718[2] * _e2724[1])) + ((_e2739[1] * _e2745[2]) - (_e2739[2] * _e2745[1])));
-                                let _e2759 = (((_e2718[2] * _e2724[0]) - (_e2718[0] * _e2724[2])) + ((_e2739[2] * _e2745[0]) - (_e2739[0] * _e2745[2])));
-                                let _e2760 = (((_e2718[0] * _e2724[1]) - (_e2718[1] * _e2724[0])) + ((_e2739[0] * _e2745[1]) - (_e2739[1] * _e2745[0])));
-                                let _e2763 = local.member[0u];
-                                let _e2774 = local.member[1u];
-                                let _e2785 = local.member[0u];
-                                let _e2794 = ((((_e2774[0] * _e2688) + (_e2774[1] * _e2691)) + (_e2774[2] * _e2694)) + (((_e2785[0] * _e2758) + (_e2785[1] * _e2759)) + (_e2785[2] * _e2760)));
-                                let _e2797 = local.member[0u];
-                                let _e2808 = local.member[1u];
-                                let _e2817 = ((((_e2797[0] * _e2709) + (_e2797[1] * _e2712)) + (_e2797[2] * _e2715)) + (((_e2808[0] * _e2758) + (_e2808[1] * _e2759)) + (_e2808[2] * _e2760)));
-                                let _e2820 = local.member[1u];
-                                let _e2831 = local.member[0u];
-                                if (_e2831[0] < 0f) {
-                                    phi_4913_ = -(_e2831[0]);
+                                let _e2591 = local_2.member[0u];
+                                let _e2597 = local_2.member[1u];
+                                let _e2604 = ((_e2591[0] + _e2597[0]) * 0.5f);
+                                let _e2605 = ((_e2591[1] + _e2597[1]) * 0.5f);
+                                let _e2606 = ((_e2591[2] + _e2597[2]) * 0.5f);
+                                let _e2609 = local_2.member_1[0u];
+                                let _e2615 = local_2.member_1[1u];
+                                let _e2622 = ((_e2609[0] + _e2615[0]) * 0.5f);
+                                let _e2623 = ((_e2609[1] + _e2615[1]) * 0.5f);
+                                let _e2624 = ((_e2609[2] + _e2615[2]) * 0.5f);
+                                let _e2627 = local_2.member_2[0u];
+                                let _e2633 = local_2.member_2[1u];
+                                let _e2640 = ((_e2627[0] + _e2633[0]) * 0.5f);
+                                let _e2641 = ((_e2627[1] + _e2633[1]) * 0.5f);
+                                let _e2642 = ((_e2627[2] + _e2633[2]) * 0.5f);
+                                let _e2645 = local_2.member[0u];
+                                let _e2648 = local_2.member_1[0u];
+                                let _e2651 = local_2.member_2[0u];
+                                let _e2653 = local_2.member_3;
+                                let _e2656 = local_2.member[1u];
+                                let _e2659 = local_2.member_1[1u];
+                                let _e2662 = local_2.member_2[1u];
+                                let _e2664 = local_2.member_3;
+                                local = type_37(array<array<f32, 3>, 2>(_e2645, array<f32, 3>(_e2604, _e2605, _e2606)), array<array<f32, 3>, 2>(_e2648, array<f32, 3>(_e2622, _e2623, _e2624)), array<array<f32, 3>, 2>(_e2651, array<f32, 3>(_e2640, _e2641, _e2642)), _e2653);
+                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2604, _e2605, _e2606), _e2656), array<array<f32, 3>, 2>(array<f32, 3>(_e2622, _e2623, _e2624), _e2659), array<array<f32, 3>, 2>(array<f32, 3>(_e2640, _e2641, _e2642), _e2662), _e2664);
+                                let _e2681 = local.member_1[0u];
+                                let _e2687 = local.member_2[0u];
+                                let _e2693 = ((_e2681[1] * _e2687[2]) - (_e2681[2] * _e2687[1]));
+                                let _e2696 = ((_e2681[2] * _e2687[0]) - (_e2681[0] * _e2687[2]));
+                                let _e2699 = ((_e2681[0] * _e2687[1]) - (_e2681[1] * _e2687[0]));
+                                let _e2702 = local.member_1[1u];
+                                let _e2708 = local.member_2[1u];
+                                let _e2714 = ((_e2702[1] * _e2708[2]) - (_e2702[2] * _e2708[1]));
+                                let _e2717 = ((_e2702[2] * _e2708[0]) - (_e2702[0] * _e2708[2]));
+                                let _e2720 = ((_e2702[0] * _e2708[1]) - (_e2702[1] * _e2708[0]));
+                                let _e2723 = local.member_1[0u];
+                                let _e2729 = local.member_2[1u];
+                                let _e2744 = local.member_1[1u];
+                                let _e2750 = local.member_2[0u];
+                                let _e2763 = (((_e2723[1] * _e2729[2]) - (_e2723[2] * _e2729[1])) + ((_e2744[1] * _e2750[2]) - (_e2744[2] * _e2750[1])));
+                                let _e2764 = (((_e2723[2] * _e2729[0]) - (_e2723[0] * _e2729[2])) + ((_e2744[2] * _e2750[0]) - (_e2744[0] * _e2750[2])));
+                                let _e2765 = (((_e2723[0] * _e2729[1]) - (_e2723[1] * _e2729[0])) + ((_e2744[0] * _e2750[1]) - (_e2744[1] * _e2750[0])));
+                                let _e2768 = local.member[0u];
+                                let _e2779 = local.member[1u];
+                                let _e2790 = local.member[0u];
+                                let _e2799 = ((((_e2779[0] * _e2693) + (_e2779[1] * _e2696)) + (_e2779[2] * _e2699)) + (((_e2790[0] * _e2763) + (_e2790[1] * _e2764)) + (_e2790[2] * _e2765)));
+                                let _e2802 = local.member[0u];
+                                let _e2813 = local.member[1u];
+                                let _e2822 = ((((_e2802[0] * _e2714) + (_e2802[1] * _e2717)) + (_e2802[2] * _e2720)) + (((_e2813[0] * _e2763) + (_e2813[1] * _e2764)) + (_e2813[2] * _e2765)));
+                                let _e2825 = local.member[1u];
+                                let _e2836 = local.member[0u];
+                                if (_e2836[0] < 0f) {
+                                    phi_4918_ = -(_e2836[0]);
                                 } else {
-                                    phi_4913_ = _e2831[0];
+                                    phi_4918_ = _e2836[0];
                                 }
-                                let _e2838 = phi_4913_;
-                                if (_e2831[1] < 0f) {
-                                    phi_4920_ = -(_e2831[1]);
+                                let _e2843 = phi_4918_;
+                                if (_e2836[1] < 0f) {
+                                    phi_4925_ = -(_e2836[1]);
                                 } else {
-                                    phi_4920_ = _e2831[1];
+                                    phi_4925_ = _e2836[1];
                                 }
-                                let _e2842 = phi_4920_;
-                                if (_e2838 > _e2842) {
-                                    phi_4925_ = _e2838;
+                                let _e2847 = phi_4925_;
+                                if (_e2843 > _e2847) {
+                                    phi_4930_ = _e2843;
                                 } else {
-                                    phi_4925_ = _e2842;
+                                    phi_4930_ = _e2847;
                                 }
-                                let _e2845 = phi_4925_;
-                                if (_e2831[2] < 0f) {
-                                    phi_4932_ = -(_e2831[2]);
+                                let _e2850 = phi_4930_;
+                                if (_e2836[2] < 0f) {
+                                    phi_4937_ = -(_e2836[2]);
                                 } else {
-                                    phi_4932_ = _e2831[2];
+                                    phi_4937_ = _e2836[2];
                                 }
-                                let _e2849 = phi_4932_;
-                                if (_e2845 > _e2849) {
-                                    phi_4937_ = _e2845;
+                                let _e2854 = phi_4937_;
+                                if (_e2850 > _e2854) {
+                                    phi_4942_ = _e2850;
                                 } else {
-                                    phi_4937_ = _e2849;
+                                    phi_4942_ = _e2854;
                                 }
-                                let _e2852 = phi_4937_;
-                                let _e2855 = local.member[1u];
-                                if (_e2855[0] < 0f) {
-                                    phi_4950_ = -(_e2855[0]);
+                                let _e2857 = phi_4942_;
+                                let _e2860 = local.member[1u];
+                                if (_e2860[0] < 0f) {
+                                    phi_4955_ = -(_e2860[0]);
                                 } else {
-                                    phi_4950_ = _e2855[0];
+                                    phi_4955_ = _e2860[0];
                                 }
-                                let _e2862 = phi_4950_;
-                                if (_e2855[1] < 0f) {
-                                    phi_4957_ = -(_e2855[1]);
+                                let _e2867 = phi_4955_;
+                                if (_e2860[1] < 0f) {
+                                    phi_4962_ = -(_e2860[1]);
                                 } else {
-                                    phi_4957_ = _e2855[1];
+                                    phi_4962_ = _e2860[1];
                                 }
-                                let _e2866 = phi_4957_;
-                                if (_e2862 > _e2866) {
-                                    phi_4962_ = _e2862;
+                                let _e2871 = phi_4962_;
+                                if (_e2867 > _e2871) {
+                                    phi_4967_ = _e2867;
                                 } else {
-                                    phi_4962_ = _e2866;
+                                    phi_4967_ = _e2871;
                                 }
-                                let _e2869 = phi_4962_;
-                                if (_e2855[2] < 0f) {
-                                    phi_4969_ = -(_e2855[2]);
+                                let _e2874 = phi_4967_;
+                                if (_e2860[2] < 0f) {
+                                    phi_4974_ = -(_e2860[2]);
                                 } else {
-                                    phi_4969_ = _e2855[2];
+                                    phi_4974_ = _e2860[2];
                                 }
-                                let _e2873 = phi_4969_;
-                                if (_e2869 > _e2873) {
-                                    phi_4974_ = _e2869;
+                                let _e2878 = phi_4974_;
+                                if (_e2874 > _e2878) {
+                                    phi_4979_ = _e2874;
                                 } else {
-                                    phi_4974_ = _e2873;
+                                    phi_4979_ = _e2878;
                                 }
-                                let _e2876 = phi_4974_;
-                                if (_e2852 > _e2876) {
-                                    phi_4979_ = _e2852;
+                                let _e2881 = phi_4979_;
+                                if (_e2857 > _e2881) {
+                                    phi_4984_ = _e2857;
                                 } else {
-                                    phi_4979_ = _e2876;
+                                    phi_4984_ = _e2881;
                                 }
-                                let _e2879 = phi_4979_;
-                                let _e2881 = local.member_3;
-                                let _e2882 = (_e2879 + _e2881);
-                                let _e2885 = local.member_1[0u];
-                                if (_e2885[0] < 0f) {
-                                    phi_4996_ = -(_e2885[0]);
+                                let _e2884 = phi_4984_;
+                                let _e2886 = local.member_3;
+                                let _e2887 = (_e2884 + _e2886);
+                                let _e2890 = local.member_1[0u];
+                                if (_e2890[0] < 0f) {
+                                    phi_5001_ = -(_e2890[0]);
                                 } else {
-                                    phi_4996_ = _e2885[0];
+                                    phi_5001_ = _e2890[0];
                                 }
-                                let _e2892 = phi_4996_;
-                                if (_e2885[1] < 0f) {
-                                    phi_5003_ = -(_e2885[1]);
+                                let _e2897 = phi_5001_;
+                                if (_e2890[1] < 0f) {
+                                    phi_5008_ = -(_e2890[1]);
                                 } else {
-                                    phi_5003_ = _e2885[1];
+                                    phi_5008_ = _e2890[1];
                                 }
-                                let _e2896 = phi_5003_;
-                                if (_e2892 > _e2896) {
-                                    phi_5008_ = _e2892;
+                                let _e2901 = phi_5008_;
+                                if (_e2897 > _e2901) {
+                                    phi_5013_ = _e2897;
                                 } else {
-                                    phi_5008_ = _e2896;
+                                    phi_5013_ = _e2901;
                                 }
-                                let _e2899 = phi_5008_;
-                                if (_e2885[2] < 0f) {
-                                    phi_5015_ = -(_e2885[2]);
+                                let _e2904 = phi_5013_;
+                                if (_e2890[2] < 0f) {
+                                    phi_5020_ = -(_e2890[2]);
                                 } else {
-                                    phi_5015_ = _e2885[2];
+                                    phi_5020_ = _e2890[2];
                                 }
-                                let _e2903 = phi_5015_;
-                                if (_e2899 > _e2903) {
-                                    phi_5020_ = _e2899;
+                                let _e2908 = phi_5020_;
+                                if (_e2904 > _e2908) {
+                                    phi_5025_ = _e2904;
                                 } else {
-                                    phi_5020_ = _e2903;
+                                    phi_5025_ = _e2908;
                                 }
-                                let _e2906 = phi_5020_;
-                                let _e2909 = local.member_1[1u];
-                                if (_e2909[0] < 0f) {
-                                    phi_5034_ = -(_e2909[0]);
+                                let _e2911 = phi_5025_;
+                                let _e2914 = local.member_1[1u];
+                                if (_e2914[0] < 0f) {
+                                    phi_5039_ = -(_e2914[0]);
                                 } else {
-                                    phi_5034_ = _e2909[0];
+                                    phi_5039_ = _e2914[0];
                                 }
-                                let _e2916 = phi_5034_;
-                                if (_e2909[1] < 0f) {
-                                    phi_5041_ = -(_e2909[1]);
+                                let _e2921 = phi_5039_;
+                                if (_e2914[1] < 0f) {
+                                    phi_5046_ = -(_e2914[1]);
                                 } else {
-                                    phi_5041_ = _e2909[1];
+                                    phi_5046_ = _e2914[1];
                                 }
-                                let _e2920 = phi_5041_;
-                                if (_e2916 > _e2920) {
-                                    phi_5046_ = _e2916;
+                                let _e2925 = phi_5046_;
+                                if (_e2921 > _e2925) {
+                                    phi_5051_ = _e2921;
                                 } else {
-                                    phi_5046_ = _e2920;
+                                    phi_5051_ = _e2925;
                                 }
-                                let _e2923 = phi_5046_;
-                                if (_e2909[2] < 0f) {
-                                    phi_5053_ = -(_e2909[2]);
+                                let _e2928 = phi_5051_;
+                                if (_e2914[2] < 0f) {
+                                    phi_5058_ = -(_e2914[2]);
                                 } else {
-                                    phi_5053_ = _e2909[2];
+                                    phi_5058_ = _e2914[2];
                                 }
-                                let _e2927 = phi_5053_;
-                                if (_e2923 > _e2927) {
-                                    phi_5058_ = _e2923;
+                                let _e2932 = phi_5058_;
+                                if (_e2928 > _e2932) {
+                                    phi_5063_ = _e2928;
                                 } else {
-                                    phi_5058_ = _e2927;
+                                    phi_5063_ = _e2932;
                                 }
-                                let _e2930 = phi_5058_;
-                                if (_e2906 > _e2930) {
-                                    phi_5063_ = _e2906;
+                                let _e2935 = phi_5063_;
+                                if (_e2911 > _e2935) {
+                                    phi_5068_ = _e2911;
                                 } else {
-                                    phi_5063_ = _e2930;
+                                    phi_5068_ = _e2935;
                                 }
-                                let _e2933 = phi_5063_;
-                                let _e2935 = local.member_3;
-                                let _e2936 = (_e2933 + _e2935);
-                                let _e2939 = local.member_2[0u];
-                                if (_e2939[0] < 0f) {
-                                    phi_5080_ = -(_e2939[0]);
+                                let _e2938 = phi_5068_;
+                                let _e2940 = local.member_3;
+                                let _e2941 = (_e2938 + _e2940);
+                                let _e2944 = local.member_2[0u];
+                                if (_e2944[0] < 0f) {
+                                    phi_5085_ = -(_e2944[0]);
                                 } else {
-                                    phi_5080_ = _e2939[0];
+                                    phi_5085_ = _e2944[0];
                                 }
-                                let _e2946 = phi_5080_;
-                                if (_e2939[1] < 0f) {
-                                    phi_5087_ = -(_e2939[1]);
+                                let _e2951 = phi_5085_;
+                                if (_e2944[1] < 0f) {
+                                    phi_5092_ = -(_e2944[1]);
                                 } else {
-                                    phi_5087_ = _e2939[1];
+                                    phi_5092_ = _e2944[1];
                                 }
-                                let _e2950 = phi_5087_;
-                                if (_e2946 > _e2950) {
-                                    phi_5092_ = _e2946;
+                                let _e2955 = phi_5092_;
+                                if (_e2951 > _e2955) {
+                                    phi_5097_ = _e2951;
                                 } else {
-                                    phi_5092_ = _e2950;
+                                    phi_5097_ = _e2955;
                                 }
-                                let _e2953 = phi_5092_;
-                                if (_e2939[2] < 0f) {
-                                    phi_5099_ = -(_e2939[2]);
+                                let _e2958 = phi_5097_;
+                                if (_e2944[2] < 0f) {
+                                    phi_5104_ = -(_e2944[2]);
                                 } else {
-                                    phi_5099_ = _e2939[2];
+                                    phi_5104_ = _e2944[2];
                                 }
-                                let _e2957 = phi_5099_;
-                                if (_e2953 > _e2957) {
-                                    phi_5104_ = _e2953;
+                                let _e2962 = phi_5104_;
+                                if (_e2958 > _e2962) {
+                                    phi_5109_ = _e2958;
                                 } else {
-                                    phi_5104_ = _e2957;
+                                    phi_5109_ = _e2962;
                                 }
-                                let _e2960 = phi_5104_;
-                                let _e2963 = local.member_2[1u];
-                                if (_e2963[0] < 0f) {
-                                    phi_5118_ = -(_e2963[0]);
+                                let _e2965 = phi_5109_;
+                                let _e2968 = local.member_2[1u];
+                                if (_e2968[0] < 0f) {
+                                    phi_5123_ = -(_e2968[0]);
                                 } else {
-                                    phi_5118_ = _e2963[0];
+                                    phi_5123_ = _e2968[0];
                                 }
-                                let _e2970 = phi_5118_;
-                                if (_e2963[1] < 0f) {
-                                    phi_5125_ = -(_e2963[1]);
+                                let _e2975 = phi_5123_;
+                                if (_e2968[1] < 0f) {
+                                    phi_5130_ = -(_e2968[1]);
                                 } else {
-                                    phi_5125_ = _e2963[1];
+                                    phi_5130_ = _e2968[1];
                                 }
-                                let _e2974 = phi_5125_;
-                                if (_e2970 > _e2974) {
-                                    phi_5130_ = _e2970;
+                                let _e2979 = phi_5130_;
+                                if (_e2975 > _e2979) {
+                                    phi_5135_ = _e2975;
                                 } else {
-                                    phi_5130_ = _e2974;
+                                    phi_5135_ = _e2979;
                                 }
-                                let _e2977 = phi_5130_;
-                                if (_e2963[2] < 0f) {
-                                    phi_5137_ = -(_e2963[2]);
+                                let _e2982 = phi_5135_;
+                                if (_e2968[2] < 0f) {
+                                    phi_5142_ = -(_e2968[2]);
                                 } else {
-                                    phi_5137_ = _e2963[2];
+                                    phi_5142_ = _e2968[2];
                                 }
-                                let _e2981 = phi_5137_;
-                                if (_e2977 > _e2981) {
-                                    phi_5142_ = _e2977;
+                                let _e2986 = phi_5142_;
+                                if (_e2982 > _e2986) {
+                                    phi_5147_ = _e2982;
                                 } else {
-                                    phi_5142_ = _e2981;
+                                    phi_5147_ = _e2986;
                                 }
-                                let _e2984 = phi_5142_;
-                                if (_e2960 > _e2984) {
-                                    phi_5147_ = _e2960;
+                                let _e2989 = phi_5147_;
+                                if (_e2965 > _e2989) {
+                                    phi_5152_ = _e2965;
                                 } else {
-                                    phi_5147_ = _e2984;
+                                    phi_5152_ = _e2989;
                                 }
-                                let _e2987 = phi_5147_;
-                                let _e2989 = local.member_3;
-                                let _e2990 = (_e2987 + _e2989);
-                                let _e2992 = ((_e2936 * 8f) * _e2990);
-                                let _e2999 = local.member_3;
-                                if (_e2688 < 0f) {
-                                    phi_5178_ = -(_e2688);
+                                let _e2992 = phi_5152_;
+                                let _e2994 = local.member_3;
+                                let _e2995 = (_e2992 + _e2994);
+                                let _e2997 = ((_e2941 * 8f) * _e2995);
+                                let _e3004 = local.member_3;
+                                if (_e2693 < 0f) {
+                                    phi_5183_ = -(_e2693);
                                 } else {
-                                    phi_5178_ = _e2688;
+                                    phi_5183_ = _e2693;
                                 }
-                                let _e3016 = phi_5178_;
-                                if (_e2691 < 0f) {
-                                    phi_5184_ = -(_e2691);
+                                let _e3021 = phi_5183_;
+                                if (_e2696 < 0f) {
+                                    phi_5189_ = -(_e2696);
                                 } else {
-                                    phi_5184_ = _e2691;
+                                    phi_5189_ = _e2696;
                                 }
-                                let _e3020 = phi_5184_;
-                                if (_e2694 < 0f) {
-                                    phi_5191_ = -(_e2694);
+                                let _e3025 = phi_5189_;
+                                if (_e2699 < 0f) {
+                                    phi_5196_ = -(_e2699);
                                 } else {
-                                    phi_5191_ = _e2694;
+                                    phi_5196_ = _e2699;
                                 }
-                                let _e3025 = phi_5191_;
-                                let _e3026 = ((_e3016 + _e3020) + _e3025);
-                                if (_e2709 < 0f) {
-                                    phi_5198_ = -(_e2709);
+                                let _e3030 = phi_5196_;
+                                let _e3031 = ((_e3021 + _e3025) + _e3030);
+                                if (_e2714 < 0f) {
+                                    phi_5203_ = -(_e2714);
                                 } else {
-                                    phi_5198_ = _e2709;
+                                    phi_5203_ = _e2714;
                                 }
-                                let _e3030 = phi_5198_;
-                                if (_e2712 < 0f) {
-                                    phi_5204_ = -(_e2712);
+                                let _e3035 = phi_5203_;
+                                if (_e2717 < 0f) {
+                                    phi_5209_ = -(_e2717);
                                 } else {
-                                    phi_5204_ = _e2712;
+                                    phi_5209_ = _e2717;
                                 }
-                                let _e3034 = phi_5204_;
-                                if (_e2715 < 0f) {
-                                    phi_5211_ = -(_e2715);
+                                let _e3039 = phi_5209_;
+                                if (_e2720 < 0f) {
+                                    phi_5216_ = -(_e2720);
                                 } else {
-                                    phi_5211_ = _e2715;
+                                    phi_5216_ = _e2720;
                                 }
-                                let _e3039 = phi_5211_;
-                                let _e3040 = ((_e3030 + _e3034) + _e3039);
-                                if (_e3026 > _e3040) {
-                                    phi_5217_ = _e3026;
+                                let _e3044 = phi_5216_;
+                                let _e3045 = ((_e3035 + _e3039) + _e3044);
+                                if (_e3031 > _e3045) {
+                                    phi_5222_ = _e3031;
                                 } else {
-                                    phi_5217_ = _e3040;
+                                    phi_5222_ = _e3045;
                                 }
-                                let _e3043 = phi_5217_;
-                                if (_e2758 < 0f) {
-                                    phi_5223_ = -(_e2758);
+                                let _e3048 = phi_5222_;
+                                if (_e2763 < 0f) {
+                                    phi_5228_ = -(_e2763);
                                 } else {
-                                    phi_5223_ = _e2758;
+                                    phi_5228_ = _e2763;
                                 }
-                                let _e3047 = phi_5223_;
-                                if (_e2759 < 0f) {
-                                    phi_5229_ = -(_e2759);
+                                let _e3052 = phi_5228_;
+                                if (_e2764 < 0f) {
+                                    phi_5234_ = -(_e2764);
                                 } else {
-                                    phi_5229_ = _e2759;
+                                    phi_5234_ = _e2764;
                                 }
-                                let _e3051 = phi_5229_;
-                                if (_e2760 < 0f) {
-                                    phi_5236_ = -(_e2760);
+                                let _e3056 = phi_5234_;
+                                if (_e2765 < 0f) {
+                                    phi_5241_ = -(_e2765);
                                 } else {
-                                    phi_5236_ = _e2760;
+                                    phi_5241_ = _e2765;
                                 }
-                                let _e3056 = phi_5236_;
-                                let _e3058 = (((_e3047 + _e3051) + _e3056) * 0.5f);
-                                if (_e3043 > _e3058) {
-                                    phi_5243_ = _e3043;
+                                let _e3061 = phi_5241_;
+                                let _e3063 = (((_e3052 + _e3056) + _e3061) * 0.5f);
+                                if (_e3048 > _e3063) {
+                                    phi_5248_ = _e3048;
                                 } else {
-                                    phi_5243_ = _e3058;
+                                    phi_5248_ = _e3063;
                                 }
-                                let _e3061 = phi_5243_;
-                                let _e3066 = local.member_3;
-                                let _e3079 = ((((_e2763[0] * _e2688) + (_e2763[1] * _e2691)) + (_e2763[2] * _e2694)) * 3f);
-                                let _e3080 = ((((_e2820[0] * _e2709) + (_e2820[1] * _e2712)) + (_e2820[2] * _e2715)) * 3f);
-                                if (_e3079 < _e3080) {
-                                    phi_5267_ = _e3079;
+                                let _e3066 = phi_5248_;
+                                let _e3071 = local.member_3;
+                                let _e3084 = ((((_e2768[0] * _e2693) + (_e2768[1] * _e2696)) + (_e2768[2] * _e2699)) * 3f);
+                                let _e3085 = ((((_e2825[0] * _e2714) + (_e2825[1] * _e2717)) + (_e2825[2] * _e2720)) * 3f);
+                                if (_e3084 < _e3085) {
+                                    phi_5272_ = _e3084;
                                 } else {
-                                    phi_5267_ = _e3080;
+                                    phi_5272_ = _e3085;
                                 }
-                                let _e3083 = phi_5267_;
-                                if (_e2794 < _e2817) {
-                                    phi_5272_ = _e2794;
+                                let _e3088 = phi_5272_;
+                                if (_e2799 < _e2822) {
+                                    phi_5277_ = _e2799;
                                 } else {
-                                    phi_5272_ = _e2817;
+                                    phi_5277_ = _e2822;
                                 }
-                                let _e3086 = phi_5272_;
-                                if (_e3083 < _e3086) {
-                                    phi_5277_ = _e3083;
+                                let _e3091 = phi_5277_;
+                                if (_e3088 < _e3091) {
+                                    phi_5282_ = _e3088;
                                 } else {
-                                    phi_5277_ = _e3086;
+                                    phi_5282_ = _e3091;
                                 }
-                                let _e3089 = phi_5277_;
-                                if (_e3079 > _e3080) {
-                                    phi_5282_ = _e3079;
+                                let _e3094 = phi_5282_;
+                                if (_e3084 > _e3085) {
+                                    phi_5287_ = _e3084;
                                 } else {
-                                    phi_5282_ = _e3080;
+                                    phi_5287_ = _e3085;
                                 }
-                                let _e3092 = phi_5282_;
-                                if (_e2794 > _e2817) {
-                                    phi_5287_ = _e2794;
+                                let _e3097 = phi_5287_;
+                                if (_e2799 > _e2822) {
+                                    phi_5292_ = _e2799;
                                 } else {
-                                    phi_5287_ = _e2817;
+                                    phi_5292_ = _e2822;
                                 }
-                                let _e3095 = phi_5287_;
-                                if (_e3092 > _e3095) {
-                                    phi_5292_ = _e3092;
+                                let _e3100 = phi_5292_;
+                                if (_e3097 > _e3100) {
+                                    phi_5297_ = _e3097;
                                 } else {
-                                    phi_5292_ = _e3095;
+                                    phi_5297_ = _e3100;
                                 }
-                                let _e3098 = phi_5292_;
-                                let _e3103 = -(_e3098);
-                                if (_e3089 > _e3103) {
-                                    phi_5302_ = _e3089;
+                                let _e3103 = phi_5297_;
+                                let _e3108 = -(_e3103);
+                                if (_e3094 > _e3108) {
+                                    phi_5307_ = _e3094;
                                 } else {
-                                    phi_5302_ = _e3103;
+                                    phi_5307_ = _e3108;
                                 }
-                                let _e3106 = phi_5302_;
-                                if ((_e3106 - ((((((_e2882 * 8f) * _e2992) * (0.000000059604645f * (490f / 64f))) + ((_e2999 * 19f) * ((_e2882 * (_e2936 + _e2990)) + (_e2936 * _e2990)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2882) * ((1f + _e2936) * (1f + _e2990))))) + ((_e1450 * (((_e3061 + (_e2992 * (0.000000059604645f * 4f))) + ((_e3066 * 6f) * (_e2936 + _e2990))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2936) * (1f + _e2990))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6266_ = true;
+                                let _e3111 = phi_5307_;
+                                let _e3113 = ((_e3111 - ((((((_e2887 * 8f) * _e2997) * (0.000000059604645f * (524f / 64f))) + ((_e3004 * 19f) * ((_e2887 * (_e2941 + _e2995)) + (_e2941 * _e2995)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2887) * ((1f + _e2941) * (1f + _e2995))))) + ((_e1450 * (((_e3066 + (_e2997 * (0.000000059604645f * 8f))) + ((_e3071 * 6f) * (_e2941 + _e2995))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2941) * (1f + _e2995))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3113 {
+                                    phi_6276_ = _e3113;
                                 } else {
-                                    let _e3111 = local.member_1[0u];
-                                    let _e3117 = local.member_1[1u];
-                                    let _e3121 = (_e3111[0] + _e3117[0]);
-                                    let _e3122 = (_e3111[1] + _e3117[1]);
-                                    let _e3123 = (_e3111[2] + _e3117[2]);
-                                    let _e3126 = local.member_2[0u];
-                                    let _e3132 = local.member_2[1u];
-                                    let _e3136 = (_e3126[0] + _e3132[0]);
-                                    let _e3137 = (_e3126[1] + _e3132[1]);
-                                    let _e3138 = (_e3126[2] + _e3132[2]);
-                                    let _e3141 = ((_e3122 * _e3138) - (_e3123 * _e3137));
-                                    let _e3144 = ((_e3123 * _e3136) - (_e3121 * _e3138));
-                                    let _e3147 = ((_e3121 * _e3137) - (_e3122 * _e3136));
-                                    let _e3150 = local.member[0u];
-                                    let _e3156 = local.member_1[0u];
-                                    let _e3162 = local.member_2[0u];
-                                    let _e3166 = (_e3150[0] - _e3156[0]);
-                                    let _e3167 = (_e3150[1] - _e3156[1]);
-                                    let _e3168 = (_e3150[2] - _e3156[2]);
-                                    let _e3169 = (_e3150[0] - _e3162[0]);
-                                    let _e3170 = (_e3150[1] - _e3162[1]);
-                                    let _e3171 = (_e3150[2] - _e3162[2]);
-                                    let _e3174 = local.member[1u];
-                                    let _e3180 = local.member_1[1u];
-                                    let _e3186 = local.member_2[1u];
-                                    let _e3190 = (_e3174[0] - _e3180[0]);
-                                    let _e3191 = (_e3174[1] - _e3180[1]);
-                                    let _e3192 = (_e3174[2] - _e3180[2]);
-                                    let _e3193 = (_e3174[0] - _e3186[0]);
-                                    let _e3194 = (_e3174[1] - _e3186[1]);
-                                    let _e3195 = (_e3174[2] - _e3186[2]);
-                                    let _e3198 = local.member[0u];
-                                    if (_e3198[0] < 0f) {
-                                        phi_5505_ = -(_e3198[0]);
+                                    let _e3116 = local.member_1[0u];
+                                    let _e3122 = local.member_1[1u];
+                                    let _e3126 = (_e3116[0] + _e3122[0]);
+                                    let _e3127 = (_e3116[1] + _e3122[1]);
+                                    let _e3128 = (_e3116[2] + _e3122[2]);
+                                    let _e3131 = local.member_2[0u];
+                                    let _e3137 = local.member_2[1u];
+                                    let _e3141 = (_e3131[0] + _e3137[0]);
+                                    let _e3142 = (_e3131[1] + _e3137[1]);
+                                    let _e3143 = (_e3131[2] + _e3137[2]);
+                                    let _e3146 = ((_e3127 * _e3143) - (_e3128 * _e3142));
+                                    let _e3149 = ((_e3128 * _e3141) - (_e3126 * _e3143));
+                                    let _e3152 = ((_e3126 * _e3142) - (_e3127 * _e3141));
+                                    let _e3155 = local.member[0u];
+                                    let _e3161 = local.member_1[0u];
+                                    let _e3167 = local.member_2[0u];
+                                    let _e3171 = (_e3155[0] - _e3161[0]);
+                                    let _e3172 = (_e3155[1] - _e3161[1]);
+                                    let _e3173 = (_e3155[2] - _e3161[2]);
+                                    let _e3174 = (_e3155[0] - _e3167[0]);
+                                    let _e3175 = (_e3155[1] - _e3167[1]);
+                                    let _e3176 = (_e3155[2] - _e3167[2]);
+                                    let _e3179 = local.member[1u];
+                                    let _e3185 = local.member_1[1u];
+                                    let _e3191 = local.member_2[1u];
+                                    let _e3195 = (_e3179[0] - _e3185[0]);
+                                    let _e3196 = (_e3179[1] - _e3185[1]);
+                                    let _e3197 = (_e3179[2] - _e3185[2]);
+                                    let _e3198 = (_e3179[0] - _e3191[0]);
+                                    let _e3199 = (_e3179[1] - _e3191[1]);
+                                    let _e3200 = (_e3179[2] - _e3191[2]);
+                                    let _e3203 = local.member[0u];
+                                    if (_e3203[0] < 0f) {
+                                        phi_5510_ = -(_e3203[0]);
                                     } else {
-                                        phi_5505_ = _e3198[0];
+                                        phi_5510_ = _e3203[0];
                                     }
-                                    let _e3205 = phi_5505_;
-                                    if (_e3198[1] < 0f) {
-                                        phi_5512_ = -(_e3198[1]);
+                                    let _e3210 = phi_5510_;
+                                    if (_e3203[1] < 0f) {
+                                        phi_5517_ = -(_e3203[1]);
                                     } else {
-                                        phi_5512_ = _e3198[1];
+                                        phi_5517_ = _e3203[1];
                                     }
-                                    let _e3209 = phi_5512_;
-                                    if (_e3205 > _e3209) {
-                                        phi_5517_ = _e3205;
+                                    let _e3214 = phi_5517_;
+                                    if (_e3210 > _e3214) {
+                                        phi_5522_ = _e3210;
                                     } else {
-                                        phi_5517_ = _e3209;
+                                        phi_5522_ = _e3214;
                                     }
-                                    let _e3212 = phi_5517_;
-                                    if (_e3198[2] < 0f) {
-                                        phi_5524_ = -(_e3198[2]);
+                                    let _e3217 = phi_5522_;
+                                    if (_e3203[2] < 0f) {
+                                        phi_5529_ = -(_e3203[2]);
                                     } else {
-                                        phi_5524_ = _e3198[2];
+                                        phi_5529_ = _e3203[2];
                                     }
-                                    let _e3216 = phi_5524_;
-                                    if (_e3212 > _e3216) {
-                                        phi_5529_ = _e3212;
+                                    let _e3221 = phi_5529_;
+                                    if (_e3217 > _e3221) {
+                                        phi_5534_ = _e3217;
                                     } else {
-                                        phi_5529_ = _e3216;
+                                        phi_5534_ = _e3221;
                                     }
-                                    let _e3219 = phi_5529_;
-                                    let _e3222 = local.member[1u];
-                                    if (_e3222[0] < 0f) {
-                                        phi_5542_ = -(_e3222[0]);
+                                    let _e3224 = phi_5534_;
+                                    let _e3227 = local.member[1u];
+                                    if (_e3227[0] < 0f) {
+                                        phi_5547_ = -(_e3227[0]);
                                     } else {
-                                        phi_5542_ = _e3222[0];
+                                        phi_5547_ = _e3227[0];
                                     }
-                                    let _e3229 = phi_5542_;
-                                    if (_e3222[1] < 0f) {
-                                        phi_5549_ = -(_e3222[1]);
+                                    let _e3234 = phi_5547_;
+                                    if (_e3227[1] < 0f) {
+                                        phi_5554_ = -(_e3227[1]);
                                     } else {
-                                        phi_5549_ = _e3222[1];
+                                        phi_5554_ = _e3227[1];
                                     }
-                                    let _e3233 = phi_5549_;
-                                    if (_e3229 > _e3233) {
-                                        phi_5554_ = _e3229;
+                                    let _e3238 = phi_5554_;
+                                    if (_e3234 > _e3238) {
+                                        phi_5559_ = _e3234;
                                     } else {
-                                        phi_5554_ = _e3233;
+                                        phi_5559_ = _e3238;
                                     }
-                                    let _e3236 = phi_5554_;
-                                    if (_e3222[2] < 0f) {
-                                        phi_5561_ = -(_e3222[2]);
+                                    let _e3241 = phi_5559_;
+                                    if (_e3227[2] < 0f) {
+                                        phi_5566_ = -(_e3227[2]);
                                     } else {
-                                        phi_5561_ = _e3222[2];
+                                        phi_5566_ = _e3227[2];
                                     }
-                                    let _e3240 = phi_5561_;
-                                    if (_e3236 > _e3240) {
-                                        phi_5566_ = _e3236;
+                                    let _e3245 = phi_5566_;
+                                    if (_e3241 > _e3245) {
+                                        phi_5571_ = _e3241;
                                     } else {
-                                        phi_5566_ = _e3240;
+                                        phi_5571_ = _e3245;
                                     }
-                                    let _e3243 = phi_5566_;
-                                    if (_e3219 > _e3243) {
-                                        phi_5571_ = _e3219;
+                                    let _e3248 = phi_5571_;
+                                    if (_e3224 > _e3248) {
+                                        phi_5576_ = _e3224;
                                     } else {
-                                        phi_5571_ = _e3243;
+                                        phi_5576_ = _e3248;
                                     }
-                                    let _e3246 = phi_5571_;
-                                    let _e3248 = local.member_3;
-                                    let _e3252 = local.member_1[0u];
-                                    if (_e3252[0] < 0f) {
-                                        phi_5588_ = -(_e3252[0]);
+                                    let _e3251 = phi_5576_;
+                                    let _e3253 = local.member_3;
+                                    let _e3257 = local.member_1[0u];
+                                    if (_e3257[0] < 0f) {
+                                        phi_5593_ = -(_e3257[0]);
                                     } else {
-                                        phi_5588_ = _e3252[0];
+                                        phi_5593_ = _e3257[0];
                                     }
-                                    let _e3259 = phi_5588_;
-                                    if (_e3252[1] < 0f) {
-                                        phi_5595_ = -(_e3252[1]);
+                                    let _e3264 = phi_5593_;
+                                    if (_e3257[1] < 0f) {
+                                        phi_5600_ = -(_e3257[1]);
                                     } else {
-                                        phi_5595_ = _e3252[1];
+                                        phi_5600_ = _e3257[1];
                                     }
-                                    let _e3263 = phi_5595_;
-                                    if (_e3259 > _e3263) {
-                                        phi_5600_ = _e3259;
+                                    let _e3268 = phi_5600_;
+                                    if (_e3264 > _e3268) {
+                                        phi_5605_ = _e3264;
                                     } else {
-                                        phi_5600_ = _e3263;
+                                        phi_5605_ = _e3268;
                                     }
-                                    let _e3266 = phi_5600_;
-                                    if (_e3252[2] < 0f) {
-                                        phi_5607_ = -(_e3252[2]);
+                                    let _e3271 = phi_5605_;
+                                    if (_e3257[2] < 0f) {
+                                        phi_5612_ = -(_e3257[2]);
                                     } else {
-                                        phi_5607_ = _e3252[2];
+                                        phi_5612_ = _e3257[2];
                                     }
-                                    let _e3270 = phi_5607_;
-                                    if (_e3266 > _e3270) {
-                                        phi_5612_ = _e3266;
+                                    let _e3275 = phi_5612_;
+                                    if (_e3271 > _e3275) {
+                                        phi_5617_ = _e3271;
                                     } else {
-                                        phi_5612_ = _e3270;
+                                        phi_5617_ = _e3275;
                                     }
-                                    let _e3273 = phi_5612_;
-                                    let _e3276 = local.member_1[1u];
-                                    if (_e3276[0] < 0f) {
-                                        phi_5626_ = -(_e3276[0]);
+                                    let _e3278 = phi_5617_;
+                                    let _e3281 = local.member_1[1u];
+                                    if (_e3281[0] < 0f) {
+                                        phi_5631_ = -(_e3281[0]);
                                     } else {
-                                        phi_5626_ = _e3276[0];
+                                        phi_5631_ = _e3281[0];
                                     }
-                                    let _e3283 = phi_5626_;
-                                    if (_e3276[1] < 0f) {
-                                        phi_5633_ = -(_e3276[1]);
+                                    let _e3288 = phi_5631_;
+                                    if (_e3281[1] < 0f) {
+                                        phi_5638_ = -(_e3281[1]);
                                     } else {
-                                        phi_5633_ = _e3276[1];
+                                        phi_5638_ = _e3281[1];
                                     }
-                                    let _e3287 = phi_5633_;
-                                    if (_e3283 > _e3287) {
-                                        phi_5638_ = _e3283;
+                                    let _e3292 = phi_5638_;
+                                    if (_e3288 > _e3292) {
+                                        phi_5643_ = _e3288;
                                     } else {
-                                        phi_5638_ = _e3287;
+                                        phi_5643_ = _e3292;
                                     }
-                                    let _e3290 = phi_5638_;
-                                    if (_e3276[2] < 0f) {
-                                        phi_5645_ = -(_e3276[2]);
+                                    let _e3295 = phi_5643_;
+                                    if (_e3281[2] < 0f) {
+                                        phi_5650_ = -(_e3281[2]);
                                     } else {
-                                        phi_5645_ = _e3276[2];
+                                        phi_5650_ = _e3281[2];
                                     }
-                                    let _e3294 = phi_5645_;
-                                    if (_e3290 > _e3294) {
-                                        phi_5650_ = _e3290;
+                                    let _e3299 = phi_5650_;
+                                    if (_e3295 > _e3299) {
+                                        phi_5655_ = _e3295;
                                     } else {
-                                        phi_5650_ = _e3294;
+                                        phi_5655_ = _e3299;
                                     }
-                                    let _e3297 = phi_5650_;
-                                    if (_e3273 > _e3297) {
-                                        phi_5655_ = _e3273;
+                                    let _e3302 = phi_5655_;
+                                    if (_e3278 > _e3302) {
+                                        phi_5660_ = _e3278;
                                     } else {
-                                        phi_5655_ = _e3297;
+                                        phi_5660_ = _e3302;
                                     }
-                                    let _e3300 = phi_5655_;
-                                    let _e3302 = local.member_3;
-                                    let _e3306 = local.member_2[0u];
-                                    if (_e3306[0] < 0f) {
-                                        phi_5672_ = -(_e3306[0]);
+                                    let _e3305 = phi_5660_;
+                                    let _e3307 = local.member_3;
+                                    let _e3311 = local.member_2[0u];
+                                    if (_e3311[0] < 0f) {
+                                        phi_5677_ = -(_e3311[0]);
                                     } else {
-                                        phi_5672_ = _e3306[0];
+                                        phi_5677_ = _e3311[0];
                                     }
-                                    let _e3313 = phi_5672_;
-                                    if (_e3306[1] < 0f) {
-                                        phi_5679_ = -(_e3306[1]);
+                                    let _e3318 = phi_5677_;
+                                    if (_e3311[1] < 0f) {
+                                        phi_5684_ = -(_e3311[1]);
                                     } else {
-                                        phi_5679_ = _e3306[1];
+                                        phi_5684_ = _e3311[1];
                                     }
-                                    let _e3317 = phi_5679_;
-                                    if (_e3313 > _e3317) {
-                                        phi_5684_ = _e3313;
+                                    let _e3322 = phi_5684_;
+                                    if (_e3318 > _e3322) {
+                                        phi_5689_ = _e3318;
                                     } else {
-                                        phi_5684_ = _e3317;
+                                        phi_5689_ = _e3322;
                                     }
-                                    let _e3320 = phi_5684_;
-                                    if (_e3306[2] < 0f) {
-                                        phi_5691_ = -(_e3306[2]);
+                                    let _e3325 = phi_5689_;
+                                    if (_e3311[2] < 0f) {
+                                        phi_5696_ = -(_e3311[2]);
                                     } else {
-                                        phi_5691_ = _e3306[2];
+                                        phi_5696_ = _e3311[2];
                                     }
-                                    let _e3324 = phi_5691_;
-                                    if (_e3320 > _e3324) {
-                                        phi_5696_ = _e3320;
+                                    let _e3329 = phi_5696_;
+                                    if (_e3325 > _e3329) {
+                                        phi_5701_ = _e3325;
                                     } else {
-                                        phi_5696_ = _e3324;
+                                        phi_5701_ = _e3329;
                                     }
-                                    let _e3327 = phi_5696_;
-                                    let _e3330 = local.member_2[1u];
-                                    if (_e3330[0] < 0f) {
-                                        phi_5710_ = -(_e3330[0]);
+                                    let _e3332 = phi_5701_;
+                                    let _e3335 = local.member_2[1u];
+                                    if (_e3335[0] < 0f) {
+                                        phi_5715_ = -(_e3335[0]);
                                     } else {
-                                        phi_5710_ = _e3330[0];
+                                        phi_5715_ = _e3335[0];
                                     }
-                                    let _e3337 = phi_5710_;
-                                    if (_e3330[1] < 0f) {
-                                        phi_5717_ = -(_e3330[1]);
+                                    let _e3342 = phi_5715_;
+                                    if (_e3335[1] < 0f) {
+                                        phi_5722_ = -(_e3335[1]);
                                     } else {
-                                        phi_5717_ = _e3330[1];
+                                        phi_5722_ = _e3335[1];
                                     }
-                                    let _e3341 = phi_5717_;
-                                    if (_e3337 > _e3341) {
-                                        phi_5722_ = _e3337;
+                                    let _e3346 = phi_5722_;
+                                    if (_e3342 > _e3346) {
+                                        phi_5727_ = _e3342;
                                     } else {
-                                        phi_5722_ = _e3341;
+                                        phi_5727_ = _e3346;
                                     }
-                                    let _e3344 = phi_5722_;
-                                    if (_e3330[2] < 0f) {
-                                        phi_5729_ = -(_e3330[2]);
+                                    let _e3349 = phi_5727_;
+                                    if (_e3335[2] < 0f) {
+                                        phi_5734_ = -(_e3335[2]);
                                     } else {
-                                        phi_5729_ = _e3330[2];
+                                        phi_5734_ = _e3335[2];
                                     }
-                                    let _e3348 = phi_5729_;
-                                    if (_e3344 > _e3348) {
-                                        phi_5734_ = _e3344;
+                                    let _e3353 = phi_5734_;
+                                    if (_e3349 > _e3353) {
+                                        phi_5739_ = _e3349;
                                     } else {
-                                        phi_5734_ = _e3348;
+                                        phi_5739_ = _e3353;
                                     }
-                                    let _e3351 = phi_5734_;
-                                    if (_e3327 > _e3351) {
-                                        phi_5739_ = _e3327;
+                                    let _e3356 = phi_5739_;
+                                    if (_e3332 > _e3356) {
+                                        phi_5744_ = _e3332;
                                     } else {
-                                        phi_5739_ = _e3351;
+                                        phi_5744_ = _e3356;
                                     }
-                                    let _e3354 = phi_5739_;
-                                    let _e3356 = local.member_3;
-                                    let _e3359 = (((_e3246 + _e3248) + (_e3300 + _e3302)) + (_e3354 + _e3356));
-                                    let _e3362 = local.member_3;
-                                    let _e3366 = (((_e1450 * 1.0001f) + (_e3362 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3369 = ((_e3144 * _e3123) - (_e3147 * _e3122));
-                                    let _e3372 = ((_e3147 * _e3121) - (_e3141 * _e3123));
-                                    let _e3375 = ((_e3141 * _e3122) - (_e3144 * _e3121));
-                                    let _e3380 = (((_e3369 * _e3150[0]) + (_e3372 * _e3150[1])) + (_e3375 * _e3150[2]));
-                                    let _e3385 = (((_e3369 * _e3166) + (_e3372 * _e3167)) + (_e3375 * _e3168));
-                                    let _e3390 = (((_e3369 * _e3169) + (_e3372 * _e3170)) + (_e3375 * _e3171));
-                                    let _e3395 = (((_e3369 * _e3150[0]) + (_e3372 * _e3150[1])) + (_e3375 * _e3150[2]));
-                                    let _e3400 = (((_e3369 * _e3174[0]) + (_e3372 * _e3174[1])) + (_e3375 * _e3174[2]));
-                                    let _e3405 = (((_e3369 * _e3190) + (_e3372 * _e3191)) + (_e3375 * _e3192));
-                                    let _e3410 = (((_e3369 * _e3193) + (_e3372 * _e3194)) + (_e3375 * _e3195));
-                                    let _e3415 = (((_e3369 * _e3174[0]) + (_e3372 * _e3174[1])) + (_e3375 * _e3174[2]));
-                                    if (_e3380 < _e3385) {
-                                        phi_5817_ = _e3380;
+                                    let _e3359 = phi_5744_;
+                                    let _e3361 = local.member_3;
+                                    let _e3365 = ((((_e3251 + _e3253) + (_e3305 + _e3307)) + (_e3359 + _e3361)) * 2f);
+                                    let _e3368 = local.member_3;
+                                    let _e3372 = (((_e1450 * 1.0001f) + (_e3368 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3375 = ((_e3149 * _e3128) - (_e3152 * _e3127));
+                                    let _e3378 = ((_e3152 * _e3126) - (_e3146 * _e3128));
+                                    let _e3381 = ((_e3146 * _e3127) - (_e3149 * _e3126));
+                                    let _e3386 = (((_e3375 * _e3155[0]) + (_e3378 * _e3155[1])) + (_e3381 * _e3155[2]));
+                                    let _e3391 = (((_e3375 * _e3171) + (_e3378 * _e3172)) + (_e3381 * _e3173));
+                                    let _e3396 = (((_e3375 * _e3174) + (_e3378 * _e3175)) + (_e3381 * _e3176));
+                                    let _e3401 = (((_e3375 * _e3155[0]) + (_e3378 * _e3155[1])) + (_e3381 * _e3155[2]));
+                                    let _e3406 = (((_e3375 * _e3179[0]) + (_e3378 * _e3179[1])) + (_e3381 * _e3179[2]));
+                                    let _e3411 = (((_e3375 * _e3195) + (_e3378 * _e3196)) + (_e3381 * _e3197));
+                                    let _e3416 = (((_e3375 * _e3198) + (_e3378 * _e3199)) + (_e3381 * _e3200));
+                                    let _e3421 = (((_e3375 * _e3179[0]) + (_e3378 * _e3179[1])) + (_e3381 * _e3179[2]));
+                                    if (_e3386 < _e3391) {
+                                        phi_5823_ = _e3386;
                                     } else {
-                                        phi_5817_ = _e3385;
+                                        phi_5823_ = _e3391;
                                     }
-                                    let _e3418 = phi_5817_;
-                                    if (_e3390 < _e3395) {
-                                        phi_5822_ = _e3390;
+                                    let _e3424 = phi_5823_;
+                                    if (_e3396 < _e3401) {
+                                        phi_5828_ = _e3396;
                                     } else {
-                                        phi_5822_ = _e3395;
+                                        phi_5828_ = _e3401;
                                     }
-                                    let _e3421 = phi_5822_;
-                                    if (_e3418 < _e3421) {
-                                        phi_5827_ = _e3418;
+                                    let _e3427 = phi_5828_;
+                                    if (_e3424 < _e3427) {
+                                        phi_5833_ = _e3424;
                                     } else {
-                                        phi_5827_ = _e3421;
+                                        phi_5833_ = _e3427;
                                     }
-                                    let _e3424 = phi_5827_;
-                                    if (_e3400 < _e3405) {
-                                        phi_5832_ = _e3400;
+                                    let _e3430 = phi_5833_;
+                                    if (_e3406 < _e3411) {
+                                        phi_5838_ = _e3406;
                                     } else {
-                                        phi_5832_ = _e3405;
+                                        phi_5838_ = _e3411;
                                     }
-                                    let _e3427 = phi_5832_;
-                                    if (_e3410 < _e3415) {
-                                        phi_5837_ = _e3410;
+                                    let _e3433 = phi_5838_;
+                                    if (_e3416 < _e3421) {
+                                        phi_5843_ = _e3416;
                                     } else {
-                                        phi_5837_ = _e3415;
+                                        phi_5843_ = _e3421;
                                     }
-                                    let _e3430 = phi_5837_;
-                                    if (_e3427 < _e3430) {
-                                        phi_5842_ = _e3427;
+                                    let _e3436 = phi_5843_;
+                                    if (_e3433 < _e3436) {
+                                        phi_5848_ = _e3433;
                                     } else {
-                                        phi_5842_ = _e3430;
+                                        phi_5848_ = _e3436;
                                     }
-                                    let _e3433 = phi_5842_;
-                                    if (_e3424 < _e3433) {
-                                        phi_5847_ = _e3424;
+                                    let _e3439 = phi_5848_;
+                                    if (_e3430 < _e3439) {
+                                        phi_5853_ = _e3430;
                                     } else {
-                                        phi_5847_ = _e3433;
+                                        phi_5853_ = _e3439;
                                     }
-                                    let _e3436 = phi_5847_;
-                                    if (_e3380 > _e3385) {
-                                        phi_5852_ = _e3380;
+                                    let _e3442 = phi_5853_;
+                                    if (_e3386 > _e3391) {
+                                        phi_5858_ = _e3386;
                                     } else {
-                                        phi_5852_ = _e3385;
+                                        phi_5858_ = _e3391;
                                     }
-                                    let _e3439 = phi_5852_;
-                                    if (_e3390 > _e3395) {
-                                        phi_5857_ = _e3390;
+                                    let _e3445 = phi_5858_;
+                                    if (_e3396 > _e3401) {
+                                        phi_5863_ = _e3396;
                                     } else {
-                                        phi_5857_ = _e3395;
+                                        phi_5863_ = _e3401;
                                     }
-                                    let _e3442 = phi_5857_;
-                                    if (_e3439 > _e3442) {
-                                        phi_5862_ = _e3439;
+                                    let _e3448 = phi_5863_;
+                                    if (_e3445 > _e3448) {
+                                        phi_5868_ = _e3445;
                                     } else {
-                                        phi_5862_ = _e3442;
+                                        phi_5868_ = _e3448;
                                     }
-                                    let _e3445 = phi_5862_;
-                                    if (_e3400 > _e3405) {
-                                        phi_5867_ = _e3400;
+                                    let _e3451 = phi_5868_;
+                                    if (_e3406 > _e3411) {
+                                        phi_5873_ = _e3406;
                                     } else {
-                                        phi_5867_ = _e3405;
+                                        phi_5873_ = _e3411;
                                     }
-                                    let _e3448 = phi_5867_;
-                                    if (_e3410 > _e3415) {
-                                        phi_5872_ = _e3410;
+                                    let _e3454 = phi_5873_;
+                                    if (_e3416 > _e3421) {
+                                        phi_5878_ = _e3416;
                                     } else {
-                                        phi_5872_ = _e3415;
+                                        phi_5878_ = _e3421;
                                     }
-                                    let _e3451 = phi_5872_;
-                                    if (_e3448 > _e3451) {
-                                        phi_5877_ = _e3448;
+                                    let _e3457 = phi_5878_;
+                                    if (_e3454 > _e3457) {
+                                        phi_5883_ = _e3454;
                                     } else {
-                                        phi_5877_ = _e3451;
+                                        phi_5883_ = _e3457;
                                     }
-                                    let _e3454 = phi_5877_;
-                                    if (_e3445 > _e3454) {
-                                        phi_5882_ = _e3445;
+                                    let _e3460 = phi_5883_;
+                                    if (_e3451 > _e3460) {
+                                        phi_5888_ = _e3451;
                                     } else {
-                                        phi_5882_ = _e3454;
+                                        phi_5888_ = _e3460;
                                     }
-                                    let _e3457 = phi_5882_;
-                                    if (_e3369 < 0f) {
-                                        phi_5888_ = -(_e3369);
-                                    } else {
-                                        phi_5888_ = _e3369;
-                                    }
-                                    let _e3461 = phi_5888_;
-                                    if (_e3372 < 0f) {
-                                        phi_5894_ = -(_e3372);
-                                    } else {
-                                        phi_5894_ = _e3372;
-                                    }
-                                    let _e3465 = phi_5894_;
+                                    let _e3463 = phi_5888_;
                                     if (_e3375 < 0f) {
-                                        phi_5901_ = -(_e3375);
+                                        phi_5894_ = -(_e3375);
                                     } else {
-                                        phi_5901_ = _e3375;
+                                        phi_5894_ = _e3375;
                                     }
-                                    let _e3470 = phi_5901_;
-                                    let _e3471 = ((_e3461 + _e3465) + _e3470);
-                                    let _e3475 = -(_e3457);
-                                    if (_e3436 > _e3475) {
-                                        phi_5911_ = _e3436;
+                                    let _e3467 = phi_5894_;
+                                    if (_e3378 < 0f) {
+                                        phi_5900_ = -(_e3378);
                                     } else {
-                                        phi_5911_ = _e3475;
+                                        phi_5900_ = _e3378;
                                     }
-                                    let _e3478 = phi_5911_;
-                                    let _e3483 = (((_e3478 - ((_e3471 * _e3359) * (0.000000059604645f * 17f))) - (_e3471 * _e3366)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3486 = ((_e3144 * _e3138) - (_e3147 * _e3137));
-                                    let _e3489 = ((_e3147 * _e3136) - (_e3141 * _e3138));
-                                    let _e3492 = ((_e3141 * _e3137) - (_e3144 * _e3136));
-                                    let _e3497 = (((_e3486 * _e3150[0]) + (_e3489 * _e3150[1])) + (_e3492 * _e3150[2]));
-                                    let _e3502 = (((_e3486 * _e3166) + (_e3489 * _e3167)) + (_e3492 * _e3168));
-                                    let _e3507 = (((_e3486 * _e3169) + (_e3489 * _e3170)) + (_e3492 * _e3171));
-                                    let _e3512 = (((_e3486 * _e3150[0]) + (_e3489 * _e3150[1])) + (_e3492 * _e3150[2]));
-                                    let _e3517 = (((_e3486 * _e3174[0]) + (_e3489 * _e3174[1])) + (_e3492 * _e3174[2]));
-                                    let _e3522 = (((_e3486 * _e3190) + (_e3489 * _e3191)) + (_e3492 * _e3192));
-                                    let _e3527 = (((_e3486 * _e3193) + (_e3489 * _e3194)) + (_e3492 * _e3195));
-                                    let _e3532 = (((_e3486 * _e3174[0]) + (_e3489 * _e3174[1])) + (_e3492 * _e3174[2]));
-                                    if (_e3497 < _e3502) {
-                                        phi_5982_ = _e3497;
+                                    let _e3471 = phi_5900_;
+                                    if (_e3381 < 0f) {
+                                        phi_5907_ = -(_e3381);
                                     } else {
-                                        phi_5982_ = _e3502;
+                                        phi_5907_ = _e3381;
                                     }
-                                    let _e3535 = phi_5982_;
-                                    if (_e3507 < _e3512) {
-                                        phi_5987_ = _e3507;
+                                    let _e3476 = phi_5907_;
+                                    let _e3477 = ((_e3467 + _e3471) + _e3476);
+                                    let _e3482 = -(_e3463);
+                                    if (_e3442 > _e3482) {
+                                        phi_5918_ = _e3442;
                                     } else {
-                                        phi_5987_ = _e3512;
+                                        phi_5918_ = _e3482;
                                     }
-                                    let _e3538 = phi_5987_;
-                                    if (_e3535 < _e3538) {
-                                        phi_5992_ = _e3535;
+                                    let _e3485 = phi_5918_;
+                                    let _e3490 = (((_e3485 - ((_e3477 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3477 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3493 = ((_e3149 * _e3143) - (_e3152 * _e3142));
+                                    let _e3496 = ((_e3152 * _e3141) - (_e3146 * _e3143));
+                                    let _e3499 = ((_e3146 * _e3142) - (_e3149 * _e3141));
+                                    let _e3504 = (((_e3493 * _e3155[0]) + (_e3496 * _e3155[1])) + (_e3499 * _e3155[2]));
+                                    let _e3509 = (((_e3493 * _e3171) + (_e3496 * _e3172)) + (_e3499 * _e3173));
+                                    let _e3514 = (((_e3493 * _e3174) + (_e3496 * _e3175)) + (_e3499 * _e3176));
+                                    let _e3519 = (((_e3493 * _e3155[0]) + (_e3496 * _e3155[1])) + (_e3499 * _e3155[2]));
+                                    let _e3524 = (((_e3493 * _e3179[0]) + (_e3496 * _e3179[1])) + (_e3499 * _e3179[2]));
+                                    let _e3529 = (((_e3493 * _e3195) + (_e3496 * _e3196)) + (_e3499 * _e3197));
+                                    let _e3534 = (((_e3493 * _e3198) + (_e3496 * _e3199)) + (_e3499 * _e3200));
+                                    let _e3539 = (((_e3493 * _e3179[0]) + (_e3496 * _e3179[1])) + (_e3499 * _e3179[2]));
+                                    if (_e3504 < _e3509) {
+                                        phi_5989_ = _e3504;
                                     } else {
-                                        phi_5992_ = _e3538;
+                                        phi_5989_ = _e3509;
                                     }
-                                    let _e3541 = phi_5992_;
-                                    if (_e3517 < _e3522) {
-                                        phi_5997_ = _e3517;
+                                    let _e3542 = phi_5989_;
+                                    if (_e3514 < _e3519) {
+                                        phi_5994_ = _e3514;
                                     } else {
-                                        phi_5997_ = _e3522;
+                                        phi_5994_ = _e3519;
                                     }
-                                    let _e3544 = phi_5997_;
-                                    if (_e3527 < _e3532) {
-                                        phi_6002_ = _e3527;
+                                    let _e3545 = phi_5994_;
+                                    if (_e3542 < _e3545) {
+                                        phi_5999_ = _e3542;
                                     } else {
-                                        phi_6002_ = _e3532;
+                                        phi_5999_ = _e3545;
                                     }
-                                    let _e3547 = phi_6002_;
-                                    if (_e3544 < _e3547) {
-                                        phi_6007_ = _e3544;
+                                    let _e3548 = phi_5999_;
+                                    if (_e3524 < _e3529) {
+                                        phi_6004_ = _e3524;
                                     } else {
-                                        phi_6007_ = _e3547;
+                                        phi_6004_ = _e3529;
                                     }
-                                    let _e3550 = phi_6007_;
-                                    if (_e3541 < _e3550) {
-                                        phi_6012_ = _e3541;
+                                    let _e3551 = phi_6004_;
+                                    if (_e3534 < _e3539) {
+                                        phi_6009_ = _e3534;
                                     } else {
-                                        phi_6012_ = _e3550;
+                                        phi_6009_ = _e3539;
                                     }
-                                    let _e3553 = phi_6012_;
-                                    if (_e3497 > _e3502) {
-                                        phi_6017_ = _e3497;
+                                    let _e3554 = phi_6009_;
+                                    if (_e3551 < _e3554) {
+                                        phi_6014_ = _e3551;
                                     } else {
-                                        phi_6017_ = _e3502;
+                                        phi_6014_ = _e3554;
                                     }
-                                    let _e3556 = phi_6017_;
-                                    if (_e3507 > _e3512) {
-                                        phi_6022_ = _e3507;
+                                    let _e3557 = phi_6014_;
+                                    if (_e3548 < _e3557) {
+                                        phi_6019_ = _e3548;
                                     } else {
-                                        phi_6022_ = _e3512;
+                                        phi_6019_ = _e3557;
                                     }
-                                    let _e3559 = phi_6022_;
-                                    if (_e3556 > _e3559) {
-                                        phi_6027_ = _e3556;
+                                    let _e3560 = phi_6019_;
+                                    if (_e3504 > _e3509) {
+                                        phi_6024_ = _e3504;
                                     } else {
-                                        phi_6027_ = _e3559;
+                                        phi_6024_ = _e3509;
                                     }
-                                    let _e3562 = phi_6027_;
-                                    if (_e3517 > _e3522) {
-                                        phi_6032_ = _e3517;
+                                    let _e3563 = phi_6024_;
+                                    if (_e3514 > _e3519) {
+                                        phi_6029_ = _e3514;
                                     } else {
-                                        phi_6032_ = _e3522;
+                                        phi_6029_ = _e3519;
                                     }
-                                    let _e3565 = phi_6032_;
-                                    if (_e3527 > _e3532) {
-                                        phi_6037_ = _e3527;
+                                    let _e3566 = phi_6029_;
+                                    if (_e3563 > _e3566) {
+                                        phi_6034_ = _e3563;
                                     } else {
-                                        phi_6037_ = _e3532;
+                                        phi_6034_ = _e3566;
                                     }
-                                    let _e3568 = phi_6037_;
-                                    if (_e3565 > _e3568) {
-                                        phi_6042_ = _e3565;
+                                    let _e3569 = phi_6034_;
+                                    if (_e3524 > _e3529) {
+                                        phi_6039_ = _e3524;
                                     } else {
-                                        phi_6042_ = _e3568;
+                                        phi_6039_ = _e3529;
                                     }
-                                    let _e3571 = phi_6042_;
-                                    if (_e3562 > _e3571) {
-                                        phi_6047_ = _e3562;
+                                    let _e3572 = phi_6039_;
+                                    if (_e3534 > _e3539) {
+                                        phi_6044_ = _e3534;
                                     } else {
-                                        phi_6047_ = _e3571;
+                                        phi_6044_ = _e3539;
                                     }
-                                    let _e3574 = phi_6047_;
-                                    if (_e3486 < 0f) {
-                                        phi_6053_ = -(_e3486);
+                                    let _e3575 = phi_6044_;
+                                    if (_e3572 > _e3575) {
+                                        phi_6049_ = _e3572;
                                     } else {
-                                        phi_6053_ = _e3486;
+                                        phi_6049_ = _e3575;
                                     }
-                                    let _e3578 = phi_6053_;
-                                    if (_e3489 < 0f) {
-                                        phi_6059_ = -(_e3489);
+                                    let _e3578 = phi_6049_;
+                                    if (_e3569 > _e3578) {
+                                        phi_6054_ = _e3569;
                                     } else {
-                                        phi_6059_ = _e3489;
+                                        phi_6054_ = _e3578;
                                     }
-                                    let _e3582 = phi_6059_;
-                                    if (_e3492 < 0f) {
-                                        phi_6066_ = -(_e3492);
+                                    let _e3581 = phi_6054_;
+                                    if (_e3493 < 0f) {
+                                        phi_6060_ = -(_e3493);
                                     } else {
-                                        phi_6066_ = _e3492;
+                                        phi_6060_ = _e3493;
                                     }
-                                    let _e3587 = phi_6066_;
-                                    let _e3588 = ((_e3578 + _e3582) + _e3587);
-                                    let _e3592 = -(_e3574);
-                                    if (_e3553 > _e3592) {
-                                        phi_6076_ = _e3553;
+                                    let _e3585 = phi_6060_;
+                                    if (_e3496 < 0f) {
+                                        phi_6066_ = -(_e3496);
                                     } else {
-                                        phi_6076_ = _e3592;
+                                        phi_6066_ = _e3496;
                                     }
-                                    let _e3595 = phi_6076_;
-                                    let _e3600 = (((_e3595 - ((_e3588 * _e3359) * (0.000000059604645f * 17f))) - (_e3588 * _e3366)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3483 > _e3600) {
-                                        phi_6086_ = _e3483;
+                                    let _e3589 = phi_6066_;
+                                    if (_e3499 < 0f) {
+                                        phi_6073_ = -(_e3499);
                                     } else {
-                                        phi_6086_ = _e3600;
+                                        phi_6073_ = _e3499;
                                     }
-                                    let _e3603 = phi_6086_;
-                                    let _e3604 = (_e3136 - _e3121);
-                                    let _e3605 = (_e3137 - _e3122);
-                                    let _e3606 = (_e3138 - _e3123);
-                                    let _e3609 = ((_e3144 * _e3606) - (_e3147 * _e3605));
-                                    let _e3612 = ((_e3147 * _e3604) - (_e3141 * _e3606));
-                                    let _e3615 = ((_e3141 * _e3605) - (_e3144 * _e3604));
-                                    let _e3620 = (((_e3609 * _e3150[0]) + (_e3612 * _e3150[1])) + (_e3615 * _e3150[2]));
-                                    let _e3625 = (((_e3609 * _e3166) + (_e3612 * _e3167)) + (_e3615 * _e3168));
-                                    let _e3630 = (((_e3609 * _e3169) + (_e3612 * _e3170)) + (_e3615 * _e3171));
-                                    let _e3635 = (((_e3609 * _e3150[0]) + (_e3612 * _e3150[1])) + (_e3615 * _e3150[2]));
-                                    let _e3640 = (((_e3609 * _e3174[0]) + (_e3612 * _e3174[1])) + (_e3615 * _e3174[2]));
-                                    let _e3645 = (((_e3609 * _e3190) + (_e3612 * _e3191)) + (_e3615 * _e3192));
-                                    let _e3650 = (((_e3609 * _e3193) + (_e3612 * _e3194)) + (_e3615 * _e3195));
-                                    let _e3655 = (((_e3609 * _e3174[0]) + (_e3612 * _e3174[1])) + (_e3615 * _e3174[2]));
-                                    if (_e3620 < _e3625) {
-                                        phi_6159_ = _e3620;
+                                    let _e3594 = phi_6073_;
+                                    let _e3595 = ((_e3585 + _e3589) + _e3594);
+                                    let _e3600 = -(_e3581);
+                                    if (_e3560 > _e3600) {
+                                        phi_6084_ = _e3560;
                                     } else {
-                                        phi_6159_ = _e3625;
+                                        phi_6084_ = _e3600;
                                     }
-                                    let _e3658 = phi_6159_;
-                                    if (_e3630 < _e3635) {
-                                        phi_6164_ = _e3630;
+                                    let _e3603 = phi_6084_;
+                                    let _e3608 = (((_e3603 - ((_e3595 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3595 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3490 > _e3608) {
+                                        phi_6094_ = _e3490;
                                     } else {
-                                        phi_6164_ = _e3635;
+                                        phi_6094_ = _e3608;
                                     }
-                                    let _e3661 = phi_6164_;
-                                    if (_e3658 < _e3661) {
-                                        phi_6169_ = _e3658;
+                                    let _e3611 = phi_6094_;
+                                    let _e3612 = (_e3141 - _e3126);
+                                    let _e3613 = (_e3142 - _e3127);
+                                    let _e3614 = (_e3143 - _e3128);
+                                    let _e3617 = ((_e3149 * _e3614) - (_e3152 * _e3613));
+                                    let _e3620 = ((_e3152 * _e3612) - (_e3146 * _e3614));
+                                    let _e3623 = ((_e3146 * _e3613) - (_e3149 * _e3612));
+                                    let _e3628 = (((_e3617 * _e3155[0]) + (_e3620 * _e3155[1])) + (_e3623 * _e3155[2]));
+                                    let _e3633 = (((_e3617 * _e3171) + (_e3620 * _e3172)) + (_e3623 * _e3173));
+                                    let _e3638 = (((_e3617 * _e3174) + (_e3620 * _e3175)) + (_e3623 * _e3176));
+                                    let _e3643 = (((_e3617 * _e3155[0]) + (_e3620 * _e3155[1])) + (_e3623 * _e3155[2]));
+                                    let _e3648 = (((_e3617 * _e3179[0]) + (_e3620 * _e3179[1])) + (_e3623 * _e3179[2]));
+                                    let _e3653 = (((_e3617 * _e3195) + (_e3620 * _e3196)) + (_e3623 * _e3197));
+                                    let _e3658 = (((_e3617 * _e3198) + (_e3620 * _e3199)) + (_e3623 * _e3200));
+                                    let _e3663 = (((_e3617 * _e3179[0]) + (_e3620 * _e3179[1])) + (_e3623 * _e3179[2]));
+                                    if (_e3628 < _e3633) {
+                                        phi_6167_ = _e3628;
                                     } else {
-                                        phi_6169_ = _e3661;
+                                        phi_6167_ = _e3633;
                                     }
-                                    let _e3664 = phi_6169_;
-                                    if (_e3640 < _e3645) {
-                                        phi_6174_ = _e3640;
+                                    let _e3666 = phi_6167_;
+                                    if (_e3638 < _e3643) {
+                                        phi_6172_ = _e3638;
                                     } else {
-                                        phi_6174_ = _e3645;
+                                        phi_6172_ = _e3643;
                                     }
-                                    let _e3667 = phi_6174_;
-                                    if (_e3650 < _e3655) {
-                                        phi_6179_ = _e3650;
+                                    let _e3669 = phi_6172_;
+                                    if (_e3666 < _e3669) {
+                                        phi_6177_ = _e3666;
                                     } else {
-                                        phi_6179_ = _e3655;
+                                        phi_6177_ = _e3669;
                                     }
-                                    let _e3670 = phi_6179_;
-                                    if (_e3667 < _e3670) {
-                                        phi_6184_ = _e3667;
+                                    let _e3672 = phi_6177_;
+                                    if (_e3648 < _e3653) {
+                                        phi_6182_ = _e3648;
                                     } else {
-                                        phi_6184_ = _e3670;
+                                        phi_6182_ = _e3653;
                                     }
-                                    let _e3673 = phi_6184_;
-                                    if (_e3664 < _e3673) {
-                                        phi_6189_ = _e3664;
+                                    let _e3675 = phi_6182_;
+                                    if (_e3658 < _e3663) {
+                                        phi_6187_ = _e3658;
                                     } else {
-                                        phi_6189_ = _e3673;
+                                        phi_6187_ = _e3663;
                                     }
-                                    let _e3676 = phi_6189_;
-                                    if (_e3620 > _e3625) {
-                                        phi_6194_ = _e3620;
+                                    let _e3678 = phi_6187_;
+                                    if (_e3675 < _e3678) {
+                                        phi_6192_ = _e3675;
                                     } else {
-                                        phi_6194_ = _e3625;
+                                        phi_6192_ = _e3678;
                                     }
-                                    let _e3679 = phi_6194_;
-                                    if (_e3630 > _e3635) {
-                                        phi_6199_ = _e3630;
+                                    let _e3681 = phi_6192_;
+                                    if (_e3672 < _e3681) {
+                                        phi_6197_ = _e3672;
                                     } else {
-                                        phi_6199_ = _e3635;
+                                        phi_6197_ = _e3681;
                                     }
-                                    let _e3682 = phi_6199_;
-                                    if (_e3679 > _e3682) {
-                                        phi_6204_ = _e3679;
+                                    let _e3684 = phi_6197_;
+                                    if (_e3628 > _e3633) {
+                                        phi_6202_ = _e3628;
                                     } else {
-                                        phi_6204_ = _e3682;
+                                        phi_6202_ = _e3633;
                                     }
-                                    let _e3685 = phi_6204_;
-                                    if (_e3640 > _e3645) {
-                                        phi_6209_ = _e3640;
+                                    let _e3687 = phi_6202_;
+                                    if (_e3638 > _e3643) {
+                                        phi_6207_ = _e3638;
                                     } else {
-                                        phi_6209_ = _e3645;
+                                        phi_6207_ = _e3643;
                                     }
-                                    let _e3688 = phi_6209_;
-                                    if (_e3650 > _e3655) {
-                                        phi_6214_ = _e3650;
+                                    let _e3690 = phi_6207_;
+                                    if (_e3687 > _e3690) {
+                                        phi_6212_ = _e3687;
                                     } else {
-                                        phi_6214_ = _e3655;
+                                        phi_6212_ = _e3690;
                                     }
-                                    let _e3691 = phi_6214_;
-                                    if (_e3688 > _e3691) {
-                                        phi_6219_ = _e3688;
+                                    let _e3693 = phi_6212_;
+                                    if (_e3648 > _e3653) {
+                                        phi_6217_ = _e3648;
                                     } else {
-                                        phi_6219_ = _e3691;
+                                        phi_6217_ = _e3653;
                                     }
-                                    let _e3694 = phi_6219_;
-                                    if (_e3685 > _e3694) {
-                                        phi_6224_ = _e3685;
+                                    let _e3696 = phi_6217_;
+                                    if (_e3658 > _e3663) {
+                                        phi_6222_ = _e3658;
                                     } else {
-                                        phi_6224_ = _e3694;
+                                        phi_6222_ = _e3663;
                                     }
-                                    let _e3697 = phi_6224_;
-                                    if (_e3609 < 0f) {
-                                        phi_6230_ = -(_e3609);
+                                    let _e3699 = phi_6222_;
+                                    if (_e3696 > _e3699) {
+                                        phi_6227_ = _e3696;
                                     } else {
-                                        phi_6230_ = _e3609;
+                                        phi_6227_ = _e3699;
                                     }
-                                    let _e3701 = phi_6230_;
-                                    if (_e3612 < 0f) {
-                                        phi_6236_ = -(_e3612);
+                                    let _e3702 = phi_6227_;
+                                    if (_e3693 > _e3702) {
+                                        phi_6232_ = _e3693;
                                     } else {
-                                        phi_6236_ = _e3612;
+                                        phi_6232_ = _e3702;
                                     }
-                                    let _e3705 = phi_6236_;
-                                    if (_e3615 < 0f) {
-                                        phi_6243_ = -(_e3615);
+                                    let _e3705 = phi_6232_;
+                                    if (_e3617 < 0f) {
+                                        phi_6238_ = -(_e3617);
                                     } else {
-                                        phi_6243_ = _e3615;
+                                        phi_6238_ = _e3617;
                                     }
-                                    let _e3710 = phi_6243_;
-                                    let _e3711 = ((_e3701 + _e3705) + _e3710);
-                                    let _e3715 = -(_e3697);
-                                    if (_e3676 > _e3715) {
-                                        phi_6253_ = _e3676;
+                                    let _e3709 = phi_6238_;
+                                    if (_e3620 < 0f) {
+                                        phi_6244_ = -(_e3620);
                                     } else {
-                                        phi_6253_ = _e3715;
+                                        phi_6244_ = _e3620;
                                     }
-                                    let _e3718 = phi_6253_;
-                                    let _e3723 = (((_e3718 - ((_e3711 * _e3359) * (0.000000059604645f * 17f))) - (_e3711 * _e3366)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3603 > _e3723) {
-                                        phi_6263_ = _e3603;
+                                    let _e3713 = phi_6244_;
+                                    if (_e3623 < 0f) {
+                                        phi_6251_ = -(_e3623);
                                     } else {
-                                        phi_6263_ = _e3723;
+                                        phi_6251_ = _e3623;
                                     }
-                                    let _e3726 = phi_6263_;
-                                    phi_6266_ = (_e3726 > 0f);
+                                    let _e3718 = phi_6251_;
+                                    let _e3719 = ((_e3709 + _e3713) + _e3718);
+                                    let _e3724 = -(_e3705);
+                                    if (_e3684 > _e3724) {
+                                        phi_6262_ = _e3684;
+                                    } else {
+                                        phi_6262_ = _e3724;
+                                    }
+                                    let _e3727 = phi_6262_;
+                                    let _e3732 = (((_e3727 - ((_e3719 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3719 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3611 > _e3732) {
+                                        phi_6272_ = _e3611;
+                                    } else {
+                                        phi_6272_ = _e3732;
+                                    }
+                                    let _e3735 = phi_6272_;
+                                    phi_6276_ = (_e3113 || (_e3735 > 0f));
                                 }
-                                let _e3729 = phi_6266_;
-                                if _e3729 {
-                                    let _e3732 = local_1.member_1[0u];
-                                    let _e3738 = local_1.member_2[0u];
-                                    let _e3744 = ((_e3732[1] * _e3738[2]) - (_e3732[2] * _e3738[1]));
-                                    let _e3747 = ((_e3732[2] * _e3738[0]) - (_e3732[0] * _e3738[2]));
-                                    let _e3750 = ((_e3732[0] * _e3738[1]) - (_e3732[1] * _e3738[0]));
-                                    let _e3753 = local_1.member_1[1u];
-                                    let _e3759 = local_1.member_2[1u];
-                                    let _e3765 = ((_e3753[1] * _e3759[2]) - (_e3753[2] * _e3759[1]));
-                                    let _e3768 = ((_e3753[2] * _e3759[0]) - (_e3753[0] * _e3759[2]));
-                                    let _e3771 = ((_e3753[0] * _e3759[1]) - (_e3753[1] * _e3759[0]));
-                                    let _e3774 = local_1.member_1[0u];
-                                    let _e3780 = local_1.member_2[1u];
-                                    let _e3795 = local_1.member_1[1u];
-                                    let _e3801 = local_1.member_2[0u];
-                                    let _e3814 = (((_e3774[1] * _e3780[2]) - (_e3774[2] * _e3780[1])) + ((_e3795[1] * _e3801[2]) - (_e3795[2] * _e3801[1])));
-                                    let _e3815 = (((_e3774[2] * _e3780[0]) - (_e3774[0] * _e3780[2])) + ((_e3795[2] * _e3801[0]) - (_e3795[0] * _e3801[2])));
-                                    let _e3816 = (((_e3774[0] * _e3780[1]) - (_e3774[1] * _e3780[0])) + ((_e3795[0] * _e3801[1]) - (_e3795[1] * _e3801[0])));
-                                    let _e3819 = local_1.member[0u];
-                                    let _e3830 = local_1.member[1u];
-                                    let _e3841 = local_1.member[0u];
-                                    let _e3850 = ((((_e3830[0] * _e3744) + (_e3830[1] * _e3747)) + (_e3830[2] * _e3750)) + (((_e3841[0] * _e3814) + (_e3841[1] * _e3815)) + (_e3841[2] * _e3816)));
-                                    let _e3853 = local_1.member[0u];
-                                    let _e3864 = local_1.member[1u];
-                                    let _e3873 = ((((_e3853[0] * _e3765) + (_e3853[1] * _e3768)) + (_e3853[2] * _e3771)) + (((_e3864[0] * _e3814) + (_e3864[1] * _e3815)) + (_e3864[2] * _e3816)));
-                                    let _e3876 = local_1.member[1u];
-                                    let _e3887 = local_1.member[0u];
-                                    if (_e3887[0] < 0f) {
-                                        phi_6511_ = -(_e3887[0]);
+                                let _e3739 = phi_6276_;
+                                if _e3739 {
+                                    let _e3742 = local_1.member_1[0u];
+                                    let _e3748 = local_1.member_2[0u];
+                                    let _e3754 = ((_e3742[1] * _e3748[2]) - (_e3742[2] * _e3748[1]));
+                                    let _e3757 = ((_e3742[2] * _e3748[0]) - (_e3742[0] * _e3748[2]));
+                                    let _e3760 = ((_e3742[0] * _e3748[1]) - (_e3742[1] * _e3748[0]));
+                                    let _e3763 = local_1.member_1[1u];
+                                    let _e3769 = local_1.member_2[1u];
+                                    let _e3775 = ((_e3763[1] * _e3769[2]) - (_e3763[2] * _e3769[1]));
+                                    let _e3778 = ((_e3763[2] * _e3769[0]) - (_e3763[0] * _e3769[2]));
+                                    let _e3781 = ((_e3763[0] * _e3769[1]) - (_e3763[1] * _e3769[0]));
+                                    let _e3784 = local_1.member_1[0u];
+                                    let _e3790 = local_1.member_2[1u];
+                                    let _e3805 = local_1.member_1[1u];
+                                    let _e3811 = local_1.member_2[0u];
+                                    let _e3824 = (((_e3784[1] * _e3790[2]) - (_e3784[2] * _e3790[1])) + ((_e3805[1] * _e3811[2]) - (_e3805[2] * _e3811[1])));
+                                    let _e3825 = (((_e3784[2] * _e3790[0]) - (_e3784[0] * _e3790[2])) + ((_e3805[2] * _e3811[0]) - (_e3805[0] * _e3811[2])));
+                                    let _e3826 = (((_e3784[0] * _e3790[1]) - (_e3784[1] * _e3790[0])) + ((_e3805[0] * _e3811[1]) - (_e3805[1] * _e3811[0])));
+                                    let _e3829 = local_1.member[0u];
+                                    let _e3840 = local_1.member[1u];
+                                    let _e3851 = local_1.member[0u];
+                                    let _e3860 = ((((_e3840[0] * _e3754) + (_e3840[1] * _e3757)) + (_e3840[2] * _e3760)) + (((_e3851[0] * _e3824) + (_e3851[1] * _e3825)) + (_e3851[2] * _e3826)));
+                                    let _e3863 = local_1.member[0u];
+                                    let _e3874 = local_1.member[1u];
+                                    let _e3883 = ((((_e3863[0] * _e3775) + (_e3863[1] * _e3778)) + (_e3863[2] * _e3781)) + (((_e3874[0] * _e3824) + (_e3874[1] * _e3825)) + (_e3874[2] * _e3826)));
+                                    let _e3886 = local_1.member[1u];
+                                    let _e3897 = local_1.member[0u];
+                                    if (_e3897[0] < 0f) {
+                                        phi_6521_ = -(_e3897[0]);
                                     } else {
-                                        phi_6511_ = _e3887[0];
+                                        phi_6521_ = _e3897[0];
                                     }
-                                    let _e3894 = phi_6511_;
-                                    if (_e3887[1] < 0f) {
-                                        phi_6518_ = -(_e3887[1]);
+                                    let _e3904 = phi_6521_;
+                                    if (_e3897[1] < 0f) {
+                                        phi_6528_ = -(_e3897[1]);
                                     } else {
-                                        phi_6518_ = _e3887[1];
+                                        phi_6528_ = _e3897[1];
                                     }
-                                    let _e3898 = phi_6518_;
-                                    if (_e3894 > _e3898) {
-                                        phi_6523_ = _e3894;
+                                    let _e3908 = phi_6528_;
+                                    if (_e3904 > _e3908) {
+                                        phi_6533_ = _e3904;
                                     } else {
-                                        phi_6523_ = _e3898;
+                                        phi_6533_ = _e3908;
                                     }
-                                    let _e3901 = phi_6523_;
-                                    if (_e3887[2] < 0f) {
-                                        phi_6530_ = -(_e3887[2]);
+                                    let _e3911 = phi_6533_;
+                                    if (_e3897[2] < 0f) {
+                                        phi_6540_ = -(_e3897[2]);
                                     } else {
-                                        phi_6530_ = _e3887[2];
+                                        phi_6540_ = _e3897[2];
                                     }
-                                    let _e3905 = phi_6530_;
-                                    if (_e3901 > _e3905) {
-                                        phi_6535_ = _e3901;
+                                    let _e3915 = phi_6540_;
+                                    if (_e3911 > _e3915) {
+                                        phi_6545_ = _e3911;
                                     } else {
-                                        phi_6535_ = _e3905;
+                                        phi_6545_ = _e3915;
                                     }
-                                    let _e3908 = phi_6535_;
-                                    let _e3911 = local_1.member[1u];
-                                    if (_e3911[0] < 0f) {
-                                        phi_6548_ = -(_e3911[0]);
+                                    let _e3918 = phi_6545_;
+                                    let _e3921 = local_1.member[1u];
+                                    if (_e3921[0] < 0f) {
+                                        phi_6558_ = -(_e3921[0]);
                                     } else {
-                                        phi_6548_ = _e3911[0];
+                                        phi_6558_ = _e3921[0];
                                     }
-                                    let _e3918 = phi_6548_;
-                                    if (_e3911[1] < 0f) {
-                                        phi_6555_ = -(_e3911[1]);
+                                    let _e3928 = phi_6558_;
+                                    if (_e3921[1] < 0f) {
+                                        phi_6565_ = -(_e3921[1]);
                                     } else {
-                                        phi_6555_ = _e3911[1];
+                                        phi_6565_ = _e3921[1];
                                     }
-                                    let _e3922 = phi_6555_;
-                                    if (_e3918 > _e3922) {
-                                        phi_6560_ = _e3918;
+                                    let _e3932 = phi_6565_;
+                                    if (_e3928 > _e3932) {
+                                        phi_6570_ = _e3928;
                                     } else {
-                                        phi_6560_ = _e3922;
+                                        phi_6570_ = _e3932;
                                     }
-                                    let _e3925 = phi_6560_;
-                                    if (_e3911[2] < 0f) {
-                                        phi_6567_ = -(_e3911[2]);
+                                    let _e3935 = phi_6570_;
+                                    if (_e3921[2] < 0f) {
+                                        phi_6577_ = -(_e3921[2]);
                                     } else {
-                                        phi_6567_ = _e3911[2];
+                                        phi_6577_ = _e3921[2];
                                     }
-                                    let _e3929 = phi_6567_;
-                                    if (_e3925 > _e3929) {
-                                        phi_6572_ = _e3925;
+                                    let _e3939 = phi_6577_;
+                                    if (_e3935 > _e3939) {
+                                        phi_6582_ = _e3935;
                                     } else {
-                                        phi_6572_ = _e3929;
+                                        phi_6582_ = _e3939;
                                     }
-                                    let _e3932 = phi_6572_;
-                                    if (_e3908 > _e3932) {
-                                        phi_6577_ = _e3908;
+                                    let _e3942 = phi_6582_;
+                                    if (_e3918 > _e3942) {
+                                        phi_6587_ = _e3918;
                                     } else {
-                                        phi_6577_ = _e3932;
+                                        phi_6587_ = _e3942;
                                     }
-                                    let _e3935 = phi_6577_;
-                                    let _e3937 = local_1.member_3;
-                                    let _e3938 = (_e3935 + _e3937);
-                                    let _e3941 = local_1.member_1[0u];
-                                    if (_e3941[0] < 0f) {
-                                        phi_6594_ = -(_e3941[0]);
+                                    let _e3945 = phi_6587_;
+                                    let _e3947 = local_1.member_3;
+                                    let _e3948 = (_e3945 + _e3947);
+                                    let _e3951 = local_1.member_1[0u];
+                                    if (_e3951[0] < 0f) {
+                                        phi_6604_ = -(_e3951[0]);
                                     } else {
-                                        phi_6594_ = _e3941[0];
+                                        phi_6604_ = _e3951[0];
                                     }
-                                    let _e3948 = phi_6594_;
-                                    if (_e3941[1] < 0f) {
-                                        phi_6601_ = -(_e3941[1]);
+                                    let _e3958 = phi_6604_;
+                                    if (_e3951[1] < 0f) {
+                                        phi_6611_ = -(_e3951[1]);
                                     } else {
-                                        phi_6601_ = _e3941[1];
+                                        phi_6611_ = _e3951[1];
                                     }
-                                    let _e3952 = phi_6601_;
-                                    if (_e3948 > _e3952) {
-                                        phi_6606_ = _e3948;
+                                    let _e3962 = phi_6611_;
+                                    if (_e3958 > _e3962) {
+                                        phi_6616_ = _e3958;
                                     } else {
-                                        phi_6606_ = _e3952;
+                                        phi_6616_ = _e3962;
                                     }
-                                    let _e3955 = phi_6606_;
-                                    if (_e3941[2] < 0f) {
-                                        phi_6613_ = -(_e3941[2]);
+                                    let _e3965 = phi_6616_;
+                                    if (_e3951[2] < 0f) {
+                                        phi_6623_ = -(_e3951[2]);
                                     } else {
-                                        phi_6613_ = _e3941[2];
+                                        phi_6623_ = _e3951[2];
                                     }
-                                    let _e3959 = phi_6613_;
-                                    if (_e3955 > _e3959) {
-                                        phi_6618_ = _e3955;
+                                    let _e3969 = phi_6623_;
+                                    if (_e3965 > _e3969) {
+                                        phi_6628_ = _e3965;
                                     } else {
-                                        phi_6618_ = _e3959;
+                                        phi_6628_ = _e3969;
                                     }
-                                    let _e3962 = phi_6618_;
-                                    let _e3965 = local_1.member_1[1u];
-                                    if (_e3965[0] < 0f) {
-                                        phi_6632_ = -(_e3965[0]);
+                                    let _e3972 = phi_6628_;
+                                    let _e3975 = local_1.member_1[1u];
+                                    if (_e3975[0] < 0f) {
+                                        phi_6642_ = -(_e3975[0]);
                                     } else {
-                                        phi_6632_ = _e3965[0];
+                                        phi_6642_ = _e3975[0];
                                     }
-                                    let _e3972 = phi_6632_;
-                                    if (_e3965[1] < 0f) {
-                                        phi_6639_ = -(_e3965[1]);
+                                    let _e3982 = phi_6642_;
+                                    if (_e3975[1] < 0f) {
+                                        phi_6649_ = -(_e3975[1]);
                                     } else {
-                                        phi_6639_ = _e3965[1];
+                                        phi_6649_ = _e3975[1];
                                     }
-                                    let _e3976 = phi_6639_;
-                                    if (_e3972 > _e3976) {
-                                        phi_6644_ = _e3972;
+                                    let _e3986 = phi_6649_;
+                                    if (_e3982 > _e3986) {
+                                        phi_6654_ = _e3982;
                                     } else {
-                                        phi_6644_ = _e3976;
+                                        phi_6654_ = _e3986;
                                     }
-                                    let _e3979 = phi_6644_;
-                                    if (_e3965[2] < 0f) {
-                                        phi_6651_ = -(_e3965[2]);
+                                    let _e3989 = phi_6654_;
+                                    if (_e3975[2] < 0f) {
+                                        phi_6661_ = -(_e3975[2]);
                                     } else {
-                                        phi_6651_ = _e3965[2];
+                                        phi_6661_ = _e3975[2];
                                     }
-                                    let _e3983 = phi_6651_;
-                                    if (_e3979 > _e3983) {
-                                        phi_6656_ = _e3979;
+                                    let _e3993 = phi_6661_;
+                                    if (_e3989 > _e3993) {
+                                        phi_6666_ = _e3989;
                                     } else {
-                                        phi_6656_ = _e3983;
+                                        phi_6666_ = _e3993;
                                     }
-                                    let _e3986 = phi_6656_;
-                                    if (_e3962 > _e3986) {
-                                        phi_6661_ = _e3962;
+                                    let _e3996 = phi_6666_;
+                                    if (_e3972 > _e3996) {
+                                        phi_6671_ = _e3972;
                                     } else {
-                                        phi_6661_ = _e3986;
+                                        phi_6671_ = _e3996;
                                     }
-                                    let _e3989 = phi_6661_;
-                                    let _e3991 = local_1.member_3;
-                                    let _e3992 = (_e3989 + _e3991);
-                                    let _e3995 = local_1.member_2[0u];
-                                    if (_e3995[0] < 0f) {
-                                        phi_6678_ = -(_e3995[0]);
+                                    let _e3999 = phi_6671_;
+                                    let _e4001 = local_1.member_3;
+                                    let _e4002 = (_e3999 + _e4001);
+                                    let _e4005 = local_1.member_2[0u];
+                                    if (_e4005[0] < 0f) {
+                                        phi_6688_ = -(_e4005[0]);
                                     } else {
-                                        phi_6678_ = _e3995[0];
+                                        phi_6688_ = _e4005[0];
                                     }
-                                    let _e4002 = phi_6678_;
-                                    if (_e3995[1] < 0f) {
-                                        phi_6685_ = -(_e3995[1]);
+                                    let _e4012 = phi_6688_;
+                                    if (_e4005[1] < 0f) {
+                                        phi_6695_ = -(_e4005[1]);
                                     } else {
-                                        phi_6685_ = _e3995[1];
+                                        phi_6695_ = _e4005[1];
                                     }
-                                    let _e4006 = phi_6685_;
-                                    if (_e4002 > _e4006) {
-                                        phi_6690_ = _e4002;
+                                    let _e4016 = phi_6695_;
+                                    if (_e4012 > _e4016) {
+                                        phi_6700_ = _e4012;
                                     } else {
-                                        phi_6690_ = _e4006;
+                                        phi_6700_ = _e4016;
                                     }
-                                    let _e4009 = phi_6690_;
-                                    if (_e3995[2] < 0f) {
-                                        phi_6697_ = -(_e3995[2]);
+                                    let _e4019 = phi_6700_;
+                                    if (_e4005[2] < 0f) {
+                                        phi_6707_ = -(_e4005[2]);
                                     } else {
-                                        phi_6697_ = _e3995[2];
+                                        phi_6707_ = _e4005[2];
                                     }
-                                    let _e4013 = phi_6697_;
-                                    if (_e4009 > _e4013) {
-                                        phi_6702_ = _e4009;
+                                    let _e4023 = phi_6707_;
+                                    if (_e4019 > _e4023) {
+                                        phi_6712_ = _e4019;
                                     } else {
-                                        phi_6702_ = _e4013;
+                                        phi_6712_ = _e4023;
                                     }
-                                    let _e4016 = phi_6702_;
-                                    let _e4019 = local_1.member_2[1u];
-                                    if (_e4019[0] < 0f) {
-                                        phi_6716_ = -(_e4019[0]);
+                                    let _e4026 = phi_6712_;
+                                    let _e4029 = local_1.member_2[1u];
+                                    if (_e4029[0] < 0f) {
+                                        phi_6726_ = -(_e4029[0]);
                                     } else {
-                                        phi_6716_ = _e4019[0];
+                                        phi_6726_ = _e4029[0];
                                     }
-                                    let _e4026 = phi_6716_;
-                                    if (_e4019[1] < 0f) {
-                                        phi_6723_ = -(_e4019[1]);
+                                    let _e4036 = phi_6726_;
+                                    if (_e4029[1] < 0f) {
+                                        phi_6733_ = -(_e4029[1]);
                                     } else {
-                                        phi_6723_ = _e4019[1];
+                                        phi_6733_ = _e4029[1];
                                     }
-                                    let _e4030 = phi_6723_;
-                                    if (_e4026 > _e4030) {
-                                        phi_6728_ = _e4026;
+                                    let _e4040 = phi_6733_;
+                                    if (_e4036 > _e4040) {
+                                        phi_6738_ = _e4036;
                                     } else {
-                                        phi_6728_ = _e4030;
+                                        phi_6738_ = _e4040;
                                     }
-                                    let _e4033 = phi_6728_;
-                                    if (_e4019[2] < 0f) {
-                                        phi_6735_ = -(_e4019[2]);
+                                    let _e4043 = phi_6738_;
+                                    if (_e4029[2] < 0f) {
+                                        phi_6745_ = -(_e4029[2]);
                                     } else {
-                                        phi_6735_ = _e4019[2];
+                                        phi_6745_ = _e4029[2];
                                     }
-                                    let _e4037 = phi_6735_;
-                                    if (_e4033 > _e4037) {
-                                        phi_6740_ = _e4033;
+                                    let _e4047 = phi_6745_;
+                                    if (_e4043 > _e4047) {
+                                        phi_6750_ = _e4043;
                                     } else {
-                                        phi_6740_ = _e4037;
+                                        phi_6750_ = _e4047;
                                     }
-                                    let _e4040 = phi_6740_;
-                                    if (_e4016 > _e4040) {
-                                        phi_6745_ = _e4016;
+                                    let _e4050 = phi_6750_;
+                                    if (_e4026 > _e4050) {
+                                        phi_6755_ = _e4026;
                                     } else {
-                                        phi_6745_ = _e4040;
+                                        phi_6755_ = _e4050;
                                     }
-                                    let _e4043 = phi_6745_;
-                                    let _e4045 = local_1.member_3;
-                                    let _e4046 = (_e4043 + _e4045);
-                                    let _e4048 = ((_e3992 * 8f) * _e4046);
+                                    let _e4053 = phi_6755_;
                                     let _e4055 = local_1.member_3;
-                                    if (_e3744 < 0f) {
-                                        phi_6776_ = -(_e3744);
+                                    let _e4056 = (_e4053 + _e4055);
+                                    let _e4058 = ((_e4002 * 8f) * _e4056);
+                                    let _e4065 = local_1.member_3;
+                                    if (_e3754 < 0f) {
+                                        phi_6786_ = -(_e3754);
                                     } else {
-                                        phi_6776_ = _e3744;
+                                        phi_6786_ = _e3754;
                                     }
-                                    let _e4072 = phi_6776_;
-                                    if (_e3747 < 0f) {
-                                        phi_6782_ = -(_e3747);
+                                    let _e4082 = phi_6786_;
+                                    if (_e3757 < 0f) {
+                                        phi_6792_ = -(_e3757);
                                     } else {
-                                        phi_6782_ = _e3747;
+                                        phi_6792_ = _e3757;
                                     }
-                                    let _e4076 = phi_6782_;
-                                    if (_e3750 < 0f) {
-                                        phi_6789_ = -(_e3750);
+                                    let _e4086 = phi_6792_;
+                                    if (_e3760 < 0f) {
+                                        phi_6799_ = -(_e3760);
                                     } else {
-                                        phi_6789_ = _e3750;
+                                        phi_6799_ = _e3760;
                                     }
-                                    let _e4081 = phi_6789_;
-                                    let _e4082 = ((_e4072 + _e4076) + _e4081);
-                                    if (_e3765 < 0f) {
-                                        phi_6796_ = -(_e3765);
+                                    let _e4091 = phi_6799_;
+                                    let _e4092 = ((_e4082 + _e4086) + _e4091);
+                                    if (_e3775 < 0f) {
+                                        phi_6806_ = -(_e3775);
                                     } else {
-                                        phi_6796_ = _e3765;
+                                        phi_6806_ = _e3775;
                                     }
-                                    let _e4086 = phi_6796_;
-                                    if (_e3768 < 0f) {
-                                        phi_6802_ = -(_e3768);
+                                    let _e4096 = phi_6806_;
+                                    if (_e3778 < 0f) {
+                                        phi_6812_ = -(_e3778);
                                     } else {
-                                        phi_6802_ = _e3768;
+                                        phi_6812_ = _e3778;
                                     }
-                                    let _e4090 = phi_6802_;
-                                    if (_e3771 < 0f) {
-                                        phi_6809_ = -(_e3771);
+                                    let _e4100 = phi_6812_;
+                                    if (_e3781 < 0f) {
+                                        phi_6819_ = -(_e3781);
                                     } else {
-                                        phi_6809_ = _e3771;
+                                        phi_6819_ = _e3781;
                                     }
-                                    let _e4095 = phi_6809_;
-                                    let _e4096 = ((_e4086 + _e4090) + _e4095);
-                                    if (_e4082 > _e4096) {
-                                        phi_6815_ = _e4082;
+                                    let _e4105 = phi_6819_;
+                                    let _e4106 = ((_e4096 + _e4100) + _e4105);
+                                    if (_e4092 > _e4106) {
+                                        phi_6825_ = _e4092;
                                     } else {
-                                        phi_6815_ = _e4096;
+                                        phi_6825_ = _e4106;
                                     }
-                                    let _e4099 = phi_6815_;
-                                    if (_e3814 < 0f) {
-                                        phi_6821_ = -(_e3814);
+                                    let _e4109 = phi_6825_;
+                                    if (_e3824 < 0f) {
+                                        phi_6831_ = -(_e3824);
                                     } else {
-                                        phi_6821_ = _e3814;
+                                        phi_6831_ = _e3824;
                                     }
-                                    let _e4103 = phi_6821_;
-                                    if (_e3815 < 0f) {
-                                        phi_6827_ = -(_e3815);
+                                    let _e4113 = phi_6831_;
+                                    if (_e3825 < 0f) {
+                                        phi_6837_ = -(_e3825);
                                     } else {
-                                        phi_6827_ = _e3815;
+                                        phi_6837_ = _e3825;
                                     }
-                                    let _e4107 = phi_6827_;
-                                    if (_e3816 < 0f) {
-                                        phi_6834_ = -(_e3816);
+                                    let _e4117 = phi_6837_;
+                                    if (_e3826 < 0f) {
+                                        phi_6844_ = -(_e3826);
                                     } else {
-                                        phi_6834_ = _e3816;
+                                        phi_6844_ = _e3826;
                                     }
-                                    let _e4112 = phi_6834_;
-                                    let _e4114 = (((_e4103 + _e4107) + _e4112) * 0.5f);
-                                    if (_e4099 > _e4114) {
-                                        phi_6841_ = _e4099;
+                                    let _e4122 = phi_6844_;
+                                    let _e4124 = (((_e4113 + _e4117) + _e4122) * 0.5f);
+                                    if (_e4109 > _e4124) {
+                                        phi_6851_ = _e4109;
                                     } else {
-                                        phi_6841_ = _e4114;
+                                        phi_6851_ = _e4124;
                                     }
-                                    let _e4117 = phi_6841_;
-                                    let _e4122 = local_1.member_3;
-                                    let _e4135 = ((((_e3819[0] * _e3744) + (_e3819[1] * _e3747)) + (_e3819[2] * _e3750)) * 3f);
-                                    let _e4136 = ((((_e3876[0] * _e3765) + (_e3876[1] * _e3768)) + (_e3876[2] * _e3771)) * 3f);
-                                    if (_e4135 < _e4136) {
-                                        phi_6865_ = _e4135;
+                                    let _e4127 = phi_6851_;
+                                    let _e4132 = local_1.member_3;
+                                    let _e4145 = ((((_e3829[0] * _e3754) + (_e3829[1] * _e3757)) + (_e3829[2] * _e3760)) * 3f);
+                                    let _e4146 = ((((_e3886[0] * _e3775) + (_e3886[1] * _e3778)) + (_e3886[2] * _e3781)) * 3f);
+                                    if (_e4145 < _e4146) {
+                                        phi_6875_ = _e4145;
                                     } else {
-                                        phi_6865_ = _e4136;
+                                        phi_6875_ = _e4146;
                                     }
-                                    let _e4139 = phi_6865_;
-                                    if (_e3850 < _e3873) {
-                                        phi_6870_ = _e3850;
+                                    let _e4149 = phi_6875_;
+                                    if (_e3860 < _e3883) {
+                                        phi_6880_ = _e3860;
                                     } else {
-                                        phi_6870_ = _e3873;
+                                        phi_6880_ = _e3883;
                                     }
-                                    let _e4142 = phi_6870_;
-                                    if (_e4139 < _e4142) {
-                                        phi_6875_ = _e4139;
+                                    let _e4152 = phi_6880_;
+                                    if (_e4149 < _e4152) {
+                                        phi_6885_ = _e4149;
                                     } else {
-                                        phi_6875_ = _e4142;
+                                        phi_6885_ = _e4152;
                                     }
-                                    let _e4145 = phi_6875_;
-                                    if (_e4135 > _e4136) {
-                                        phi_6880_ = _e4135;
+                                    let _e4155 = phi_6885_;
+                                    if (_e4145 > _e4146) {
+                                        phi_6890_ = _e4145;
                                     } else {
-                                        phi_6880_ = _e4136;
+                                        phi_6890_ = _e4146;
                                     }
-                                    let _e4148 = phi_6880_;
-                                    if (_e3850 > _e3873) {
-                                        phi_6885_ = _e3850;
+                                    let _e4158 = phi_6890_;
+                                    if (_e3860 > _e3883) {
+                                        phi_6895_ = _e3860;
                                     } else {
-                                        phi_6885_ = _e3873;
+                                        phi_6895_ = _e3883;
                                     }
-                                    let _e4151 = phi_6885_;
-                                    if (_e4148 > _e4151) {
-                                        phi_6890_ = _e4148;
+                                    let _e4161 = phi_6895_;
+                                    if (_e4158 > _e4161) {
+                                        phi_6900_ = _e4158;
                                     } else {
-                                        phi_6890_ = _e4151;
+                                        phi_6900_ = _e4161;
                                     }
-                                    let _e4154 = phi_6890_;
-                                    let _e4159 = -(_e4154);
-                                    if (_e4145 > _e4159) {
-                                        phi_6900_ = _e4145;
+                                    let _e4164 = phi_6900_;
+                                    let _e4169 = -(_e4164);
+                                    if (_e4155 > _e4169) {
+                                        phi_6910_ = _e4155;
                                     } else {
-                                        phi_6900_ = _e4159;
+                                        phi_6910_ = _e4169;
                                     }
-                                    let _e4162 = phi_6900_;
-                                    if ((_e4162 - ((((((_e3938 * 8f) * _e4048) * (0.000000059604645f * (490f / 64f))) + ((_e4055 * 19f) * ((_e3938 * (_e3992 + _e4046)) + (_e3992 * _e4046)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3938) * ((1f + _e3992) * (1f + _e4046))))) + ((_e1450 * (((_e4117 + (_e4048 * (0.000000059604645f * 4f))) + ((_e4122 * 6f) * (_e3992 + _e4046))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3992) * (1f + _e4046))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_7864_ = true;
+                                    let _e4172 = phi_6910_;
+                                    let _e4174 = ((_e4172 - ((((((_e3948 * 8f) * _e4058) * (0.000000059604645f * (524f / 64f))) + ((_e4065 * 19f) * ((_e3948 * (_e4002 + _e4056)) + (_e4002 * _e4056)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3948) * ((1f + _e4002) * (1f + _e4056))))) + ((_e1450 * (((_e4127 + (_e4058 * (0.000000059604645f * 8f))) + ((_e4132 * 6f) * (_e4002 + _e4056))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4002) * (1f + _e4056))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4174 {
+                                        phi_7879_ = _e4174;
                                     } else {
-                                        let _e4167 = local_1.member_1[0u];
-                                        let _e4173 = local_1.member_1[1u];
-                                        let _e4177 = (_e4167[0] + _e4173[0]);
-                                        let _e4178 = (_e4167[1] + _e4173[1]);
-                                        let _e4179 = (_e4167[2] + _e4173[2]);
-                                        let _e4182 = local_1.member_2[0u];
-                                        let _e4188 = local_1.member_2[1u];
-                                        let _e4192 = (_e4182[0] + _e4188[0]);
-                                        let _e4193 = (_e4182[1] + _e4188[1]);
-                                        let _e4194 = (_e4182[2] + _e4188[2]);
-                                        let _e4197 = ((_e4178 * _e4194) - (_e4179 * _e4193));
-                                        let _e4200 = ((_e4179 * _e4192) - (_e4177 * _e4194));
-                                        let _e4203 = ((_e4177 * _e4193) - (_e4178 * _e4192));
-                                        let _e4206 = local_1.member[0u];
-                                        let _e4212 = local_1.member_1[0u];
-                                        let _e4218 = local_1.member_2[0u];
-                                        let _e4222 = (_e4206[0] - _e4212[0]);
-                                        let _e4223 = (_e4206[1] - _e4212[1]);
-                                        let _e4224 = (_e4206[2] - _e4212[2]);
-                                        let _e4225 = (_e4206[0] - _e4218[0]);
-                                        let _e4226 = (_e4206[1] - _e4218[1]);
-                                        let _e4227 = (_e4206[2] - _e4218[2]);
-                                        let _e4230 = local_1.member[1u];
-                                        let _e4236 = local_1.member_1[1u];
-                                        let _e4242 = local_1.member_2[1u];
-                                        let _e4246 = (_e4230[0] - _e4236[0]);
-                                        let _e4247 = (_e4230[1] - _e4236[1]);
-                                        let _e4248 = (_e4230[2] - _e4236[2]);
-                                        let _e4249 = (_e4230[0] - _e4242[0]);
-                                        let _e4250 = (_e4230[1] - _e4242[1]);
-                                        let _e4251 = (_e4230[2] - _e4242[2]);
-                                        let _e4254 = local_1.member[0u];
-                                        if (_e4254[0] < 0f) {
-                                            phi_7103_ = -(_e4254[0]);
-                                        } else {
-                                            phi_7103_ = _e4254[0];
-                                        }
-                                        let _e4261 = phi_7103_;
-                                        if (_e4254[1] < 0f) {
-                                            phi_7110_ = -(_e4254[1]);
-                                        } else {
-                                            phi_7110_ = _e4254[1];
-                                        }
-                                        let _e4265 = phi_7110_;
-                                        if (_e4261 > _e4265) {
-                                            phi_7115_ = _e4261;
-                                        } else {
-                                            phi_7115_ = _e4265;
+                                        let _e4177 = local_1.member_1[0u];
+                                        let _e4183 = local_1.member_1[1u];
+                                        let _e4187 = (_e4177[0] + _e4183[0]);
+                                        let _e4188 = (_e4177[1] + _e4183[1]);
+                                        let _e4189 = (_e4177[2] + _e4183[2]);
+                                        let _e4192 = local_1.member_2[0u];
+                                        let _e4198 = local_1.member_2[1u];
+                                        let _e4202 = (_e4192[0] + _e4198[0]);
+                                        let _e4203 = (_e4192[1] + _e4198[1]);
+                                        let _e4204 = (_e4192[2] + _e4198[2]);
+                                        let _e4207 = ((_e4188 * _e4204) - (_e4189 * _e4203));
+                                        let _e4210 = ((_e4189 * _e4202) - (_e4187 * _e4204));
+                                        let _e4213 = ((_e4187 * _e4203) - (_e4188 * _e4202));
+                                        let _e4216 = local_1.member[0u];
+                                        let _e4222 = local_1.member_1[0u];
+                                        let _e4228 = local_1.member_2[0u];
+                                        let _e4232 = (_e4216[0] - _e4222[0]);
+                                        let _e4233 = (_e4216[1] - _e4222[1]);
+                                        let _e4234 = (_e4216[2] - _e4222[2]);
+                                        let _e4235 = (_e4216[0] - _e4228[0]);
+                                        let _e4236 = (_e4216[1] - _e4228[1]);
+                                        let _e4237 = (_e4216[2] - _e4228[2]);
+                                        let _e4240 = local_1.member[1u];
+                                        let _e4246 = local_1.member_1[1u];
+                                        let _e4252 = local_1.member_2[1u];
+                                        let _e4256 = (_e4240[0] - _e4246[0]);
+                                        let _e4257 = (_e4240[1] - _e4246[1]);
+                                        let _e4258 = (_e4240[2] - _e4246[2]);
+                                        let _e4259 = (_e4240[0] - _e4252[0]);
+                                        let _e4260 = (_e4240[1] - _e4252[1]);
+                                        let _e4261 = (_e4240[2] - _e4252[2]);
+                                        let _e4264 = local_1.member[0u];
+                                        if (_e4264[0] < 0f) {
+                                            phi_7113_ = -(_e4264[0]);
+                                        } else {
+                                            phi_7113_ = _e4264[0];
+                                        }
+                                        let _e4271 = phi_7113_;
+                                        if (_e4264[1] < 0f) {
+                                            phi_7120_ = -(_e4264[1]);
+                                        } else {
+                                            phi_7120_ = _e4264[1];
+                                        }
+                                        let _e4275 = phi_7120_;
+                                        if (_e4271 > _e4275) {
+                                            phi_7125_ = _e4271;
+                                        } else {
+                                            phi_7125_ = _e4275;
                                         }
-                                        let _e4268 = phi_7115_;
-                                        if (_e4254[2] < 0f) {
-                                            phi_7122_ = -(_e4254[2]);
+                                        let _e4278 = phi_7125_;
+                                        if (_e4264[2] < 0f) {
+                                            phi_7132_ = -(_e4264[2]);
                                         } else {
-                                            phi_7122_ = _e4254[2];
+                                            phi_7132_ = _e4264[2];
                                         }
-                                        let _e4272 = phi_7122_;
-                                        if (_e4268 > _e4272) {
-                                            phi_7127_ = _e4268;
+                                        let _e4282 = phi_7132_;
+                                        if (_e4278 > _e4282) {
+                                            phi_7137_ = _e4278;
                                         } else {
-                                            phi_7127_ = _e4272;
+                                            phi_7137_ = _e4282;
                                         }
-                                        let _e4275 = phi_7127_;
-                                        let _e4278 = local_1.member[1u];
-                                        if (_e4278[0] < 0f) {
-                                            phi_7140_ = -(_e4278[0]);
+                                        let _e4285 = phi_7137_;
+                                        let _e4288 = local_1.member[1u];
+                                        if (_e4288[0] < 0f) {
+                                            phi_7150_ = -(_e4288[0]);
                                         } else {
-                                            phi_7140_ = _e4278[0];
+                                            phi_7150_ = _e4288[0];
                                         }
-                                        let _e4285 = phi_7140_;
-                                        if (_e4278[1] < 0f) {
-                                            phi_7147_ = -(_e4278[1]);
+                                        let _e4295 = phi_7150_;
+                                        if (_e4288[1] < 0f) {
+                                            phi_7157_ = -(_e4288[1]);
                                         } else {
-                                            phi_7147_ = _e4278[1];
+                                            phi_7157_ = _e4288[1];
                                         }
-                                        let _e4289 = phi_7147_;
-                                        if (_e4285 > _e4289) {
-                                            phi_7152_ = _e4285;
+                                        let _e4299 = phi_7157_;
+                                        if (_e4295 > _e4299) {
+                                            phi_7162_ = _e4295;
                                         } else {
-                                            phi_7152_ = _e4289;
+                                            phi_7162_ = _e4299;
                                         }
-                                        let _e4292 = phi_7152_;
-                                        if (_e4278[2] < 0f) {
-                                            phi_7159_ = -(_e4278[2]);
+                                        let _e4302 = phi_7162_;
+                                        if (_e4288[2] < 0f) {
+                                            phi_7169_ = -(_e4288[2]);
                                         } else {
-                                            phi_7159_ = _e4278[2];
+                                            phi_7169_ = _e4288[2];
                                         }
-                                        let _e4296 = phi_7159_;
-                                        if (_e4292 > _e4296) {
-                                            phi_7164_ = _e4292;
+                                        let _e4306 = phi_7169_;
+                                        if (_e4302 > _e4306) {
+                                            phi_7174_ = _e4302;
                                         } else {
-                                            phi_7164_ = _e4296;
+                                            phi_7174_ = _e4306;
                                         }
-                                        let _e4299 = phi_7164_;
-                                        if (_e4275 > _e4299) {
-                                            phi_7169_ = _e4275;
+                                        let _e4309 = phi_7174_;
+                                        if (_e4285 > _e4309) {
+                                            phi_7179_ = _e4285;
                                         } else {
-                                            phi_7169_ = _e4299;
+                                            phi_7179_ = _e4309;
                                         }
-                                        let _e4302 = phi_7169_;
-                                        let _e4304 = local_1.member_3;
-                                        let _e4308 = local_1.member_1[0u];
-                                        if (_e4308[0] < 0f) {
-                                            phi_7186_ = -(_e4308[0]);
+                                        let _e4312 = phi_7179_;
+                                        let _e4314 = local_1.member_3;
+                                        let _e4318 = local_1.member_1[0u];
+                                        if (_e4318[0] < 0f) {
+                                            phi_7196_ = -(_e4318[0]);
                                         } else {
-                                            phi_7186_ = _e4308[0];
+                                            phi_7196_ = _e4318[0];
                                         }
-                                        let _e4315 = phi_7186_;
-                                        if (_e4308[1] < 0f) {
-                                            phi_7193_ = -(_e4308[1]);
+                                        let _e4325 = phi_7196_;
+                                        if (_e4318[1] < 0f) {
+                                            phi_7203_ = -(_e4318[1]);
                                         } else {
-                                            phi_7193_ = _e4308[1];
+                                            phi_7203_ = _e4318[1];
                                         }
-                                        let _e4319 = phi_7193_;
-                                        if (_e4315 > _e4319) {
-                                            phi_7198_ = _e4315;
+                                        let _e4329 = phi_7203_;
+                                        if (_e4325 > _e4329) {
+                                            phi_7208_ = _e4325;
                                         } else {
-                                            phi_7198_ = _e4319;
+                                            phi_7208_ = _e4329;
                                         }
-                                        let _e4322 = phi_7198_;
-                                        if (_e4308[2] < 0f) {
-                                            phi_7205_ = -(_e4308[2]);
+                                        let _e4332 = phi_7208_;
+                                        if (_e4318[2] < 0f) {
+                                            phi_7215_ = -(_e4318[2]);
                                         } else {
-                                            phi_7205_ = _e4308[2];
+                                            phi_7215_ = _e4318[2];
                                         }
-                                        let _e4326 = phi_7205_;
-                                        if (_e4322 > _e4326) {
-                                            phi_7210_ = _e4322;
+                                        let _e4336 = phi_7215_;
+                                        if (_e4332 > _e4336) {
+                                            phi_7220_ = _e4332;
                                         } else {
-                                            phi_7210_ = _e4326;
+                                            phi_7220_ = _e4336;
                                         }
-                                        let _e4329 = phi_7210_;
-                                        let _e4332 = local_1.member_1[1u];
-                                        if (_e4332[0] < 0f) {
-                                            phi_7224_ = -(_e4332[0]);
+                                        let _e4339 = phi_7220_;
+                                        let _e4342 = local_1.member_1[1u];
+                                        if (_e4342[0] < 0f) {
+                                            phi_7234_ = -(_e4342[0]);
                                         } else {
-                                            phi_7224_ = _e4332[0];
+                                            phi_7234_ = _e4342[0];
                                         }
-                                        let _e4339 = phi_7224_;
-                                        if (_e4332[1] < 0f) {
-                                            phi_7231_ = -(_e4332[1]);
+                                        let _e4349 = phi_7234_;
+                                        if (_e4342[1] < 0f) {
+                                            phi_7241_ = -(_e4342[1]);
                                         } else {
-                                            phi_7231_ = _e4332[1];
+                                            phi_7241_ = _e4342[1];
                                         }
-                                        let _e4343 = phi_7231_;
-                                        if (_e4339 > _e4343) {
-                                            phi_7236_ = _e4339;
+                                        let _e4353 = phi_7241_;
+                                        if (_e4349 > _e4353) {
+                                            phi_7246_ = _e4349;
                                         } else {
-                                            phi_7236_ = _e4343;
+                                            phi_7246_ = _e4353;
                                         }
-                                        let _e4346 = phi_7236_;
-                                        if (_e4332[2] < 0f) {
-                                            phi_7243_ = -(_e4332[2]);
+                                        let _e4356 = phi_7246_;
+                                        if (_e4342[2] < 0f) {
+                                            phi_7253_ = -(_e4342[2]);
                                         } else {
-                                            phi_7243_ = _e4332[2];
+                                            phi_7253_ = _e4342[2];
                                         }
-                                        let _e4350 = phi_7243_;
-                                        if (_e4346 > _e4350) {
-                                            phi_7248_ = _e4346;
+                                        let _e4360 = phi_7253_;
+                                        if (_e4356 > _e4360) {
+                                            phi_7258_ = _e4356;
                                         } else {
-                                            phi_7248_ = _e4350;
+                                            phi_7258_ = _e4360;
                                         }
-                                        let _e4353 = phi_7248_;
-                                        if (_e4329 > _e4353) {
-                                            phi_7253_ = _e4329;
+                                        let _e4363 = phi_7258_;
+                                        if (_e4339 > _e4363) {
+                                            phi_7263_ = _e4339;
                                         } else {
-                                            phi_7253_ = _e4353;
+                                            phi_7263_ = _e4363;
                                         }
-                                        let _e4356 = phi_7253_;
-                                        let _e4358 = local_1.member_3;
-                                        let _e4362 = local_1.member_2[0u];
-                                        if (_e4362[0] < 0f) {
-                                            phi_7270_ = -(_e4362[0]);
+                                        let _e4366 = phi_7263_;
+                                        let _e4368 = local_1.member_3;
+                                        let _e4372 = local_1.member_2[0u];
+                                        if (_e4372[0] < 0f) {
+                                            phi_7280_ = -(_e4372[0]);
                                         } else {
-                                            phi_7270_ = _e4362[0];
+                                            phi_7280_ = _e4372[0];
                                         }
-                                        let _e4369 = phi_7270_;
-                                        if (_e4362[1] < 0f) {
-                                            phi_7277_ = -(_e4362[1]);
+                                        let _e4379 = phi_7280_;
+                                        if (_e4372[1] < 0f) {
+                                            phi_7287_ = -(_e4372[1]);
                                         } else {
-                                            phi_7277_ = _e4362[1];
+                                            phi_7287_ = _e4372[1];
                                         }
-                                        let _e4373 = phi_7277_;
-                                        if (_e4369 > _e4373) {
-                                            phi_7282_ = _e4369;
+                                        let _e4383 = phi_7287_;
+                                        if (_e4379 > _e4383) {
+                                            phi_7292_ = _e4379;
                                         } else {
-                                            phi_7282_ = _e4373;
+                                            phi_7292_ = _e4383;
                                         }
-                                        let _e4376 = phi_7282_;
-                                        if (_e4362[2] < 0f) {
-                                            phi_7289_ = -(_e4362[2]);
+                                        let _e4386 = phi_7292_;
+                                        if (_e4372[2] < 0f) {
+                                            phi_7299_ = -(_e4372[2]);
                                         } else {
-                                            phi_7289_ = _e4362[2];
+                                            phi_7299_ = _e4372[2];
                                         }
-                                        let _e4380 = phi_7289_;
-                                        if (_e4376 > _e4380) {
-                                            phi_7294_ = _e4376;
+                                        let _e4390 = phi_7299_;
+                                        if (_e4386 > _e4390) {
+                                            phi_7304_ = _e4386;
                                         } else {
-                                            phi_7294_ = _e4380;
+                                            phi_7304_ = _e4390;
                                         }
-                                        let _e4383 = phi_7294_;
-                                        let _e4386 = local_1.member_2[1u];
-                                        if (_e4386[0] < 0f) {
-                                            phi_7308_ = -(_e4386[0]);
+                                        let _e4393 = phi_7304_;
+                                        let _e4396 = local_1.member_2[1u];
+                                        if (_e4396[0] < 0f) {
+                                            phi_7318_ = -(_e4396[0]);
                                         } else {
-                                            phi_7308_ = _e4386[0];
+                                            phi_7318_ = _e4396[0];
                                         }
-                                        let _e4393 = phi_7308_;
-                                        if (_e4386[1] < 0f) {
-                                            phi_7315_ = -(_e4386[1]);
+                                        let _e4403 = phi_7318_;
+                                        if (_e4396[1] < 0f) {
+                                            phi_7325_ = -(_e4396[1]);
                                         } else {
-                                            phi_7315_ = _e4386[1];
+                                            phi_7325_ = _e4396[1];
                                         }
-                                        let _e4397 = phi_7315_;
-                                        if (_e4393 > _e4397) {
-                                            phi_7320_ = _e4393;
+                                        let _e4407 = phi_7325_;
+                                        if (_e4403 > _e4407) {
+                                            phi_7330_ = _e4403;
                                         } else {
-                                            phi_7320_ = _e4397;
+                                            phi_7330_ = _e4407;
                                         }
-                                        let _e4400 = phi_7320_;
-                                        if (_e4386[2] < 0f) {
-                                            phi_7327_ = -(_e4386[2]);
+                                        let _e4410 = phi_7330_;
+                                        if (_e4396[2] < 0f) {
+                                            phi_7337_ = -(_e4396[2]);
                                         } else {
-                                            phi_7327_ = _e4386[2];
+                                            phi_7337_ = _e4396[2];
                                         }
-                                        let _e4404 = phi_7327_;
-                                        if (_e4400 > _e4404) {
-                                            phi_7332_ = _e4400;
+                                        let _e4414 = phi_7337_;
+                                        if (_e4410 > _e4414) {
+                                            phi_7342_ = _e4410;
                                         } else {
-                                            phi_7332_ = _e4404;
+                                            phi_7342_ = _e4414;
                                         }
-                                        let _e4407 = phi_7332_;
-                                        if (_e4383 > _e4407) {
-                                            phi_7337_ = _e4383;
+                                        let _e4417 = phi_7342_;
+                                        if (_e4393 > _e4417) {
+                                            phi_7347_ = _e4393;
                                         } else {
-                                            phi_7337_ = _e4407;
+                                            phi_7347_ = _e4417;
                                         }
-                                        let _e4410 = phi_7337_;
-                                        let _e4412 = local_1.member_3;
-                                        let _e4415 = (((_e4302 + _e4304) + (_e4356 + _e4358)) + (_e4410 + _e4412));
-                                        let _e4418 = local_1.member_3;
-                                        let _e4422 = (((_e1450 * 1.0001f) + (_e4418 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4425 = ((_e4200 * _e4179) - (_e4203 * _e4178));
-                                        let _e4428 = ((_e4203 * _e4177) - (_e4197 * _e4179));
-                                        let _e4431 = ((_e4197 * _e4178) - (_e4200 * _e4177));
-                                        let _e4436 = (((_e4425 * _e4206[0]) + (_e4428 * _e4206[1])) + (_e4431 * _e4206[2]));
-                                        let _e4441 = (((_e4425 * _e4222) + (_e4428 * _e4223)) + (_e4431 * _e4224));
-                                        let _e4446 = (((_e4425 * _e4225) + (_e4428 * _e4226)) + (_e4431 * _e4227));
-                                        let _e4451 = (((_e4425 * _e4206[0]) + (_e4428 * _e4206[1])) + (_e4431 * _e4206[2]));
-                                        let _e4456 = (((_e4425 * _e4230[0]) + (_e4428 * _e4230[1])) + (_e4431 * _e4230[2]));
-                                        let _e4461 = (((_e4425 * _e4246) + (_e4428 * _e4247)) + (_e4431 * _e4248));
-                                        let _e4466 = (((_e4425 * _e4249) + (_e4428 * _e4250)) + (_e4431 * _e4251));
-                                        let _e4471 = (((_e4425 * _e4230[0]) + (_e4428 * _e4230[1])) + (_e4431 * _e4230[2]));
-                                        if (_e4436 < _e4441) {
-                                            phi_7415_ = _e4436;
+                                        let _e4420 = phi_7347_;
+                                        let _e4422 = local_1.member_3;
+                                        let _e4426 = ((((_e4312 + _e4314) + (_e4366 + _e4368)) + (_e4420 + _e4422)) * 2f);
+                                        let _e4429 = local_1.member_3;
+                                        let _e4433 = (((_e1450 * 1.0001f) + (_e4429 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4436 = ((_e4210 * _e4189) - (_e4213 * _e4188));
+                                        let _e4439 = ((_e4213 * _e4187) - (_e4207 * _e4189));
+                                        let _e4442 = ((_e4207 * _e4188) - (_e4210 * _e4187));
+                                        let _e4447 = (((_e4436 * _e4216[0]) + (_e4439 * _e4216[1])) + (_e4442 * _e4216[2]));
+                                        let _e4452 = (((_e4436 * _e4232) + (_e4439 * _e4233)) + (_e4442 * _e4234));
+                                        let _e4457 = (((_e4436 * _e4235) + (_e4439 * _e4236)) + (_e4442 * _e4237));
+                                        let _e4462 = (((_e4436 * _e4216[0]) + (_e4439 * _e4216[1])) + (_e4442 * _e4216[2]));
+                                        let _e4467 = (((_e4436 * _e4240[0]) + (_e4439 * _e4240[1])) + (_e4442 * _e4240[2]));
+                                        let _e4472 = (((_e4436 * _e4256) + (_e4439 * _e4257)) + (_e4442 * _e4258));
+                                        let _e4477 = (((_e4436 * _e4259) + (_e4439 * _e4260)) + (_e4442 * _e4261));
+                                        let _e4482 = (((_e4436 * _e4240[0]) + (_e4439 * _e4240[1])) + (_e4442 * _e4240[2]));
+                                        if (_e4447 < _e4452) {
+                                            phi_7426_ = _e4447;
                                         } else {
-                                            phi_7415_ = _e4441;
+                                            phi_7426_ = _e4452;
                                         }
-                                        let _e4474 = phi_7415_;
-                                        if (_e4446 < _e4451) {
-                                            phi_7420_ = _e4446;
+                                        let _e4485 = phi_7426_;
+                                        if (_e4457 < _e4462) {
+                                            phi_7431_ = _e4457;
                                         } else {
-                                            phi_7420_ = _e4451;
+                                            phi_7431_ = _e4462;
                                         }
-                                        let _e4477 = phi_7420_;
-                                        if (_e4474 < _e4477) {
-                                            phi_7425_ = _e4474;
+                                        let _e4488 = phi_7431_;
+                                        if (_e4485 < _e4488) {
+                                            phi_7436_ = _e4485;
                                         } else {
-                                            phi_7425_ = _e4477;
+                                            phi_7436_ = _e4488;
                                         }
-                                        let _e4480 = phi_7425_;
-                                        if (_e4456 < _e4461) {
-                                            phi_7430_ = _e4456;
+                                        let _e4491 = phi_7436_;
+                                        if (_e4467 < _e4472) {
+                                            phi_7441_ = _e4467;
                                         } else {
-                                            phi_7430_ = _e4461;
+                                            phi_7441_ = _e4472;
                                         }
-                                        let _e4483 = phi_7430_;
-                                        if (_e4466 < _e4471) {
-                                            phi_7435_ = _e4466;
+                                        let _e4494 = phi_7441_;
+                                        if (_e4477 < _e4482) {
+                                            phi_7446_ = _e4477;
                                         } else {
-                                            phi_7435_ = _e4471;
+                                            phi_7446_ = _e4482;
                                         }
-                                        let _e4486 = phi_7435_;
-                                        if (_e4483 < _e4486) {
-                                            phi_7440_ = _e4483;
+                                        let _e4497 = phi_7446_;
+                                        if (_e4494 < _e4497) {
+                                            phi_7451_ = _e4494;
                                         } else {
-                                            phi_7440_ = _e4486;
+                                            phi_7451_ = _e4497;
                                         }
-                                        let _e4489 = phi_7440_;
-                                        if (_e4480 < _e4489) {
-                                            phi_7445_ = _e4480;
+                                        let _e4500 = phi_7451_;
+                                        if (_e4491 < _e4500) {
+                                            phi_7456_ = _e4491;
                                         } else {
-                                            phi_7445_ = _e4489;
+                                            phi_7456_ = _e4500;
                                         }
-                                        let _e4492 = phi_7445_;
-                                        if (_e4436 > _e4441) {
-                                            phi_7450_ = _e4436;
+                                        let _e4503 = phi_7456_;
+                                        if (_e4447 > _e4452) {
+                                            phi_7461_ = _e4447;
                                         } else {
-                                            phi_7450_ = _e4441;
+                                            phi_7461_ = _e4452;
                                         }
-                                        let _e4495 = phi_7450_;
-                                        if (_e4446 > _e4451) {
-                                            phi_7455_ = _e4446;
+                                        let _e4506 = phi_7461_;
+                                        if (_e4457 > _e4462) {
+                                            phi_7466_ = _e4457;
                                         } else {
-                                            phi_7455_ = _e4451;
+                                            phi_7466_ = _e4462;
                                         }
-                                        let _e4498 = phi_7455_;
-                                        if (_e4495 > _e4498) {
-                                            phi_7460_ = _e4495;
+                                        let _e4509 = phi_7466_;
+                                        if (_e4506 > _e4509) {
+                                            phi_7471_ = _e4506;
                                         } else {
-                                            phi_7460_ = _e4498;
+                                            phi_7471_ = _e4509;
                                         }
-                                        let _e4501 = phi_7460_;
-                                        if (_e4456 > _e4461) {
-                                            phi_7465_ = _e4456;
+                                        let _e4512 = phi_7471_;
+                                        if (_e4467 > _e4472) {
+                                            phi_7476_ = _e4467;
                                         } else {
-                                            phi_7465_ = _e4461;
+                                            phi_7476_ = _e4472;
                                         }
-                                        let _e4504 = phi_7465_;
-                                        if (_e4466 > _e4471) {
-                                            phi_7470_ = _e4466;
+                                        let _e4515 = phi_7476_;
+                                        if (_e4477 > _e4482) {
+                                            phi_7481_ = _e4477;
                                         } else {
-                                            phi_7470_ = _e4471;
+                                            phi_7481_ = _e4482;
                                         }
-                                        let _e4507 = phi_7470_;
-                                        if (_e4504 > _e4507) {
-                                            phi_7475_ = _e4504;
+                                        let _e4518 = phi_7481_;
+                                        if (_e4515 > _e4518) {
+                                            phi_7486_ = _e4515;
                                         } else {
-                                            phi_7475_ = _e4507;
+                                            phi_7486_ = _e4518;
                                         }
-                                        let _e4510 = phi_7475_;
-                                        if (_e4501 > _e4510) {
-                                            phi_7480_ = _e4501;
+                                        let _e4521 = phi_7486_;
+                                        if (_e4512 > _e4521) {
+                                            phi_7491_ = _e4512;
                                         } else {
-                                            phi_7480_ = _e4510;
+                                            phi_7491_ = _e4521;
                                         }
-                                        let _e4513 = phi_7480_;
-                                        if (_e4425 < 0f) {
-                                            phi_7486_ = -(_e4425);
+                                        let _e4524 = phi_7491_;
+                                        if (_e4436 < 0f) {
+                                            phi_7497_ = -(_e4436);
                                         } else {
-                                            phi_7486_ = _e4425;
+                                            phi_7497_ = _e4436;
                                         }
-                                        let _e4517 = phi_7486_;
-                                        if (_e4428 < 0f) {
-                                            phi_7492_ = -(_e4428);
+                                        let _e4528 = phi_7497_;
+                                        if (_e4439 < 0f) {
+                                            phi_7503_ = -(_e4439);
                                         } else {
-                                            phi_7492_ = _e4428;
+                                            phi_7503_ = _e4439;
                                         }
-                                        let _e4521 = phi_7492_;
-                                        if (_e4431 < 0f) {
-                                            phi_7499_ = -(_e4431);
+                                        let _e4532 = phi_7503_;
+                                        if (_e4442 < 0f) {
+                                            phi_7510_ = -(_e4442);
                                         } else {
-                                            phi_7499_ = _e4431;
+                                            phi_7510_ = _e4442;
                                         }
-                                        let _e4526 = phi_7499_;
-                                        let _e4527 = ((_e4517 + _e4521) + _e4526);
-                                        let _e4531 = -(_e4513);
-                                        if (_e4492 > _e4531) {
-                                            phi_7509_ = _e4492;
+                                        let _e4537 = phi_7510_;
+                                        let _e4538 = ((_e4528 + _e4532) + _e4537);
+                                        let _e4543 = -(_e4524);
+                                        if (_e4503 > _e4543) {
+                                            phi_7521_ = _e4503;
                                         } else {
-                                            phi_7509_ = _e4531;
+                                            phi_7521_ = _e4543;
                                         }
-                                        let _e4534 = phi_7509_;
-                                        let _e4539 = (((_e4534 - ((_e4527 * _e4415) * (0.000000059604645f * 17f))) - (_e4527 * _e4422)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4542 = ((_e4200 * _e4194) - (_e4203 * _e4193));
-                                        let _e4545 = ((_e4203 * _e4192) - (_e4197 * _e4194));
-                                        let _e4548 = ((_e4197 * _e4193) - (_e4200 * _e4192));
-                                        let _e4553 = (((_e4542 * _e4206[0]) + (_e4545 * _e4206[1])) + (_e4548 * _e4206[2]));
-                                        let _e4558 = (((_e4542 * _e4222) + (_e4545 * _e4223)) + (_e4548 * _e4224));
-                                        let _e4563 = (((_e4542 * _e4225) + (_e4545 * _e4226)) + (_e4548 * _e4227));
-                                        let _e4568 = (((_e4542 * _e4206[0]) + (_e4545 * _e4206[1])) + (_e4548 * _e4206[2]));
-                                        let _e4573 = (((_e4542 * _e4230[0]) + (_e4545 * _e4230[1])) + (_e4548 * _e4230[2]));
-                                        let _e4578 = (((_e4542 * _e4246) + (_e4545 * _e4247)) + (_e4548 * _e4248));
-                                        let _e4583 = (((_e4542 * _e4249) + (_e4545 * _e4250)) + (_e4548 * _e4251));
-                                        let _e4588 = (((_e4542 * _e4230[0]) + (_e4545 * _e4230[1])) + (_e4548 * _e4230[2]));
-                                        if (_e4553 < _e4558) {
-                                            phi_7580_ = _e4553;
+                                        let _e4546 = phi_7521_;
+                                        let _e4551 = (((_e4546 - ((_e4538 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4538 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4554 = ((_e4210 * _e4204) - (_e4213 * _e4203));
+                                        let _e4557 = ((_e4213 * _e4202) - (_e4207 * _e4204));
+                                        let _e4560 = ((_e4207 * _e4203) - (_e4210 * _e4202));
+                                        let _e4565 = (((_e4554 * _e4216[0]) + (_e4557 * _e4216[1])) + (_e4560 * _e4216[2]));
+                                        let _e4570 = (((_e4554 * _e4232) + (_e4557 * _e4233)) + (_e4560 * _e4234));
+                                        let _e4575 = (((_e4554 * _e4235) + (_e4557 * _e4236)) + (_e4560 * _e4237));
+                                        let _e4580 = (((_e4554 * _e4216[0]) + (_e4557 * _e4216[1])) + (_e4560 * _e4216[2]));
+                                        let _e4585 = (((_e4554 * _e4240[0]) + (_e4557 * _e4240[1])) + (_e4560 * _e4240[2]));
+                                        let _e4590 = (((_e4554 * _e4256) + (_e4557 * _e4257)) + (_e4560 * _e4258));
+                                        let _e4595 = (((_e4554 * _e4259) + (_e4557 * _e4260)) + (_e4560 * _e4261));
+                                        let _e4600 = (((_e4554 * _e4240[0]) + (_e4557 * _e4240[1])) + (_e4560 * _e4240[2]));
+                                        if (_e4565 < _e4570) {
+                                            phi_7592_ = _e4565;
                                         } else {
-                                            phi_7580_ = _e4558;
+                                            phi_7592_ = _e4570;
                                         }
-                                        let _e4591 = phi_7580_;
-                                        if (_e4563 < _e4568) {
-                                            phi_7585_ = _e4563;
+                                        let _e4603 = phi_7592_;
+                                        if (_e4575 < _e4580) {
+                                            phi_7597_ = _e4575;
                                         } else {
-                                            phi_7585_ = _e4568;
+                                            phi_7597_ = _e4580;
                                         }
-                                        let _e4594 = phi_7585_;
-                                        if (_e4591 < _e4594) {
-                                            phi_7590_ = _e4591;
+                                        let _e4606 = phi_7597_;
+                                        if (_e4603 < _e4606) {
+                                            phi_7602_ = _e4603;
                                         } else {
-                                            phi_7590_ = _e4594;
+                                            phi_7602_ = _e4606;
                                         }
-                                        let _e4597 = phi_7590_;
-                                        if (_e4573 < _e4578) {
-                                            phi_7595_ = _e4573;
+                                        let _e4609 = phi_7602_;
+                                        if (_e4585 < _e4590) {
+                                            phi_7607_ = _e4585;
                                         } else {
-                                            phi_7595_ = _e4578;
+                                            phi_7607_ = _e4590;
                                         }
-                                        let _e4600 = phi_7595_;
-                                        if (_e4583 < _e4588) {
-                                            phi_7600_ = _e4583;
+                                        let _e4612 = phi_7607_;
+                                        if (_e4595 < _e4600) {
+                                            phi_7612_ = _e4595;
                                         } else {
-                                            phi_7600_ = _e4588;
+                                            phi_7612_ = _e4600;
                                         }
-                                        let _e4603 = phi_7600_;
-                                        if (_e4600 < _e4603) {
-                                            phi_7605_ = _e4600;
+                                        let _e4615 = phi_7612_;
+                                        if (_e4612 < _e4615) {
+                                            phi_7617_ = _e4612;
                                         } else {
-                                            phi_7605_ = _e4603;
+                                            phi_7617_ = _e4615;
                                         }
-                                        let _e4606 = phi_7605_;
-                                        if (_e4597 < _e4606) {
-                                            phi_7610_ = _e4597;
+                                        let _e4618 = phi_7617_;
+                                        if (_e4609 < _e4618) {
+                                            phi_7622_ = _e4609;
                                         } else {
-                                            phi_7610_ = _e4606;
+                                            phi_7622_ = _e4618;
                                         }
-                                        let _e4609 = phi_7610_;
-                                        if (_e4553 > _e4558) {
-                                            phi_7615_ = _e4553;
+                                        let _e4621 = phi_7622_;
+                                        if (_e4565 > _e4570) {
+                                            phi_7627_ = _e4565;
                                         } else {
-                                            phi_7615_ = _e4558;
+                                            phi_7627_ = _e4570;
                                         }
-                                        let _e4612 = phi_7615_;
-                                        if (_e4563 > _e4568) {
-                                            phi_7620_ = _e4563;
+                                        let _e4624 = phi_7627_;
+                                        if (_e4575 > _e4580) {
+                                            phi_7632_ = _e4575;
                                         } else {
-                                            phi_7620_ = _e4568;
+                                            phi_7632_ = _e4580;
                                         }
-                                        let _e4615 = phi_7620_;
-                                        if (_e4612 > _e4615) {
-                                            phi_7625_ = _e4612;
+                                        let _e4627 = phi_7632_;
+                                        if (_e4624 > _e4627) {
+                                            phi_7637_ = _e4624;
                                         } else {
-                                            phi_7625_ = _e4615;
+                                            phi_7637_ = _e4627;
                                         }
-                                        let _e4618 = phi_7625_;
-                                        if (_e4573 > _e4578) {
-                                            phi_7630_ = _e4573;
+                                        let _e4630 = phi_7637_;
+                                        if (_e4585 > _e4590) {
+                                            phi_7642_ = _e4585;
                                         } else {
-                                            phi_7630_ = _e4578;
+                                            phi_7642_ = _e4590;
                                         }
-                                        let _e4621 = phi_7630_;
-                                        if (_e4583 > _e4588) {
-                                            phi_7635_ = _e4583;
+                                        let _e4633 = phi_7642_;
+                                        if (_e4595 > _e4600) {
+                                            phi_7647_ = _e4595;
                                         } else {
-                                            phi_7635_ = _e4588;
+                                            phi_7647_ = _e4600;
                                         }
-                                        let _e4624 = phi_7635_;
-                                        if (_e4621 > _e4624) {
-                                            phi_7640_ = _e4621;
+                                        let _e4636 = phi_7647_;
+                                        if (_e4633 > _e4636) {
+                                            phi_7652_ = _e4633;
                                         } else {
-                                            phi_7640_ = _e4624;
+                                            phi_7652_ = _e4636;
                                         }
-                                        let _e4627 = phi_7640_;
-                                        if (_e4618 > _e4627) {
-                                            phi_7645_ = _e4618;
+                                        let _e4639 = phi_7652_;
+                                        if (_e4630 > _e4639) {
+                                            phi_7657_ = _e4630;
                                         } else {
-                                            phi_7645_ = _e4627;
+                                            phi_7657_ = _e4639;
                                         }
-                                        let _e4630 = phi_7645_;
-                                        if (_e4542 < 0f) {
-                                            phi_7651_ = -(_e4542);
+                                        let _e4642 = phi_7657_;
+                                        if (_e4554 < 0f) {
+                                            phi_7663_ = -(_e4554);
                                         } else {
-                                            phi_7651_ = _e4542;
+                                            phi_7663_ = _e4554;
                                         }
-                                        let _e4634 = phi_7651_;
-                                        if (_e4545 < 0f) {
-                                            phi_7657_ = -(_e4545);
+                                        let _e4646 = phi_7663_;
+                                        if (_e4557 < 0f) {
+                                            phi_7669_ = -(_e4557);
                                         } else {
-                                            phi_7657_ = _e4545;
+                                            phi_7669_ = _e4557;
                                         }
-                                        let _e4638 = phi_7657_;
-                                        if (_e4548 < 0f) {
-                                            phi_7664_ = -(_e4548);
+                                        let _e4650 = phi_7669_;
+                                        if (_e4560 < 0f) {
+                                            phi_7676_ = -(_e4560);
                                         } else {
-                                            phi_7664_ = _e4548;
+                                            phi_7676_ = _e4560;
                                         }
-                                        let _e4643 = phi_7664_;
-                                        let _e4644 = ((_e4634 + _e4638) + _e4643);
-                                        let _e4648 = -(_e4630);
-                                        if (_e4609 > _e4648) {
-                                            phi_7674_ = _e4609;
+                                        let _e4655 = phi_7676_;
+                                        let _e4656 = ((_e4646 + _e4650) + _e4655);
+                                        let _e4661 = -(_e4642);
+                                        if (_e4621 > _e4661) {
+                                            phi_7687_ = _e4621;
                                         } else {
-                                            phi_7674_ = _e4648;
+                                            phi_7687_ = _e4661;
                                         }
-                                        let _e4651 = phi_7674_;
-                                        let _e4656 = (((_e4651 - ((_e4644 * _e4415) * (0.000000059604645f * 17f))) - (_e4644 * _e4422)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4539 > _e4656) {
-                                            phi_7684_ = _e4539;
+                                        let _e4664 = phi_7687_;
+                                        let _e4669 = (((_e4664 - ((_e4656 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4656 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4551 > _e4669) {
+                                            phi_7697_ = _e4551;
                                         } else {
-                                            phi_7684_ = _e4656;
+                                            phi_7697_ = _e4669;
                                         }
-                                        let _e4659 = phi_7684_;
-                                        let _e4660 = (_e4192 - _e4177);
-                                        let _e4661 = (_e4193 - _e4178);
-                                        let _e4662 = (_e4194 - _e4179);
-                                        let _e4665 = ((_e4200 * _e4662) - (_e4203 * _e4661));
-                                        let _e4668 = ((_e4203 * _e4660) - (_e4197 * _e4662));
-                                        let _e4671 = ((_e4197 * _e4661) - (_e4200 * _e4660));
-                                        let _e4676 = (((_e4665 * _e4206[0]) + (_e4668 * _e4206[1])) + (_e4671 * _e4206[2]));
-                                        let _e4681 = (((_e4665 * _e4222) + (_e4668 * _e4223)) + (_e4671 * _e4224));
-                                        let _e4686 = (((_e4665 * _e4225) + (_e4668 * _e4226)) + (_e4671 * _e4227));
-                                        let _e4691 = (((_e4665 * _e4206[0]) + (_e4668 * _e4206[1])) + (_e4671 * _e4206[2]));
-                                        let _e4696 = (((_e4665 * _e4230[0]) + (_e4668 * _e4230[1])) + (_e4671 * _e4230[2]));
-                                        let _e4701 = (((_e4665 * _e4246) + (_e4668 * _e4247)) + (_e4671 * _e4248));
-                                        let _e4706 = (((_e4665 * _e4249) + (_e4668 * _e4250)) + (_e4671 * _e4251));
-                                        let _e4711 = (((_e4665 * _e4230[0]) + (_e4668 * _e4230[1])) + (_e4671 * _e4230[2]));
-                                        if (_e4676 < _e4681) {
-                                            phi_7757_ = _e4676;
+                                        let _e4672 = phi_7697_;
+                                        let _e4673 = (_e4202 - _e4187);
+                                        let _e4674 = (_e4203 - _e4188);
+                                        let _e4675 = (_e4204 - _e4189);
+                                        let _e4678 = ((_e4210 * _e4675) - (_e4213 * _e4674));
+                                        let _e4681 = ((_e4213 * _e4673) - (_e4207 * _e4675));
+                                        let _e4684 = ((_e4207 * _e4674) - (_e4210 * _e4673));
+                                        let _e4689 = (((_e4678 * _e4216[0]) + (_e4681 * _e4216[1])) + (_e4684 * _e4216[2]));
+                                        let _e4694 = (((_e4678 * _e4232) + (_e4681 * _e4233)) + (_e4684 * _e4234));
+                                        let _e4699 = (((_e4678 * _e4235) + (_e4681 * _e4236)) + (_e4684 * _e4237));
+                                        let _e4704 = (((_e4678 * _e4216[0]) + (_e4681 * _e4216[1])) + (_e4684 * _e4216[2]));
+                                        let _e4709 = (((_e4678 * _e4240[0]) + (_e4681 * _e4240[1])) + (_e4684 * _e4240[2]));
+                                        let _e4714 = (((_e4678 * _e4256) + (_e4681 * _e4257)) + (_e4684 * _e4258));
+                                        let _e4719 = (((_e4678 * _e4259) + (_e4681 * _e4260)) + (_e4684 * _e4261));
+                                        let _e4724 = (((_e4678 * _e4240[0]) + (_e4681 * _e4240[1])) + (_e4684 * _e4240[2]));
+                                        if (_e4689 < _e4694) {
+                                            phi_7770_ = _e4689;
                                         } else {
-                                            phi_7757_ = _e4681;
+                                            phi_7770_ = _e4694;
                                         }
-                                        let _e4714 = phi_7757_;
-                                        if (_e4686 < _e4691) {
-                                            phi_7762_ = _e4686;
+                                        let _e4727 = phi_7770_;
+                                        if (_e4699 < _e4704) {
+                                            phi_7775_ = _e4699;
                                         } else {
-                                            phi_7762_ = _e4691;
+                                            phi_7775_ = _e4704;
                                         }
-                                        let _e4717 = phi_7762_;
-                                        if (_e4714 < _e4717) {
-                                            phi_7767_ = _e4714;
+                                        let _e4730 = phi_7775_;
+                                        if (_e4727 < _e4730) {
+                                            phi_7780_ = _e4727;
                                         } else {
-                                            phi_7767_ = _e4717;
+                                            phi_7780_ = _e4730;
                                         }
-                                        let _e4720 = phi_7767_;
-                                        if (_e4696 < _e4701) {
-                                            phi_7772_ = _e4696;
+                                        let _e4733 = phi_7780_;
+                                        if (_e4709 < _e4714) {
+                                            phi_7785_ = _e4709;
                                         } else {
-                                            phi_7772_ = _e4701;
+                                            phi_7785_ = _e4714;
                                         }
-                                        let _e4723 = phi_7772_;
-                                        if (_e4706 < _e4711) {
-                                            phi_7777_ = _e4706;
+                                        let _e4736 = phi_7785_;
+                                        if (_e4719 < _e4724) {
+                                            phi_7790_ = _e4719;
                                         } else {
-                                            phi_7777_ = _e4711;
+                                            phi_7790_ = _e4724;
                                         }
-                                        let _e4726 = phi_7777_;
-                                        if (_e4723 < _e4726) {
-                                            phi_7782_ = _e4723;
+                                        let _e4739 = phi_7790_;
+                                        if (_e4736 < _e4739) {
+                                            phi_7795_ = _e4736;
                                         } else {
-                                            phi_7782_ = _e4726;
+                                            phi_7795_ = _e4739;
                                         }
-                                        let _e4729 = phi_7782_;
-                                        if (_e4720 < _e4729) {
-                                            phi_7787_ = _e4720;
+                                        let _e4742 = phi_7795_;
+                                        if (_e4733 < _e4742) {
+                                            phi_7800_ = _e4733;
                                         } else {
-                                            phi_7787_ = _e4729;
+                                            phi_7800_ = _e4742;
                                         }
-                                        let _e4732 = phi_7787_;
-                                        if (_e4676 > _e4681) {
-                                            phi_7792_ = _e4676;
+                                        let _e4745 = phi_7800_;
+                                        if (_e4689 > _e4694) {
+                                            phi_7805_ = _e4689;
                                         } else {
-                                            phi_7792_ = _e4681;
+                                            phi_7805_ = _e4694;
                                         }
-                                        let _e4735 = phi_7792_;
-                                        if (_e4686 > _e4691) {
-                                            phi_7797_ = _e4686;
+                                        let _e4748 = phi_7805_;
+                                        if (_e4699 > _e4704) {
+                                            phi_7810_ = _e4699;
                                         } else {
-                                            phi_7797_ = _e4691;
+                                            phi_7810_ = _e4704;
                                         }
-                                        let _e4738 = phi_7797_;
-                                        if (_e4735 > _e4738) {
-                                            phi_7802_ = _e4735;
+                                        let _e4751 = phi_7810_;
+                                        if (_e4748 > _e4751) {
+                                            phi_7815_ = _e4748;
                                         } else {
-                                            phi_7802_ = _e4738;
+                                            phi_7815_ = _e4751;
                                         }
-                                        let _e4741 = phi_7802_;
-                                        if (_e4696 > _e4701) {
-                                            phi_7807_ = _e4696;
+                                        let _e4754 = phi_7815_;
+                                        if (_e4709 > _e4714) {
+                                            phi_7820_ = _e4709;
                                         } else {
-                                            phi_7807_ = _e4701;
+                                            phi_7820_ = _e4714;
                                         }
-                                        let _e4744 = phi_7807_;
-                                        if (_e4706 > _e4711) {
-                                            phi_7812_ = _e4706;
+                                        let _e4757 = phi_7820_;
+                                        if (_e4719 > _e4724) {
+                                            phi_7825_ = _e4719;
                                         } else {
-                                            phi_7812_ = _e4711;
+                                            phi_7825_ = _e4724;
                                         }
-                                        let _e4747 = phi_7812_;
-                                        if (_e4744 > _e4747) {
-                                            phi_7817_ = _e4744;
+                                        let _e4760 = phi_7825_;
+                                        if (_e4757 > _e4760) {
+                                            phi_7830_ = _e4757;
                                         } else {
-                                            phi_7817_ = _e4747;
+                                            phi_7830_ = _e4760;
                                         }
-                                        let _e4750 = phi_7817_;
-                                        if (_e4741 > _e4750) {
-                                            phi_7822_ = _e4741;
+                                        let _e4763 = phi_7830_;
+                                        if (_e4754 > _e4763) {
+                                            phi_7835_ = _e4754;
                                         } else {
-                                            phi_7822_ = _e4750;
+                                            phi_7835_ = _e4763;
                                         }
-                                        let _e4753 = phi_7822_;
-                                        if (_e4665 < 0f) {
-                                            phi_7828_ = -(_e4665);
+                                        let _e4766 = phi_7835_;
+                                        if (_e4678 < 0f) {
+                                            phi_7841_ = -(_e4678);
                                         } else {
-                                            phi_7828_ = _e4665;
+                                            phi_7841_ = _e4678;
                                         }
-                                        let _e4757 = phi_7828_;
-                                        if (_e4668 < 0f) {
-                                            phi_7834_ = -(_e4668);
+                                        let _e4770 = phi_7841_;
+                                        if (_e4681 < 0f) {
+                                            phi_7847_ = -(_e4681);
                                         } else {
-                                            phi_7834_ = _e4668;
+                                            phi_7847_ = _e4681;
                                         }
-                                        let _e4761 = phi_7834_;
-                                        if (_e4671 < 0f) {
-                                            phi_7841_ = -(_e4671);
+                                        let _e4774 = phi_7847_;
+                                        if (_e4684 < 0f) {
+                                            phi_7854_ = -(_e4684);
                                         } else {
-                                            phi_7841_ = _e4671;
+                                            phi_7854_ = _e4684;
                                         }
-                                        let _e4766 = phi_7841_;
-                                        let _e4767 = ((_e4757 + _e4761) + _e4766);
-                                        let _e4771 = -(_e4753);
-                                        if (_e4732 > _e4771) {
-                                            phi_7851_ = _e4732;
+                                        let _e4779 = phi_7854_;
+                                        let _e4780 = ((_e4770 + _e4774) + _e4779);
+                                        let _e4785 = -(_e4766);
+                                        if (_e4745 > _e4785) {
+                                            phi_7865_ = _e4745;
                                         } else {
-                                            phi_7851_ = _e4771;
+                                            phi_7865_ = _e4785;
                                         }
-                                        let _e4774 = phi_7851_;
-                                        let _e4779 = (((_e4774 - ((_e4767 * _e4415) * (0.000000059604645f * 17f))) - (_e4767 * _e4422)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4659 > _e4779) {
-                                            phi_7861_ = _e4659;
+                                        let _e4788 = phi_7865_;
+                                        let _e4793 = (((_e4788 - ((_e4780 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4780 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4672 > _e4793) {
+                                            phi_7875_ = _e4672;
                                         } else {
-                                            phi_7861_ = _e4779;
+                                            phi_7875_ = _e4793;
                                         }
-                                        let _e4782 = phi_7861_;
-                                        phi_7864_ = (_e4782 > 0f);
+                                        let _e4796 = phi_7875_;
+                                        phi_7879_ = (_e4174 || (_e4796 > 0f));
                                     }
-                                    let _e4785 = phi_7864_;
-                                    phi_7865_ = _e4785;
+                                    let _e4800 = phi_7879_;
+                                    phi_7881_ = (_e3739 && _e4800);
                                 } else {
-                                    phi_7865_ = false;
+                                    phi_7881_ = _e3739;
                                 }
-                                let _e4787 = phi_7865_;
-                                phi_7867_ = !(_e4787);
+                                let _e4803 = phi_7881_;
+                                phi_7883_ = (_e2588 || _e4803);
                             }
-                            let _e4790 = phi_7867_;
-                            if _e4790 {
-                                let _e4792 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e993] = ((2147483648u | (_e4792 << bitcast<u32>(12i))) | _e996);
+                            let _e4806 = phi_7883_;
+                            if !(_e4806) {
+                                let _e4809 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e993] = ((2147483648u | (_e4809 << bitcast<u32>(12i))) | _e996);
                             }
                         }
-                        phi_7877_ = true;
+                        phi_7894_ = true;
                     }
-                    let _e4799 = phi_7877_;
-                    phi_7878_ = _e4799;
+                    let _e4816 = phi_7894_;
+                    phi_7895_ = _e4816;
                 } else {
-                    phi_7878_ = false;
+                    phi_7895_ = false;
                 }
-                let _e4801 = phi_7878_;
+                let _e4818 = phi_7895_;
                 continue;
                 continuing {
                     phi_1862_ = _e985;
-                    break if !(_e4801);
+                    break if !(_e4818);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4805 = atomicLoad((&counters[5u]));
-                if (_e4805 > 0u) {
-                    let _e4808 = atomicAdd((&output.member[0u]), _e4805);
-                    if ((_e4808 + _e4805) < _e4808) {
-                        let _e4812 = atomicAdd((&output.member[2u]), 1u);
+                let _e4822 = atomicLoad((&counters[5u]));
+                if (_e4822 > 0u) {
+                    let _e4825 = atomicAdd((&output.member[0u]), _e4822);
+                    if ((_e4825 + _e4822) < _e4825) {
+                        let _e4829 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4808);
+                    atomicStore((&counters[6u]), _e4825);
                 }
             }
             workgroupBarrier();
-            let _e4815 = atomicLoad((&counters[6u]));
+            let _e4832 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4818 = atomicLoad((&counters[7u]));
-                if (_e4818 > 0u) {
-                    let _e4821 = atomicAdd((&output.member[1u]), _e4818);
-                    if ((_e4821 + _e4818) < _e4821) {
-                        let _e4825 = atomicAdd((&output.member[3u]), 1u);
+                let _e4835 = atomicLoad((&counters[7u]));
+                if (_e4835 > 0u) {
+                    let _e4838 = atomicAdd((&output.member[1u]), _e4835);
+                    if ((_e4838 + _e4835) < _e4838) {
+                        let _e4842 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7928_ = type_9(0u, 16u);
+            phi_7945_ = type_9(0u, 16u);
             loop {
-                let _e4827 = phi_7928_;
-                if (_e4827.member < _e4827.member_1) {
-                    phi_7929_ = type_9((_e4827.member + 1u), _e4827.member_1);
-                    phi_7952_ = type_9(1u, _e4827.member);
+                let _e4844 = phi_7945_;
+                if (_e4844.member < _e4844.member_1) {
+                    phi_7946_ = type_9((_e4844.member + 1u), _e4844.member_1);
+                    phi_7969_ = type_9(1u, _e4844.member);
                 } else {
-                    phi_7929_ = _e4827;
-                    phi_7952_ = type_9(0u, type_9().member_1);
+                    phi_7946_ = _e4844;
+                    phi_7969_ = type_9(0u, type_9().member_1);
                 }
-                let _e4839 = phi_7929_;
-                let _e4841 = phi_7952_;
-                if (bitcast<i32>(_e4841.member) != 0i) {
-                    let _e4847 = (_e67 + (_e4841.member_1 * 128u));
-                    if (_e4847 >= _e971) {
-                        phi_8049_ = false;
+                let _e4856 = phi_7946_;
+                let _e4858 = phi_7969_;
+                if (bitcast<i32>(_e4858.member) != 0i) {
+                    let _e4864 = (_e67 + (_e4858.member_1 * 128u));
+                    if (_e4864 >= _e971) {
+                        phi_8066_ = false;
                     } else {
-                        let _e4850 = hits[_e4847];
-                        if ((_e4850 & 2147483648u) == 0u) {
-                            phi_7975_ = 4294967295u;
+                        let _e4867 = hits[_e4864];
+                        if ((_e4867 & 2147483648u) == 0u) {
+                            phi_7992_ = 4294967295u;
                         } else {
-                            phi_7975_ = ((_e4850 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7992_ = ((_e4867 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4857 = phi_7975_;
-                        if (_e4857 != 4294967295u) {
-                            let _e4861 = ((_e4850 >> bitcast<u32>(10i)) & 3u);
-                            let _e4868 = firsts[(2u * _e4861)];
-                            let _e4871 = leaves.member[(_e4868 + ((_e4850 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4875 = firsts[((2u * _e4861) + 1u)];
-                            let _e4878 = leaves.member[(_e4875 + (_e4850 & 31u))];
-                            let _e4883 = params.member.member_1.member_3;
-                            let _e4884 = (_e4815 + _e4857);
-                            if (_e4884 < _e4883) {
-                                let _e4886 = (2u * _e4884);
-                                atomicStore((&output.member[(4u + _e4886)]), _e4871.member_1);
-                                atomicStore((&output.member[(_e4886 + 5u)]), _e4878.member_1);
+                        let _e4874 = phi_7992_;
+                        if (_e4874 != 4294967295u) {
+                            let _e4878 = ((_e4867 >> bitcast<u32>(10i)) & 3u);
+                            let _e4885 = firsts[(2u * _e4878)];
+                            let _e4888 = leaves.member[(_e4885 + ((_e4867 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4892 = firsts[((2u * _e4878) + 1u)];
+                            let _e4895 = leaves.member[(_e4892 + (_e4867 & 31u))];
+                            let _e4900 = params.member.member_1.member_3;
+                            let _e4901 = (_e4832 + _e4874);
+                            if (_e4901 < _e4900) {
+                                let _e4903 = (2u * _e4901);
+                                atomicStore((&output.member[(4u + _e4903)]), _e4888.member_1);
+                                atomicStore((&output.member[(_e4903 + 5u)]), _e4895.member_1);
                             }
                         }
-                        phi_8049_ = true;
+                        phi_8066_ = true;
                     }
-                    let _e4892 = phi_8049_;
-                    phi_8050_ = _e4892;
+                    let _e4909 = phi_8066_;
+                    phi_8067_ = _e4909;
                 } else {
-                    phi_8050_ = false;
+                    phi_8067_ = false;
                 }
-                let _e4894 = phi_8050_;
+                let _e4911 = phi_8067_;
                 continue;
                 continuing {
-                    phi_7928_ = _e4839;
-                    break if !(_e4894);
+                    phi_7945_ = _e4856;
+                    break if !(_e4911);
                 }
             }
             workgroupBarrier();
