@@ -304,462 +304,450 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_946_: u32;
     var phi_944_: type_9;
     var phi_969_: type_9;
-    var phi_1086_: bool;
-    var phi_1087_: bool;
-    var phi_1088_: bool;
+    var phi_1077_: bool;
+    var phi_1083_: bool;
     var phi_1089_: bool;
     var phi_1090_: bool;
-    var phi_1094_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1144_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1485_: bool;
-    var phi_1486_: bool;
-    var phi_1579_: bool;
-    var phi_1580_: bool;
-    var phi_1675_: bool;
-    var phi_1676_: bool;
+    var phi_1136_: bool;
+    var phi_1143_: bool;
+    var phi_1147_: bool;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
+    var phi_1472_: bool;
+    var phi_1473_: bool;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1662_: bool;
+    var phi_1663_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1770_: bool;
-    var phi_1774_: bool;
+    var phi_1771_: bool;
     var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1780_: bool;
-    var phi_1781_: bool;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
-    var phi_1784_: bool;
-    var phi_1788_: bool;
-    var phi_1807_: type_9;
-    var phi_1850_: u32;
-    var phi_1851_: bool;
+    var phi_1794_: type_9;
+    var phi_1837_: u32;
+    var phi_1838_: bool;
     var phi_947_: u32;
-    var phi_1852_: bool;
-    var phi_1859_: u32;
-    var phi_1862_: type_9;
-    var phi_1863_: type_9;
-    var phi_1886_: type_9;
-    var phi_2011_: bool;
-    var phi_2012_: bool;
-    var phi_2013_: bool;
-    var phi_2014_: bool;
-    var phi_2015_: bool;
-    var phi_2019_: bool;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2069_: bool;
-    var phi_2079_: bool;
-    var phi_2080_: bool;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var phi_2221_: bool;
-    var phi_2222_: bool;
-    var phi_2315_: bool;
-    var phi_2316_: bool;
-    var phi_2410_: bool;
-    var phi_2411_: bool;
-    var phi_2504_: bool;
-    var phi_2505_: bool;
-    var phi_2600_: bool;
-    var phi_2601_: bool;
-    var phi_2694_: bool;
-    var phi_2695_: bool;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2701_: bool;
-    var phi_2705_: bool;
-    var phi_2706_: bool;
-    var phi_2707_: bool;
-    var phi_2708_: bool;
-    var phi_2709_: bool;
-    var phi_2713_: bool;
-    var phi_2726_: type_23;
-    var phi_2727_: type_23;
-    var phi_3116_: f32;
-    var phi_3123_: f32;
-    var phi_3128_: f32;
-    var phi_3135_: f32;
-    var phi_3140_: f32;
-    var phi_3153_: f32;
-    var phi_3160_: f32;
-    var phi_3165_: f32;
-    var phi_3172_: f32;
-    var phi_3177_: f32;
-    var phi_3182_: f32;
-    var phi_3199_: f32;
-    var phi_3206_: f32;
+    var phi_1839_: bool;
+    var phi_1846_: u32;
+    var phi_1849_: type_9;
+    var phi_1850_: type_9;
+    var phi_1873_: type_9;
+    var phi_1989_: bool;
+    var phi_1995_: bool;
+    var phi_2001_: bool;
+    var phi_2002_: bool;
+    var phi_2048_: bool;
+    var phi_2055_: bool;
+    var phi_2059_: bool;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
+    var phi_2289_: bool;
+    var phi_2290_: bool;
+    var phi_2384_: bool;
+    var phi_2385_: bool;
+    var phi_2478_: bool;
+    var phi_2479_: bool;
+    var phi_2574_: bool;
+    var phi_2575_: bool;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
+    var phi_2675_: bool;
+    var phi_2679_: bool;
+    var phi_2680_: bool;
+    var phi_2681_: bool;
+    var phi_2682_: bool;
+    var phi_2683_: bool;
+    var phi_2687_: bool;
+    var phi_2700_: type_23;
+    var phi_2701_: type_23;
+    var phi_3090_: f32;
+    var phi_3097_: f32;
+    var phi_3102_: f32;
+    var phi_3109_: f32;
+    var phi_3114_: f32;
+    var phi_3127_: f32;
+    var phi_3134_: f32;
+    var phi_3139_: f32;
+    var phi_3146_: f32;
+    var phi_3151_: f32;
+    var phi_3156_: f32;
+    var phi_3173_: f32;
+    var phi_3180_: f32;
+    var phi_3185_: f32;
+    var phi_3192_: f32;
+    var phi_3197_: f32;
     var phi_3211_: f32;
     var phi_3218_: f32;
     var phi_3223_: f32;
-    var phi_3237_: f32;
-    var phi_3244_: f32;
-    var phi_3249_: f32;
-    var phi_3256_: f32;
-    var phi_3261_: f32;
-    var phi_3266_: f32;
-    var phi_3283_: f32;
-    var phi_3290_: f32;
+    var phi_3230_: f32;
+    var phi_3235_: f32;
+    var phi_3240_: f32;
+    var phi_3257_: f32;
+    var phi_3264_: f32;
+    var phi_3269_: f32;
+    var phi_3276_: f32;
+    var phi_3281_: f32;
     var phi_3295_: f32;
     var phi_3302_: f32;
     var phi_3307_: f32;
-    var phi_3321_: f32;
-    var phi_3328_: f32;
-    var phi_3333_: f32;
-    var phi_3340_: f32;
-    var phi_3345_: f32;
-    var phi_3350_: f32;
+    var phi_3314_: f32;
+    var phi_3319_: f32;
+    var phi_3324_: f32;
+    var phi_3355_: f32;
+    var phi_3361_: f32;
+    var phi_3368_: f32;
+    var phi_3375_: f32;
     var phi_3381_: f32;
-    var phi_3387_: f32;
+    var phi_3388_: f32;
     var phi_3394_: f32;
-    var phi_3401_: f32;
-    var phi_3407_: f32;
-    var phi_3414_: f32;
+    var phi_3400_: f32;
+    var phi_3406_: f32;
+    var phi_3413_: f32;
     var phi_3420_: f32;
-    var phi_3426_: f32;
-    var phi_3432_: f32;
-    var phi_3439_: f32;
-    var phi_3446_: f32;
-    var phi_3470_: f32;
-    var phi_3475_: f32;
-    var phi_3480_: f32;
-    var phi_3485_: f32;
-    var phi_3490_: f32;
-    var phi_3495_: f32;
-    var phi_3505_: f32;
-    var phi_3708_: f32;
-    var phi_3715_: f32;
-    var phi_3720_: f32;
-    var phi_3727_: f32;
-    var phi_3732_: f32;
-    var phi_3745_: f32;
-    var phi_3752_: f32;
-    var phi_3757_: f32;
-    var phi_3764_: f32;
-    var phi_3769_: f32;
-    var phi_3774_: f32;
-    var phi_3791_: f32;
-    var phi_3798_: f32;
+    var phi_3444_: f32;
+    var phi_3449_: f32;
+    var phi_3454_: f32;
+    var phi_3459_: f32;
+    var phi_3464_: f32;
+    var phi_3469_: f32;
+    var phi_3479_: f32;
+    var phi_3682_: f32;
+    var phi_3689_: f32;
+    var phi_3694_: f32;
+    var phi_3701_: f32;
+    var phi_3706_: f32;
+    var phi_3719_: f32;
+    var phi_3726_: f32;
+    var phi_3731_: f32;
+    var phi_3738_: f32;
+    var phi_3743_: f32;
+    var phi_3748_: f32;
+    var phi_3765_: f32;
+    var phi_3772_: f32;
+    var phi_3777_: f32;
+    var phi_3784_: f32;
+    var phi_3789_: f32;
     var phi_3803_: f32;
     var phi_3810_: f32;
     var phi_3815_: f32;
-    var phi_3829_: f32;
-    var phi_3836_: f32;
-    var phi_3841_: f32;
-    var phi_3848_: f32;
-    var phi_3853_: f32;
-    var phi_3858_: f32;
-    var phi_3875_: f32;
-    var phi_3882_: f32;
+    var phi_3822_: f32;
+    var phi_3827_: f32;
+    var phi_3832_: f32;
+    var phi_3849_: f32;
+    var phi_3856_: f32;
+    var phi_3861_: f32;
+    var phi_3868_: f32;
+    var phi_3873_: f32;
     var phi_3887_: f32;
     var phi_3894_: f32;
     var phi_3899_: f32;
-    var phi_3913_: f32;
-    var phi_3920_: f32;
-    var phi_3925_: f32;
-    var phi_3932_: f32;
-    var phi_3937_: f32;
-    var phi_3942_: f32;
-    var phi_4021_: f32;
-    var phi_4026_: f32;
-    var phi_4031_: f32;
-    var phi_4036_: f32;
-    var phi_4041_: f32;
-    var phi_4046_: f32;
-    var phi_4051_: f32;
-    var phi_4056_: f32;
-    var phi_4061_: f32;
+    var phi_3906_: f32;
+    var phi_3911_: f32;
+    var phi_3916_: f32;
+    var phi_3995_: f32;
+    var phi_4000_: f32;
+    var phi_4005_: f32;
+    var phi_4010_: f32;
+    var phi_4015_: f32;
+    var phi_4020_: f32;
+    var phi_4025_: f32;
+    var phi_4030_: f32;
+    var phi_4035_: f32;
+    var phi_4040_: f32;
+    var phi_4045_: f32;
+    var phi_4050_: f32;
+    var phi_4055_: f32;
+    var phi_4060_: f32;
     var phi_4066_: f32;
-    var phi_4071_: f32;
-    var phi_4076_: f32;
-    var phi_4081_: f32;
-    var phi_4086_: f32;
-    var phi_4092_: f32;
-    var phi_4098_: f32;
-    var phi_4105_: f32;
-    var phi_4116_: f32;
-    var phi_4187_: f32;
-    var phi_4192_: f32;
-    var phi_4197_: f32;
-    var phi_4202_: f32;
-    var phi_4207_: f32;
-    var phi_4212_: f32;
-    var phi_4217_: f32;
-    var phi_4222_: f32;
-    var phi_4227_: f32;
+    var phi_4072_: f32;
+    var phi_4079_: f32;
+    var phi_4090_: f32;
+    var phi_4161_: f32;
+    var phi_4166_: f32;
+    var phi_4171_: f32;
+    var phi_4176_: f32;
+    var phi_4181_: f32;
+    var phi_4186_: f32;
+    var phi_4191_: f32;
+    var phi_4196_: f32;
+    var phi_4201_: f32;
+    var phi_4206_: f32;
+    var phi_4211_: f32;
+    var phi_4216_: f32;
+    var phi_4221_: f32;
+    var phi_4226_: f32;
     var phi_4232_: f32;
-    var phi_4237_: f32;
-    var phi_4242_: f32;
-    var phi_4247_: f32;
-    var phi_4252_: f32;
-    var phi_4258_: f32;
-    var phi_4264_: f32;
-    var phi_4271_: f32;
-    var phi_4282_: f32;
-    var phi_4292_: f32;
-    var phi_4474_: bool;
-    var phi_4926_: f32;
-    var phi_4933_: f32;
-    var phi_4938_: f32;
-    var phi_4945_: f32;
-    var phi_4950_: f32;
-    var phi_4963_: f32;
-    var phi_4970_: f32;
-    var phi_4975_: f32;
-    var phi_4982_: f32;
-    var phi_4987_: f32;
-    var phi_4992_: f32;
-    var phi_5009_: f32;
-    var phi_5016_: f32;
+    var phi_4238_: f32;
+    var phi_4245_: f32;
+    var phi_4256_: f32;
+    var phi_4266_: f32;
+    var phi_4448_: bool;
+    var phi_4900_: f32;
+    var phi_4907_: f32;
+    var phi_4912_: f32;
+    var phi_4919_: f32;
+    var phi_4924_: f32;
+    var phi_4937_: f32;
+    var phi_4944_: f32;
+    var phi_4949_: f32;
+    var phi_4956_: f32;
+    var phi_4961_: f32;
+    var phi_4966_: f32;
+    var phi_4983_: f32;
+    var phi_4990_: f32;
+    var phi_4995_: f32;
+    var phi_5002_: f32;
+    var phi_5007_: f32;
     var phi_5021_: f32;
     var phi_5028_: f32;
     var phi_5033_: f32;
-    var phi_5047_: f32;
-    var phi_5054_: f32;
-    var phi_5059_: f32;
-    var phi_5066_: f32;
-    var phi_5071_: f32;
-    var phi_5076_: f32;
-    var phi_5093_: f32;
-    var phi_5100_: f32;
+    var phi_5040_: f32;
+    var phi_5045_: f32;
+    var phi_5050_: f32;
+    var phi_5067_: f32;
+    var phi_5074_: f32;
+    var phi_5079_: f32;
+    var phi_5086_: f32;
+    var phi_5091_: f32;
     var phi_5105_: f32;
     var phi_5112_: f32;
     var phi_5117_: f32;
-    var phi_5131_: f32;
-    var phi_5138_: f32;
-    var phi_5143_: f32;
-    var phi_5150_: f32;
-    var phi_5155_: f32;
-    var phi_5160_: f32;
+    var phi_5124_: f32;
+    var phi_5129_: f32;
+    var phi_5134_: f32;
+    var phi_5165_: f32;
+    var phi_5171_: f32;
+    var phi_5178_: f32;
+    var phi_5185_: f32;
     var phi_5191_: f32;
-    var phi_5197_: f32;
+    var phi_5198_: f32;
     var phi_5204_: f32;
-    var phi_5211_: f32;
-    var phi_5217_: f32;
-    var phi_5224_: f32;
+    var phi_5210_: f32;
+    var phi_5216_: f32;
+    var phi_5223_: f32;
     var phi_5230_: f32;
-    var phi_5236_: f32;
-    var phi_5242_: f32;
-    var phi_5249_: f32;
-    var phi_5256_: f32;
-    var phi_5280_: f32;
-    var phi_5285_: f32;
-    var phi_5290_: f32;
-    var phi_5295_: f32;
-    var phi_5300_: f32;
-    var phi_5305_: f32;
-    var phi_5315_: f32;
-    var phi_5518_: f32;
-    var phi_5525_: f32;
-    var phi_5530_: f32;
-    var phi_5537_: f32;
-    var phi_5542_: f32;
-    var phi_5555_: f32;
-    var phi_5562_: f32;
-    var phi_5567_: f32;
-    var phi_5574_: f32;
-    var phi_5579_: f32;
-    var phi_5584_: f32;
-    var phi_5601_: f32;
-    var phi_5608_: f32;
+    var phi_5254_: f32;
+    var phi_5259_: f32;
+    var phi_5264_: f32;
+    var phi_5269_: f32;
+    var phi_5274_: f32;
+    var phi_5279_: f32;
+    var phi_5289_: f32;
+    var phi_5492_: f32;
+    var phi_5499_: f32;
+    var phi_5504_: f32;
+    var phi_5511_: f32;
+    var phi_5516_: f32;
+    var phi_5529_: f32;
+    var phi_5536_: f32;
+    var phi_5541_: f32;
+    var phi_5548_: f32;
+    var phi_5553_: f32;
+    var phi_5558_: f32;
+    var phi_5575_: f32;
+    var phi_5582_: f32;
+    var phi_5587_: f32;
+    var phi_5594_: f32;
+    var phi_5599_: f32;
     var phi_5613_: f32;
     var phi_5620_: f32;
     var phi_5625_: f32;
-    var phi_5639_: f32;
-    var phi_5646_: f32;
-    var phi_5651_: f32;
-    var phi_5658_: f32;
-    var phi_5663_: f32;
-    var phi_5668_: f32;
-    var phi_5685_: f32;
-    var phi_5692_: f32;
+    var phi_5632_: f32;
+    var phi_5637_: f32;
+    var phi_5642_: f32;
+    var phi_5659_: f32;
+    var phi_5666_: f32;
+    var phi_5671_: f32;
+    var phi_5678_: f32;
+    var phi_5683_: f32;
     var phi_5697_: f32;
     var phi_5704_: f32;
     var phi_5709_: f32;
-    var phi_5723_: f32;
-    var phi_5730_: f32;
-    var phi_5735_: f32;
-    var phi_5742_: f32;
-    var phi_5747_: f32;
-    var phi_5752_: f32;
-    var phi_5831_: f32;
-    var phi_5836_: f32;
-    var phi_5841_: f32;
-    var phi_5846_: f32;
-    var phi_5851_: f32;
-    var phi_5856_: f32;
-    var phi_5861_: f32;
-    var phi_5866_: f32;
-    var phi_5871_: f32;
+    var phi_5716_: f32;
+    var phi_5721_: f32;
+    var phi_5726_: f32;
+    var phi_5805_: f32;
+    var phi_5810_: f32;
+    var phi_5815_: f32;
+    var phi_5820_: f32;
+    var phi_5825_: f32;
+    var phi_5830_: f32;
+    var phi_5835_: f32;
+    var phi_5840_: f32;
+    var phi_5845_: f32;
+    var phi_5850_: f32;
+    var phi_5855_: f32;
+    var phi_5860_: f32;
+    var phi_5865_: f32;
+    var phi_5870_: f32;
     var phi_5876_: f32;
-    var phi_5881_: f32;
-    var phi_5886_: f32;
-    var phi_5891_: f32;
-    var phi_5896_: f32;
-    var phi_5902_: f32;
-    var phi_5908_: f32;
-    var phi_5915_: f32;
-    var phi_5926_: f32;
-    var phi_5997_: f32;
-    var phi_6002_: f32;
-    var phi_6007_: f32;
-    var phi_6012_: f32;
-    var phi_6017_: f32;
-    var phi_6022_: f32;
-    var phi_6027_: f32;
-    var phi_6032_: f32;
-    var phi_6037_: f32;
+    var phi_5882_: f32;
+    var phi_5889_: f32;
+    var phi_5900_: f32;
+    var phi_5971_: f32;
+    var phi_5976_: f32;
+    var phi_5981_: f32;
+    var phi_5986_: f32;
+    var phi_5991_: f32;
+    var phi_5996_: f32;
+    var phi_6001_: f32;
+    var phi_6006_: f32;
+    var phi_6011_: f32;
+    var phi_6016_: f32;
+    var phi_6021_: f32;
+    var phi_6026_: f32;
+    var phi_6031_: f32;
+    var phi_6036_: f32;
     var phi_6042_: f32;
-    var phi_6047_: f32;
-    var phi_6052_: f32;
-    var phi_6057_: f32;
-    var phi_6062_: f32;
-    var phi_6068_: f32;
-    var phi_6074_: f32;
-    var phi_6081_: f32;
-    var phi_6092_: f32;
-    var phi_6102_: f32;
-    var phi_6284_: bool;
-    var phi_6529_: f32;
-    var phi_6536_: f32;
-    var phi_6541_: f32;
-    var phi_6548_: f32;
-    var phi_6553_: f32;
-    var phi_6566_: f32;
-    var phi_6573_: f32;
-    var phi_6578_: f32;
-    var phi_6585_: f32;
-    var phi_6590_: f32;
-    var phi_6595_: f32;
-    var phi_6612_: f32;
-    var phi_6619_: f32;
+    var phi_6048_: f32;
+    var phi_6055_: f32;
+    var phi_6066_: f32;
+    var phi_6076_: f32;
+    var phi_6258_: bool;
+    var phi_6503_: f32;
+    var phi_6510_: f32;
+    var phi_6515_: f32;
+    var phi_6522_: f32;
+    var phi_6527_: f32;
+    var phi_6540_: f32;
+    var phi_6547_: f32;
+    var phi_6552_: f32;
+    var phi_6559_: f32;
+    var phi_6564_: f32;
+    var phi_6569_: f32;
+    var phi_6586_: f32;
+    var phi_6593_: f32;
+    var phi_6598_: f32;
+    var phi_6605_: f32;
+    var phi_6610_: f32;
     var phi_6624_: f32;
     var phi_6631_: f32;
     var phi_6636_: f32;
-    var phi_6650_: f32;
-    var phi_6657_: f32;
-    var phi_6662_: f32;
-    var phi_6669_: f32;
-    var phi_6674_: f32;
-    var phi_6679_: f32;
-    var phi_6696_: f32;
-    var phi_6703_: f32;
+    var phi_6643_: f32;
+    var phi_6648_: f32;
+    var phi_6653_: f32;
+    var phi_6670_: f32;
+    var phi_6677_: f32;
+    var phi_6682_: f32;
+    var phi_6689_: f32;
+    var phi_6694_: f32;
     var phi_6708_: f32;
     var phi_6715_: f32;
     var phi_6720_: f32;
-    var phi_6734_: f32;
-    var phi_6741_: f32;
-    var phi_6746_: f32;
-    var phi_6753_: f32;
-    var phi_6758_: f32;
-    var phi_6763_: f32;
+    var phi_6727_: f32;
+    var phi_6732_: f32;
+    var phi_6737_: f32;
+    var phi_6768_: f32;
+    var phi_6774_: f32;
+    var phi_6781_: f32;
+    var phi_6788_: f32;
     var phi_6794_: f32;
-    var phi_6800_: f32;
+    var phi_6801_: f32;
     var phi_6807_: f32;
-    var phi_6814_: f32;
-    var phi_6820_: f32;
-    var phi_6827_: f32;
+    var phi_6813_: f32;
+    var phi_6819_: f32;
+    var phi_6826_: f32;
     var phi_6833_: f32;
-    var phi_6839_: f32;
-    var phi_6845_: f32;
-    var phi_6852_: f32;
-    var phi_6859_: f32;
-    var phi_6883_: f32;
-    var phi_6888_: f32;
-    var phi_6893_: f32;
-    var phi_6898_: f32;
-    var phi_6903_: f32;
-    var phi_6908_: f32;
-    var phi_6918_: f32;
-    var phi_7121_: f32;
-    var phi_7128_: f32;
-    var phi_7133_: f32;
-    var phi_7140_: f32;
-    var phi_7145_: f32;
-    var phi_7158_: f32;
-    var phi_7165_: f32;
-    var phi_7170_: f32;
-    var phi_7177_: f32;
-    var phi_7182_: f32;
-    var phi_7187_: f32;
-    var phi_7204_: f32;
-    var phi_7211_: f32;
+    var phi_6857_: f32;
+    var phi_6862_: f32;
+    var phi_6867_: f32;
+    var phi_6872_: f32;
+    var phi_6877_: f32;
+    var phi_6882_: f32;
+    var phi_6892_: f32;
+    var phi_7095_: f32;
+    var phi_7102_: f32;
+    var phi_7107_: f32;
+    var phi_7114_: f32;
+    var phi_7119_: f32;
+    var phi_7132_: f32;
+    var phi_7139_: f32;
+    var phi_7144_: f32;
+    var phi_7151_: f32;
+    var phi_7156_: f32;
+    var phi_7161_: f32;
+    var phi_7178_: f32;
+    var phi_7185_: f32;
+    var phi_7190_: f32;
+    var phi_7197_: f32;
+    var phi_7202_: f32;
     var phi_7216_: f32;
     var phi_7223_: f32;
     var phi_7228_: f32;
-    var phi_7242_: f32;
-    var phi_7249_: f32;
-    var phi_7254_: f32;
-    var phi_7261_: f32;
-    var phi_7266_: f32;
-    var phi_7271_: f32;
-    var phi_7288_: f32;
-    var phi_7295_: f32;
+    var phi_7235_: f32;
+    var phi_7240_: f32;
+    var phi_7245_: f32;
+    var phi_7262_: f32;
+    var phi_7269_: f32;
+    var phi_7274_: f32;
+    var phi_7281_: f32;
+    var phi_7286_: f32;
     var phi_7300_: f32;
     var phi_7307_: f32;
     var phi_7312_: f32;
-    var phi_7326_: f32;
-    var phi_7333_: f32;
-    var phi_7338_: f32;
-    var phi_7345_: f32;
-    var phi_7350_: f32;
-    var phi_7355_: f32;
-    var phi_7434_: f32;
-    var phi_7439_: f32;
-    var phi_7444_: f32;
-    var phi_7449_: f32;
-    var phi_7454_: f32;
-    var phi_7459_: f32;
-    var phi_7464_: f32;
-    var phi_7469_: f32;
-    var phi_7474_: f32;
+    var phi_7319_: f32;
+    var phi_7324_: f32;
+    var phi_7329_: f32;
+    var phi_7408_: f32;
+    var phi_7413_: f32;
+    var phi_7418_: f32;
+    var phi_7423_: f32;
+    var phi_7428_: f32;
+    var phi_7433_: f32;
+    var phi_7438_: f32;
+    var phi_7443_: f32;
+    var phi_7448_: f32;
+    var phi_7453_: f32;
+    var phi_7458_: f32;
+    var phi_7463_: f32;
+    var phi_7468_: f32;
+    var phi_7473_: f32;
     var phi_7479_: f32;
-    var phi_7484_: f32;
-    var phi_7489_: f32;
-    var phi_7494_: f32;
-    var phi_7499_: f32;
-    var phi_7505_: f32;
-    var phi_7511_: f32;
-    var phi_7518_: f32;
-    var phi_7529_: f32;
-    var phi_7600_: f32;
-    var phi_7605_: f32;
-    var phi_7610_: f32;
-    var phi_7615_: f32;
-    var phi_7620_: f32;
-    var phi_7625_: f32;
-    var phi_7630_: f32;
-    var phi_7635_: f32;
-    var phi_7640_: f32;
+    var phi_7485_: f32;
+    var phi_7492_: f32;
+    var phi_7503_: f32;
+    var phi_7574_: f32;
+    var phi_7579_: f32;
+    var phi_7584_: f32;
+    var phi_7589_: f32;
+    var phi_7594_: f32;
+    var phi_7599_: f32;
+    var phi_7604_: f32;
+    var phi_7609_: f32;
+    var phi_7614_: f32;
+    var phi_7619_: f32;
+    var phi_7624_: f32;
+    var phi_7629_: f32;
+    var phi_7634_: f32;
+    var phi_7639_: f32;
     var phi_7645_: f32;
-    var phi_7650_: f32;
-    var phi_7655_: f32;
-    var phi_7660_: f32;
-    var phi_7665_: f32;
-    var phi_7671_: f32;
-    var phi_7677_: f32;
-    var phi_7684_: f32;
-    var phi_7695_: f32;
-    var phi_7705_: f32;
-    var phi_7887_: bool;
-    var phi_7889_: bool;
-    var phi_7891_: bool;
-    var phi_7902_: bool;
-    var phi_7903_: bool;
-    var phi_7953_: type_9;
-    var phi_7954_: type_9;
-    var phi_7977_: type_9;
-    var phi_8000_: u32;
-    var phi_8055_: type_9;
-    var phi_8074_: bool;
-    var phi_8075_: bool;
+    var phi_7651_: f32;
+    var phi_7658_: f32;
+    var phi_7669_: f32;
+    var phi_7679_: f32;
+    var phi_7861_: bool;
+    var phi_7863_: bool;
+    var phi_7865_: bool;
+    var phi_7876_: bool;
+    var phi_7877_: bool;
+    var phi_7927_: type_9;
+    var phi_7928_: type_9;
+    var phi_7951_: type_9;
+    var phi_7974_: u32;
+    var phi_8029_: type_9;
+    var phi_8048_: bool;
+    var phi_8049_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1034,8 +1022,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_943_ = type_9(0u, 32u);
-            let _e4644 = local_3;
-            phi_946_ = _e4644;
+            let _e4604 = local_3;
+            phi_946_ = _e4604;
             loop {
                 let _e484 = phi_943_;
                 let _e486 = phi_946_;
@@ -1050,8 +1038,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e500 = phi_969_;
                 if (bitcast<i32>(_e500.member) != 0i) {
                     if (_e486 == 0u) {
-                        phi_1850_ = u32();
-                        phi_1851_ = false;
+                        phi_1837_ = u32();
+                        phi_1838_ = false;
                     } else {
                         let _e511 = names[((_e92 * 32u) + select(firstTrailingBit(_e486), 32u, (_e486 == 0u)))];
                         let _e514 = (_e217 + _e93);
@@ -1062,3317 +1050,3255 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e523 = nodes.member[_e515];
                         let _e526 = params.member.member.member_1;
                         if ((_e526 & 1u) != 0u) {
-                            if (_e517.member[0] == _e519.member[0]) {
-                                phi_1089_ = bool();
-                                phi_1090_ = true;
+                            if (_e519.member[0] == _e517.member[0]) {
+                                phi_1077_ = true;
                             } else {
-                                if (_e517.member[0] == _e519.member[1]) {
-                                    phi_1087_ = bool();
-                                    phi_1088_ = true;
-                                } else {
-                                    let _e543 = (_e517.member[1] == _e519.member[0]);
-                                    if _e543 {
-                                        phi_1086_ = bool();
-                                    } else {
-                                        phi_1086_ = (_e517.member[1] == _e519.member[1]);
-                                    }
-                                    let _e550 = phi_1086_;
-                                    phi_1087_ = _e550;
-                                    phi_1088_ = _e543;
-                                }
-                                let _e552 = phi_1087_;
-                                let _e554 = phi_1088_;
-                                phi_1089_ = _e552;
-                                phi_1090_ = _e554;
+                                phi_1077_ = (_e519.member[0] == _e517.member[1]);
                             }
-                            let _e556 = phi_1089_;
-                            let _e558 = phi_1090_;
-                            if _e558 {
-                                phi_1094_ = true;
+                            let _e540 = phi_1077_;
+                            if (_e519.member[1] == _e517.member[0]) {
+                                phi_1083_ = true;
                             } else {
-                                phi_1094_ = _e556;
+                                phi_1083_ = (_e519.member[1] == _e517.member[1]);
                             }
-                            let _e560 = phi_1094_;
-                            if _e560 {
-                                phi_1099_ = false;
+                            let _e544 = phi_1083_;
+                            if (_e540 || _e544) {
+                                phi_1089_ = false;
                             } else {
-                                phi_1099_ = true;
+                                phi_1089_ = true;
                             }
-                            let _e562 = phi_1099_;
-                            phi_1100_ = _e562;
+                            let _e547 = phi_1089_;
+                            phi_1090_ = _e547;
                         } else {
-                            phi_1100_ = true;
+                            phi_1090_ = true;
                         }
-                        let _e564 = phi_1100_;
-                        if _e564 {
-                            let _e566 = params.member.member.member_1;
-                            if ((_e566 & 2u) != 0u) {
-                                let _e572 = bodies.member[_e517.member[0]];
-                                let _e576 = bodies.member[_e519.member[0]];
-                                if ((_e572 / 2u) == (_e576 / 2u)) {
-                                    let _e581 = params.member.member.member_1;
-                                    phi_1144_ = !(((_e581 & 4u) != 0u));
+                        let _e549 = phi_1090_;
+                        if _e549 {
+                            let _e551 = params.member.member.member_1;
+                            if ((_e551 & 2u) != 0u) {
+                                let _e555 = params.member.member.member_1;
+                                let _e561 = bodies.member[_e517.member[0]];
+                                let _e565 = bodies.member[_e519.member[0]];
+                                if ((_e561 / 2u) != (_e565 / 2u)) {
+                                    phi_1136_ = true;
                                 } else {
-                                    phi_1144_ = false;
+                                    phi_1136_ = ((_e555 & 4u) != 0u);
                                 }
-                                let _e586 = phi_1144_;
-                                if _e586 {
-                                    phi_1155_ = true;
+                                let _e570 = phi_1136_;
+                                if _e570 {
+                                    phi_1143_ = (((_e561 & _e565) & 1u) == 0u);
                                 } else {
-                                    if (((_e572 & _e576) & 1u) == 0u) {
-                                        phi_1154_ = false;
-                                    } else {
-                                        phi_1154_ = true;
-                                    }
-                                    let _e591 = phi_1154_;
-                                    phi_1155_ = _e591;
+                                    phi_1143_ = false;
                                 }
-                                let _e593 = phi_1155_;
-                                if _e593 {
-                                    phi_1159_ = false;
-                                } else {
-                                    phi_1159_ = true;
-                                }
-                                let _e595 = phi_1159_;
-                                phi_1160_ = _e595;
+                                let _e575 = phi_1143_;
+                                phi_1147_ = _e575;
                             } else {
-                                phi_1160_ = true;
+                                phi_1147_ = true;
                             }
-                            let _e597 = phi_1160_;
-                            if _e597 {
-                                let _e599 = params.member.member.member_1;
-                                if ((_e599 & 32u) != 0u) {
-                                    let _e603 = params.member.member.member_6;
-                                    let _e644 = (((((((_e521.member_1[0] - _e523.member[0]) > _e603) && ((_e523.member_1[0] - _e521.member[0]) > _e603)) && ((_e521.member_1[1] - _e523.member[1]) > _e603)) && ((_e523.member_1[1] - _e521.member[1]) > _e603)) && ((_e521.member_1[2] - _e523.member[2]) > _e603)) && ((_e523.member_1[2] - _e521.member[2]) > _e603));
-                                    if _e644 {
-                                        phi_1774_ = bool();
+                            let _e577 = phi_1147_;
+                            if _e577 {
+                                let _e579 = params.member.member.member_1;
+                                if ((_e579 & 32u) != 0u) {
+                                    let _e583 = params.member.member.member_6;
+                                    let _e624 = (((((_e521.member_1[0] - _e523.member[0]) > _e583) && ((_e523.member_1[0] - _e521.member[0]) > _e583)) && (((_e521.member_1[1] - _e523.member[1]) > _e583) && ((_e523.member_1[1] - _e521.member[1]) > _e583))) && (((_e521.member_1[2] - _e523.member[2]) > _e583) && ((_e523.member_1[2] - _e521.member[2]) > _e583)));
+                                    if _e624 {
+                                        phi_1761_ = bool();
                                     } else {
-                                        let _e648 = keys.member[_e517.member[0]];
-                                        let _e653 = keys.member[_e517.member[1]];
-                                        let _e655 = function_(_e648[0], _e653[0]);
-                                        let _e659 = keys.member[_e517.member[2]];
-                                        let _e661 = function_(_e655, _e659[0]);
-                                        let _e665 = keys.member[_e519.member[0]];
-                                        let _e670 = keys.member[_e519.member[1]];
-                                        let _e672 = function_1(_e665[3], _e670[3]);
-                                        let _e676 = keys.member[_e519.member[2]];
-                                        let _e678 = function_1(_e672, _e676[3]);
-                                        if (_e661[1] > _e678[1]) {
-                                            phi_1297_ = true;
+                                        let _e628 = keys.member[_e517.member[0]];
+                                        let _e633 = keys.member[_e517.member[1]];
+                                        let _e635 = function_(_e628[0], _e633[0]);
+                                        let _e639 = keys.member[_e517.member[2]];
+                                        let _e641 = function_(_e635, _e639[0]);
+                                        let _e645 = keys.member[_e519.member[0]];
+                                        let _e650 = keys.member[_e519.member[1]];
+                                        let _e652 = function_1(_e645[3], _e650[3]);
+                                        let _e656 = keys.member[_e519.member[2]];
+                                        let _e658 = function_1(_e652, _e656[3]);
+                                        if (_e641[1] > _e658[1]) {
+                                            phi_1284_ = true;
                                         } else {
-                                            if (_e661[1] == _e678[1]) {
-                                                phi_1296_ = (_e661[0] > _e678[0]);
+                                            if (_e641[1] == _e658[1]) {
+                                                phi_1283_ = (_e641[0] > _e658[0]);
                                             } else {
-                                                phi_1296_ = false;
+                                                phi_1283_ = false;
                                             }
-                                            let _e689 = phi_1296_;
-                                            phi_1297_ = _e689;
+                                            let _e669 = phi_1283_;
+                                            phi_1284_ = _e669;
                                         }
-                                        let _e691 = phi_1297_;
-                                        let _e696 = keys.member[_e519.member[0]];
-                                        let _e701 = keys.member[_e519.member[1]];
-                                        let _e703 = function_(_e696[0], _e701[0]);
-                                        let _e707 = keys.member[_e519.member[2]];
-                                        let _e709 = function_(_e703, _e707[0]);
-                                        let _e713 = keys.member[_e517.member[0]];
-                                        let _e718 = keys.member[_e517.member[1]];
-                                        let _e720 = function_1(_e713[3], _e718[3]);
-                                        let _e724 = keys.member[_e517.member[2]];
-                                        let _e726 = function_1(_e720, _e724[3]);
-                                        if (_e709[1] > _e726[1]) {
-                                            phi_1391_ = true;
+                                        let _e671 = phi_1284_;
+                                        let _e676 = keys.member[_e519.member[0]];
+                                        let _e681 = keys.member[_e519.member[1]];
+                                        let _e683 = function_(_e676[0], _e681[0]);
+                                        let _e687 = keys.member[_e519.member[2]];
+                                        let _e689 = function_(_e683, _e687[0]);
+                                        let _e693 = keys.member[_e517.member[0]];
+                                        let _e698 = keys.member[_e517.member[1]];
+                                        let _e700 = function_1(_e693[3], _e698[3]);
+                                        let _e704 = keys.member[_e517.member[2]];
+                                        let _e706 = function_1(_e700, _e704[3]);
+                                        if (_e689[1] > _e706[1]) {
+                                            phi_1378_ = true;
                                         } else {
-                                            if (_e709[1] == _e726[1]) {
-                                                phi_1390_ = (_e709[0] > _e726[0]);
+                                            if (_e689[1] == _e706[1]) {
+                                                phi_1377_ = (_e689[0] > _e706[0]);
                                             } else {
-                                                phi_1390_ = false;
+                                                phi_1377_ = false;
                                             }
-                                            let _e737 = phi_1390_;
-                                            phi_1391_ = _e737;
+                                            let _e717 = phi_1377_;
+                                            phi_1378_ = _e717;
                                         }
-                                        let _e739 = phi_1391_;
-                                        let _e745 = keys.member[_e517.member[0]];
-                                        let _e750 = keys.member[_e517.member[1]];
-                                        let _e752 = function_2(_e745[1], _e750[1]);
-                                        let _e756 = keys.member[_e517.member[2]];
-                                        let _e758 = function_2(_e752, _e756[1]);
-                                        let _e762 = keys.member[_e519.member[0]];
-                                        let _e767 = keys.member[_e519.member[1]];
-                                        let _e769 = function_3(_e762[4], _e767[4]);
-                                        let _e773 = keys.member[_e519.member[2]];
-                                        let _e775 = function_3(_e769, _e773[4]);
-                                        if (_e758[1] > _e775[1]) {
-                                            phi_1486_ = true;
+                                        let _e719 = phi_1378_;
+                                        let _e725 = keys.member[_e517.member[0]];
+                                        let _e730 = keys.member[_e517.member[1]];
+                                        let _e732 = function_2(_e725[1], _e730[1]);
+                                        let _e736 = keys.member[_e517.member[2]];
+                                        let _e738 = function_2(_e732, _e736[1]);
+                                        let _e742 = keys.member[_e519.member[0]];
+                                        let _e747 = keys.member[_e519.member[1]];
+                                        let _e749 = function_3(_e742[4], _e747[4]);
+                                        let _e753 = keys.member[_e519.member[2]];
+                                        let _e755 = function_3(_e749, _e753[4]);
+                                        if (_e738[1] > _e755[1]) {
+                                            phi_1473_ = true;
                                         } else {
-                                            if (_e758[1] == _e775[1]) {
-                                                phi_1485_ = (_e758[0] > _e775[0]);
+                                            if (_e738[1] == _e755[1]) {
+                                                phi_1472_ = (_e738[0] > _e755[0]);
                                             } else {
-                                                phi_1485_ = false;
+                                                phi_1472_ = false;
                                             }
-                                            let _e786 = phi_1485_;
-                                            phi_1486_ = _e786;
+                                            let _e766 = phi_1472_;
+                                            phi_1473_ = _e766;
                                         }
-                                        let _e788 = phi_1486_;
-                                        let _e793 = keys.member[_e519.member[0]];
-                                        let _e798 = keys.member[_e519.member[1]];
-                                        let _e800 = function_2(_e793[1], _e798[1]);
-                                        let _e804 = keys.member[_e519.member[2]];
-                                        let _e806 = function_2(_e800, _e804[1]);
-                                        let _e810 = keys.member[_e517.member[0]];
-                                        let _e815 = keys.member[_e517.member[1]];
-                                        let _e817 = function_3(_e810[4], _e815[4]);
-                                        let _e821 = keys.member[_e517.member[2]];
-                                        let _e823 = function_3(_e817, _e821[4]);
-                                        if (_e806[1] > _e823[1]) {
-                                            phi_1580_ = true;
+                                        let _e768 = phi_1473_;
+                                        let _e773 = keys.member[_e519.member[0]];
+                                        let _e778 = keys.member[_e519.member[1]];
+                                        let _e780 = function_2(_e773[1], _e778[1]);
+                                        let _e784 = keys.member[_e519.member[2]];
+                                        let _e786 = function_2(_e780, _e784[1]);
+                                        let _e790 = keys.member[_e517.member[0]];
+                                        let _e795 = keys.member[_e517.member[1]];
+                                        let _e797 = function_3(_e790[4], _e795[4]);
+                                        let _e801 = keys.member[_e517.member[2]];
+                                        let _e803 = function_3(_e797, _e801[4]);
+                                        if (_e786[1] > _e803[1]) {
+                                            phi_1567_ = true;
                                         } else {
-                                            if (_e806[1] == _e823[1]) {
-                                                phi_1579_ = (_e806[0] > _e823[0]);
+                                            if (_e786[1] == _e803[1]) {
+                                                phi_1566_ = (_e786[0] > _e803[0]);
                                             } else {
-                                                phi_1579_ = false;
+                                                phi_1566_ = false;
                                             }
-                                            let _e834 = phi_1579_;
-                                            phi_1580_ = _e834;
+                                            let _e814 = phi_1566_;
+                                            phi_1567_ = _e814;
                                         }
-                                        let _e836 = phi_1580_;
-                                        let _e843 = keys.member[_e517.member[0]];
-                                        let _e848 = keys.member[_e517.member[1]];
-                                        let _e850 = function_4(_e843[2], _e848[2]);
-                                        let _e854 = keys.member[_e517.member[2]];
-                                        let _e856 = function_4(_e850, _e854[2]);
-                                        let _e860 = keys.member[_e519.member[0]];
-                                        let _e865 = keys.member[_e519.member[1]];
-                                        let _e867 = function_5(_e860[5], _e865[5]);
-                                        let _e871 = keys.member[_e519.member[2]];
-                                        let _e873 = function_5(_e867, _e871[5]);
-                                        if (_e856[1] > _e873[1]) {
-                                            phi_1676_ = true;
+                                        let _e816 = phi_1567_;
+                                        let _e823 = keys.member[_e517.member[0]];
+                                        let _e828 = keys.member[_e517.member[1]];
+                                        let _e830 = function_4(_e823[2], _e828[2]);
+                                        let _e834 = keys.member[_e517.member[2]];
+                                        let _e836 = function_4(_e830, _e834[2]);
+                                        let _e840 = keys.member[_e519.member[0]];
+                                        let _e845 = keys.member[_e519.member[1]];
+                                        let _e847 = function_5(_e840[5], _e845[5]);
+                                        let _e851 = keys.member[_e519.member[2]];
+                                        let _e853 = function_5(_e847, _e851[5]);
+                                        if (_e836[1] > _e853[1]) {
+                                            phi_1663_ = true;
                                         } else {
-                                            if (_e856[1] == _e873[1]) {
-                                                phi_1675_ = (_e856[0] > _e873[0]);
+                                            if (_e836[1] == _e853[1]) {
+                                                phi_1662_ = (_e836[0] > _e853[0]);
                                             } else {
-                                                phi_1675_ = false;
+                                                phi_1662_ = false;
                                             }
-                                            let _e884 = phi_1675_;
-                                            phi_1676_ = _e884;
+                                            let _e864 = phi_1662_;
+                                            phi_1663_ = _e864;
                                         }
-                                        let _e886 = phi_1676_;
-                                        let _e891 = keys.member[_e519.member[0]];
-                                        let _e896 = keys.member[_e519.member[1]];
-                                        let _e898 = function_4(_e891[2], _e896[2]);
-                                        let _e902 = keys.member[_e519.member[2]];
-                                        let _e904 = function_4(_e898, _e902[2]);
-                                        let _e908 = keys.member[_e517.member[0]];
-                                        let _e913 = keys.member[_e517.member[1]];
-                                        let _e915 = function_5(_e908[5], _e913[5]);
-                                        let _e919 = keys.member[_e517.member[2]];
-                                        let _e921 = function_5(_e915, _e919[5]);
-                                        if (_e904[1] > _e921[1]) {
-                                            phi_1770_ = true;
+                                        let _e866 = phi_1663_;
+                                        let _e871 = keys.member[_e519.member[0]];
+                                        let _e876 = keys.member[_e519.member[1]];
+                                        let _e878 = function_4(_e871[2], _e876[2]);
+                                        let _e882 = keys.member[_e519.member[2]];
+                                        let _e884 = function_4(_e878, _e882[2]);
+                                        let _e888 = keys.member[_e517.member[0]];
+                                        let _e893 = keys.member[_e517.member[1]];
+                                        let _e895 = function_5(_e888[5], _e893[5]);
+                                        let _e899 = keys.member[_e517.member[2]];
+                                        let _e901 = function_5(_e895, _e899[5]);
+                                        if (_e884[1] > _e901[1]) {
+                                            phi_1757_ = true;
                                         } else {
-                                            if (_e904[1] == _e921[1]) {
-                                                phi_1769_ = (_e904[0] > _e921[0]);
+                                            if (_e884[1] == _e901[1]) {
+                                                phi_1756_ = (_e884[0] > _e901[0]);
                                             } else {
-                                                phi_1769_ = false;
+                                                phi_1756_ = false;
                                             }
-                                            let _e932 = phi_1769_;
-                                            phi_1770_ = _e932;
+                                            let _e912 = phi_1756_;
+                                            phi_1757_ = _e912;
                                         }
-                                        let _e934 = phi_1770_;
-                                        phi_1774_ = (((!(_e691) && !(_e739)) && (!(_e788) && !(_e836))) && (!(_e886) && !(_e934)));
+                                        let _e914 = phi_1757_;
+                                        phi_1761_ = (((!(_e671) && !(_e719)) && (!(_e768) && !(_e816))) && (!(_e866) && !(_e914)));
                                     }
-                                    let _e939 = phi_1774_;
-                                    phi_1775_ = _e939;
-                                    phi_1776_ = _e644;
+                                    let _e919 = phi_1761_;
+                                    phi_1762_ = _e919;
+                                    phi_1763_ = _e624;
                                 } else {
-                                    phi_1775_ = bool();
-                                    phi_1776_ = true;
+                                    phi_1762_ = bool();
+                                    phi_1763_ = true;
                                 }
-                                let _e941 = phi_1775_;
-                                let _e943 = phi_1776_;
-                                if _e943 {
-                                    phi_1780_ = false;
+                                let _e921 = phi_1762_;
+                                let _e923 = phi_1763_;
+                                if _e923 {
+                                    phi_1767_ = false;
                                 } else {
-                                    phi_1780_ = true;
+                                    phi_1767_ = true;
                                 }
-                                let _e945 = phi_1780_;
-                                phi_1781_ = _e941;
-                                phi_1782_ = _e945;
+                                let _e925 = phi_1767_;
+                                phi_1768_ = _e921;
+                                phi_1769_ = _e925;
                             } else {
-                                phi_1781_ = false;
-                                phi_1782_ = true;
+                                phi_1768_ = false;
+                                phi_1769_ = true;
                             }
-                            let _e947 = phi_1781_;
-                            let _e949 = phi_1782_;
-                            phi_1783_ = _e947;
-                            phi_1784_ = _e949;
+                            let _e927 = phi_1768_;
+                            let _e929 = phi_1769_;
+                            phi_1770_ = _e927;
+                            phi_1771_ = _e929;
                         } else {
-                            phi_1783_ = false;
-                            phi_1784_ = true;
+                            phi_1770_ = false;
+                            phi_1771_ = true;
                         }
-                        let _e951 = phi_1783_;
-                        let _e953 = phi_1784_;
-                        if _e953 {
-                            phi_1788_ = _e951;
+                        let _e931 = phi_1770_;
+                        let _e933 = phi_1771_;
+                        if _e933 {
+                            phi_1775_ = _e931;
                         } else {
-                            phi_1788_ = true;
+                            phi_1775_ = true;
                         }
-                        let _e955 = phi_1788_;
-                        if _e955 {
-                            let _e958 = params.member.member_1.member_3;
+                        let _e935 = phi_1775_;
+                        if _e935 {
+                            let _e938 = params.member.member_1.member_3;
                             if (_e517.member_1 < _e519.member_1) {
-                                phi_1807_ = type_9(_e517.member_1, _e519.member_1);
+                                phi_1794_ = type_9(_e517.member_1, _e519.member_1);
                             } else {
-                                phi_1807_ = type_9(_e519.member_1, _e517.member_1);
+                                phi_1794_ = type_9(_e519.member_1, _e517.member_1);
                             }
-                            let _e965 = phi_1807_;
-                            let _e969 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e969 + 1u) < _e969) {
-                                let _e973 = atomicAdd((&output.member[2u]), 1u);
+                            let _e945 = phi_1794_;
+                            let _e949 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e949 + 1u) < _e949) {
+                                let _e953 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e969 < _e958) {
-                                let _e975 = (2u * _e969);
-                                atomicStore((&output.member[(4u + _e975)]), _e965.member);
-                                atomicStore((&output.member[(_e975 + 5u)]), _e965.member_1);
+                            if (_e949 < _e938) {
+                                let _e955 = (2u * _e949);
+                                atomicStore((&output.member[(4u + _e955)]), _e945.member);
+                                atomicStore((&output.member[(_e955 + 5u)]), _e945.member_1);
                             }
-                            let _e981 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e981 + 1u) < _e981) {
-                                let _e985 = atomicAdd((&output.member[3u]), 1u);
+                            let _e961 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e961 + 1u) < _e961) {
+                                let _e965 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1850_ = (_e486 & (_e486 - 1u));
-                        phi_1851_ = true;
+                        phi_1837_ = (_e486 & (_e486 - 1u));
+                        phi_1838_ = true;
                     }
-                    let _e987 = phi_1850_;
-                    let _e989 = phi_1851_;
-                    phi_947_ = _e987;
-                    phi_1852_ = _e989;
+                    let _e967 = phi_1837_;
+                    let _e969 = phi_1838_;
+                    phi_947_ = _e967;
+                    phi_1839_ = _e969;
                 } else {
                     phi_947_ = u32();
-                    phi_1852_ = false;
+                    phi_1839_ = false;
                 }
-                let _e991 = phi_947_;
-                let _e993 = phi_1852_;
+                let _e971 = phi_947_;
+                let _e973 = phi_1839_;
                 continue;
                 continuing {
                     phi_943_ = _e498;
-                    phi_946_ = _e991;
-                    break if !(_e993);
+                    phi_946_ = _e971;
+                    break if !(_e973);
                 }
             }
             workgroupBarrier();
-            let _e996 = atomicLoad((&counters[4u]));
-            if (2048u < _e996) {
-                phi_1859_ = 2048u;
+            let _e976 = atomicLoad((&counters[4u]));
+            if (2048u < _e976) {
+                phi_1846_ = 2048u;
             } else {
-                phi_1859_ = _e996;
+                phi_1846_ = _e976;
             }
-            let _e999 = phi_1859_;
-            phi_1862_ = type_9(0u, 16u);
+            let _e979 = phi_1846_;
+            phi_1849_ = type_9(0u, 16u);
             loop {
-                let _e1001 = phi_1862_;
-                if (_e1001.member < _e1001.member_1) {
-                    phi_1863_ = type_9((_e1001.member + 1u), _e1001.member_1);
-                    phi_1886_ = type_9(1u, _e1001.member);
+                let _e981 = phi_1849_;
+                if (_e981.member < _e981.member_1) {
+                    phi_1850_ = type_9((_e981.member + 1u), _e981.member_1);
+                    phi_1873_ = type_9(1u, _e981.member);
                 } else {
-                    phi_1863_ = _e1001;
-                    phi_1886_ = type_9(0u, type_9().member_1);
+                    phi_1850_ = _e981;
+                    phi_1873_ = type_9(0u, type_9().member_1);
                 }
-                let _e1013 = phi_1863_;
-                let _e1015 = phi_1886_;
-                if (bitcast<i32>(_e1015.member) != 0i) {
-                    let _e1021 = (_e67 + (_e1015.member_1 * 128u));
-                    if (_e1021 >= _e999) {
-                        phi_7902_ = false;
+                let _e993 = phi_1850_;
+                let _e995 = phi_1873_;
+                if (bitcast<i32>(_e995.member) != 0i) {
+                    let _e1001 = (_e67 + (_e995.member_1 * 128u));
+                    if (_e1001 >= _e979) {
+                        phi_7876_ = false;
                     } else {
-                        let _e1024 = hits[_e1021];
-                        let _e1027 = ((_e1024 >> bitcast<u32>(10i)) & 3u);
-                        let _e1034 = firsts[(2u * _e1027)];
-                        let _e1035 = (_e1034 + ((_e1024 >> bitcast<u32>(5i)) & 31u));
-                        let _e1039 = firsts[((2u * _e1027) + 1u)];
-                        let _e1040 = (_e1039 + (_e1024 & 31u));
-                        let _e1042 = leaves.member[_e1035];
-                        let _e1044 = leaves.member[_e1040];
-                        let _e1046 = nodes.member[_e1035];
-                        let _e1048 = nodes.member[_e1040];
-                        let _e1051 = params.member.member.member_1;
-                        if ((_e1051 & 1u) != 0u) {
-                            if (_e1042.member[0] == _e1044.member[0]) {
-                                phi_2014_ = bool();
-                                phi_2015_ = true;
+                        let _e1004 = hits[_e1001];
+                        let _e1007 = ((_e1004 >> bitcast<u32>(10i)) & 3u);
+                        let _e1014 = firsts[(2u * _e1007)];
+                        let _e1015 = (_e1014 + ((_e1004 >> bitcast<u32>(5i)) & 31u));
+                        let _e1019 = firsts[((2u * _e1007) + 1u)];
+                        let _e1020 = (_e1019 + (_e1004 & 31u));
+                        let _e1022 = leaves.member[_e1015];
+                        let _e1024 = leaves.member[_e1020];
+                        let _e1026 = nodes.member[_e1015];
+                        let _e1028 = nodes.member[_e1020];
+                        let _e1031 = params.member.member.member_1;
+                        if ((_e1031 & 1u) != 0u) {
+                            if (_e1024.member[0] == _e1022.member[0]) {
+                                phi_1989_ = true;
                             } else {
-                                if (_e1042.member[0] == _e1044.member[1]) {
-                                    phi_2012_ = bool();
-                                    phi_2013_ = true;
-                                } else {
-                                    let _e1068 = (_e1042.member[1] == _e1044.member[0]);
-                                    if _e1068 {
-                                        phi_2011_ = bool();
-                                    } else {
-                                        phi_2011_ = (_e1042.member[1] == _e1044.member[1]);
-                                    }
-                                    let _e1075 = phi_2011_;
-                                    phi_2012_ = _e1075;
-                                    phi_2013_ = _e1068;
-                                }
-                                let _e1077 = phi_2012_;
-                                let _e1079 = phi_2013_;
-                                phi_2014_ = _e1077;
-                                phi_2015_ = _e1079;
+                                phi_1989_ = (_e1024.member[0] == _e1022.member[1]);
                             }
-                            let _e1081 = phi_2014_;
-                            let _e1083 = phi_2015_;
-                            if _e1083 {
-                                phi_2019_ = true;
+                            let _e1045 = phi_1989_;
+                            if (_e1024.member[1] == _e1022.member[0]) {
+                                phi_1995_ = true;
                             } else {
-                                phi_2019_ = _e1081;
+                                phi_1995_ = (_e1024.member[1] == _e1022.member[1]);
                             }
-                            let _e1085 = phi_2019_;
-                            if _e1085 {
-                                phi_2024_ = false;
+                            let _e1049 = phi_1995_;
+                            if (_e1045 || _e1049) {
+                                phi_2001_ = false;
                             } else {
-                                phi_2024_ = true;
+                                phi_2001_ = true;
                             }
-                            let _e1087 = phi_2024_;
-                            phi_2025_ = _e1087;
+                            let _e1052 = phi_2001_;
+                            phi_2002_ = _e1052;
                         } else {
-                            phi_2025_ = true;
+                            phi_2002_ = true;
                         }
-                        let _e1089 = phi_2025_;
-                        if _e1089 {
-                            let _e1091 = params.member.member.member_1;
-                            if ((_e1091 & 2u) != 0u) {
-                                let _e1097 = bodies.member[_e1042.member[0]];
-                                let _e1101 = bodies.member[_e1044.member[0]];
-                                if ((_e1097 / 2u) == (_e1101 / 2u)) {
-                                    let _e1106 = params.member.member.member_1;
-                                    phi_2069_ = !(((_e1106 & 4u) != 0u));
+                        let _e1054 = phi_2002_;
+                        if _e1054 {
+                            let _e1056 = params.member.member.member_1;
+                            if ((_e1056 & 2u) != 0u) {
+                                let _e1060 = params.member.member.member_1;
+                                let _e1066 = bodies.member[_e1022.member[0]];
+                                let _e1070 = bodies.member[_e1024.member[0]];
+                                if ((_e1066 / 2u) != (_e1070 / 2u)) {
+                                    phi_2048_ = true;
                                 } else {
-                                    phi_2069_ = false;
+                                    phi_2048_ = ((_e1060 & 4u) != 0u);
                                 }
-                                let _e1111 = phi_2069_;
-                                if _e1111 {
-                                    phi_2080_ = true;
+                                let _e1075 = phi_2048_;
+                                if _e1075 {
+                                    phi_2055_ = (((_e1066 & _e1070) & 1u) == 0u);
                                 } else {
-                                    if (((_e1097 & _e1101) & 1u) == 0u) {
-                                        phi_2079_ = false;
-                                    } else {
-                                        phi_2079_ = true;
-                                    }
-                                    let _e1116 = phi_2079_;
-                                    phi_2080_ = _e1116;
+                                    phi_2055_ = false;
                                 }
-                                let _e1118 = phi_2080_;
-                                if _e1118 {
-                                    phi_2084_ = false;
-                                } else {
-                                    phi_2084_ = true;
-                                }
-                                let _e1120 = phi_2084_;
-                                phi_2085_ = _e1120;
+                                let _e1080 = phi_2055_;
+                                phi_2059_ = _e1080;
                             } else {
-                                phi_2085_ = true;
+                                phi_2059_ = true;
                             }
-                            let _e1122 = phi_2085_;
-                            if _e1122 {
-                                let _e1124 = params.member.member.member_1;
-                                if ((_e1124 & 32u) != 0u) {
-                                    let _e1128 = params.member.member.member_6;
-                                    let _e1169 = (((((((_e1046.member_1[0] - _e1048.member[0]) > _e1128) && ((_e1048.member_1[0] - _e1046.member[0]) > _e1128)) && ((_e1046.member_1[1] - _e1048.member[1]) > _e1128)) && ((_e1048.member_1[1] - _e1046.member[1]) > _e1128)) && ((_e1046.member_1[2] - _e1048.member[2]) > _e1128)) && ((_e1048.member_1[2] - _e1046.member[2]) > _e1128));
-                                    if _e1169 {
-                                        phi_2699_ = bool();
+                            let _e1082 = phi_2059_;
+                            if _e1082 {
+                                let _e1084 = params.member.member.member_1;
+                                if ((_e1084 & 32u) != 0u) {
+                                    let _e1088 = params.member.member.member_6;
+                                    let _e1129 = (((((_e1026.member_1[0] - _e1028.member[0]) > _e1088) && ((_e1028.member_1[0] - _e1026.member[0]) > _e1088)) && (((_e1026.member_1[1] - _e1028.member[1]) > _e1088) && ((_e1028.member_1[1] - _e1026.member[1]) > _e1088))) && (((_e1026.member_1[2] - _e1028.member[2]) > _e1088) && ((_e1028.member_1[2] - _e1026.member[2]) > _e1088)));
+                                    if _e1129 {
+                                        phi_2673_ = bool();
                                     } else {
-                                        let _e1173 = keys.member[_e1042.member[0]];
-                                        let _e1178 = keys.member[_e1042.member[1]];
-                                        let _e1180 = function_(_e1173[0], _e1178[0]);
-                                        let _e1184 = keys.member[_e1042.member[2]];
-                                        let _e1186 = function_(_e1180, _e1184[0]);
-                                        let _e1190 = keys.member[_e1044.member[0]];
-                                        let _e1195 = keys.member[_e1044.member[1]];
-                                        let _e1197 = function_1(_e1190[3], _e1195[3]);
-                                        let _e1201 = keys.member[_e1044.member[2]];
-                                        let _e1203 = function_1(_e1197, _e1201[3]);
-                                        if (_e1186[1] > _e1203[1]) {
-                                            phi_2222_ = true;
+                                        let _e1133 = keys.member[_e1022.member[0]];
+                                        let _e1138 = keys.member[_e1022.member[1]];
+                                        let _e1140 = function_(_e1133[0], _e1138[0]);
+                                        let _e1144 = keys.member[_e1022.member[2]];
+                                        let _e1146 = function_(_e1140, _e1144[0]);
+                                        let _e1150 = keys.member[_e1024.member[0]];
+                                        let _e1155 = keys.member[_e1024.member[1]];
+                                        let _e1157 = function_1(_e1150[3], _e1155[3]);
+                                        let _e1161 = keys.member[_e1024.member[2]];
+                                        let _e1163 = function_1(_e1157, _e1161[3]);
+                                        if (_e1146[1] > _e1163[1]) {
+                                            phi_2196_ = true;
                                         } else {
-                                            if (_e1186[1] == _e1203[1]) {
-                                                phi_2221_ = (_e1186[0] > _e1203[0]);
+                                            if (_e1146[1] == _e1163[1]) {
+                                                phi_2195_ = (_e1146[0] > _e1163[0]);
                                             } else {
-                                                phi_2221_ = false;
+                                                phi_2195_ = false;
                                             }
-                                            let _e1214 = phi_2221_;
-                                            phi_2222_ = _e1214;
+                                            let _e1174 = phi_2195_;
+                                            phi_2196_ = _e1174;
                                         }
-                                        let _e1216 = phi_2222_;
-                                        let _e1221 = keys.member[_e1044.member[0]];
-                                        let _e1226 = keys.member[_e1044.member[1]];
-                                        let _e1228 = function_(_e1221[0], _e1226[0]);
-                                        let _e1232 = keys.member[_e1044.member[2]];
-                                        let _e1234 = function_(_e1228, _e1232[0]);
-                                        let _e1238 = keys.member[_e1042.member[0]];
-                                        let _e1243 = keys.member[_e1042.member[1]];
-                                        let _e1245 = function_1(_e1238[3], _e1243[3]);
-                                        let _e1249 = keys.member[_e1042.member[2]];
-                                        let _e1251 = function_1(_e1245, _e1249[3]);
-                                        if (_e1234[1] > _e1251[1]) {
-                                            phi_2316_ = true;
+                                        let _e1176 = phi_2196_;
+                                        let _e1181 = keys.member[_e1024.member[0]];
+                                        let _e1186 = keys.member[_e1024.member[1]];
+                                        let _e1188 = function_(_e1181[0], _e1186[0]);
+                                        let _e1192 = keys.member[_e1024.member[2]];
+                                        let _e1194 = function_(_e1188, _e1192[0]);
+                                        let _e1198 = keys.member[_e1022.member[0]];
+                                        let _e1203 = keys.member[_e1022.member[1]];
+                                        let _e1205 = function_1(_e1198[3], _e1203[3]);
+                                        let _e1209 = keys.member[_e1022.member[2]];
+                                        let _e1211 = function_1(_e1205, _e1209[3]);
+                                        if (_e1194[1] > _e1211[1]) {
+                                            phi_2290_ = true;
                                         } else {
-                                            if (_e1234[1] == _e1251[1]) {
-                                                phi_2315_ = (_e1234[0] > _e1251[0]);
+                                            if (_e1194[1] == _e1211[1]) {
+                                                phi_2289_ = (_e1194[0] > _e1211[0]);
                                             } else {
-                                                phi_2315_ = false;
+                                                phi_2289_ = false;
                                             }
-                                            let _e1262 = phi_2315_;
-                                            phi_2316_ = _e1262;
+                                            let _e1222 = phi_2289_;
+                                            phi_2290_ = _e1222;
                                         }
-                                        let _e1264 = phi_2316_;
-                                        let _e1270 = keys.member[_e1042.member[0]];
-                                        let _e1275 = keys.member[_e1042.member[1]];
-                                        let _e1277 = function_2(_e1270[1], _e1275[1]);
-                                        let _e1281 = keys.member[_e1042.member[2]];
-                                        let _e1283 = function_2(_e1277, _e1281[1]);
-                                        let _e1287 = keys.member[_e1044.member[0]];
-                                        let _e1292 = keys.member[_e1044.member[1]];
-                                        let _e1294 = function_3(_e1287[4], _e1292[4]);
-                                        let _e1298 = keys.member[_e1044.member[2]];
-                                        let _e1300 = function_3(_e1294, _e1298[4]);
-                                        if (_e1283[1] > _e1300[1]) {
-                                            phi_2411_ = true;
+                                        let _e1224 = phi_2290_;
+                                        let _e1230 = keys.member[_e1022.member[0]];
+                                        let _e1235 = keys.member[_e1022.member[1]];
+                                        let _e1237 = function_2(_e1230[1], _e1235[1]);
+                                        let _e1241 = keys.member[_e1022.member[2]];
+                                        let _e1243 = function_2(_e1237, _e1241[1]);
+                                        let _e1247 = keys.member[_e1024.member[0]];
+                                        let _e1252 = keys.member[_e1024.member[1]];
+                                        let _e1254 = function_3(_e1247[4], _e1252[4]);
+                                        let _e1258 = keys.member[_e1024.member[2]];
+                                        let _e1260 = function_3(_e1254, _e1258[4]);
+                                        if (_e1243[1] > _e1260[1]) {
+                                            phi_2385_ = true;
                                         } else {
-                                            if (_e1283[1] == _e1300[1]) {
-                                                phi_2410_ = (_e1283[0] > _e1300[0]);
+                                            if (_e1243[1] == _e1260[1]) {
+                                                phi_2384_ = (_e1243[0] > _e1260[0]);
                                             } else {
-                                                phi_2410_ = false;
+                                                phi_2384_ = false;
                                             }
-                                            let _e1311 = phi_2410_;
-                                            phi_2411_ = _e1311;
+                                            let _e1271 = phi_2384_;
+                                            phi_2385_ = _e1271;
                                         }
-                                        let _e1313 = phi_2411_;
-                                        let _e1318 = keys.member[_e1044.member[0]];
-                                        let _e1323 = keys.member[_e1044.member[1]];
-                                        let _e1325 = function_2(_e1318[1], _e1323[1]);
-                                        let _e1329 = keys.member[_e1044.member[2]];
-                                        let _e1331 = function_2(_e1325, _e1329[1]);
-                                        let _e1335 = keys.member[_e1042.member[0]];
-                                        let _e1340 = keys.member[_e1042.member[1]];
-                                        let _e1342 = function_3(_e1335[4], _e1340[4]);
-                                        let _e1346 = keys.member[_e1042.member[2]];
-                                        let _e1348 = function_3(_e1342, _e1346[4]);
-                                        if (_e1331[1] > _e1348[1]) {
-                                            phi_2505_ = true;
+                                        let _e1273 = phi_2385_;
+                                        let _e1278 = keys.member[_e1024.member[0]];
+                                        let _e1283 = keys.member[_e1024.member[1]];
+                                        let _e1285 = function_2(_e1278[1], _e1283[1]);
+                                        let _e1289 = keys.member[_e1024.member[2]];
+                                        let _e1291 = function_2(_e1285, _e1289[1]);
+                                        let _e1295 = keys.member[_e1022.member[0]];
+                                        let _e1300 = keys.member[_e1022.member[1]];
+                                        let _e1302 = function_3(_e1295[4], _e1300[4]);
+                                        let _e1306 = keys.member[_e1022.member[2]];
+                                        let _e1308 = function_3(_e1302, _e1306[4]);
+                                        if (_e1291[1] > _e1308[1]) {
+                                            phi_2479_ = true;
                                         } else {
-                                            if (_e1331[1] == _e1348[1]) {
-                                                phi_2504_ = (_e1331[0] > _e1348[0]);
+                                            if (_e1291[1] == _e1308[1]) {
+                                                phi_2478_ = (_e1291[0] > _e1308[0]);
                                             } else {
-                                                phi_2504_ = false;
+                                                phi_2478_ = false;
                                             }
-                                            let _e1359 = phi_2504_;
-                                            phi_2505_ = _e1359;
+                                            let _e1319 = phi_2478_;
+                                            phi_2479_ = _e1319;
                                         }
-                                        let _e1361 = phi_2505_;
-                                        let _e1368 = keys.member[_e1042.member[0]];
-                                        let _e1373 = keys.member[_e1042.member[1]];
-                                        let _e1375 = function_4(_e1368[2], _e1373[2]);
-                                        let _e1379 = keys.member[_e1042.member[2]];
-                                        let _e1381 = function_4(_e1375, _e1379[2]);
-                                        let _e1385 = keys.member[_e1044.member[0]];
-                                        let _e1390 = keys.member[_e1044.member[1]];
-                                        let _e1392 = function_5(_e1385[5], _e1390[5]);
-                                        let _e1396 = keys.member[_e1044.member[2]];
-                                        let _e1398 = function_5(_e1392, _e1396[5]);
-                                        if (_e1381[1] > _e1398[1]) {
-                                            phi_2601_ = true;
+                                        let _e1321 = phi_2479_;
+                                        let _e1328 = keys.member[_e1022.member[0]];
+                                        let _e1333 = keys.member[_e1022.member[1]];
+                                        let _e1335 = function_4(_e1328[2], _e1333[2]);
+                                        let _e1339 = keys.member[_e1022.member[2]];
+                                        let _e1341 = function_4(_e1335, _e1339[2]);
+                                        let _e1345 = keys.member[_e1024.member[0]];
+                                        let _e1350 = keys.member[_e1024.member[1]];
+                                        let _e1352 = function_5(_e1345[5], _e1350[5]);
+                                        let _e1356 = keys.member[_e1024.member[2]];
+                                        let _e1358 = function_5(_e1352, _e1356[5]);
+                                        if (_e1341[1] > _e1358[1]) {
+                                            phi_2575_ = true;
                                         } else {
-                                            if (_e1381[1] == _e1398[1]) {
-                                                phi_2600_ = (_e1381[0] > _e1398[0]);
+                                            if (_e1341[1] == _e1358[1]) {
+                                                phi_2574_ = (_e1341[0] > _e1358[0]);
                                             } else {
-                                                phi_2600_ = false;
+                                                phi_2574_ = false;
                                             }
-                                            let _e1409 = phi_2600_;
-                                            phi_2601_ = _e1409;
+                                            let _e1369 = phi_2574_;
+                                            phi_2575_ = _e1369;
                                         }
-                                        let _e1411 = phi_2601_;
-                                        let _e1416 = keys.member[_e1044.member[0]];
-                                        let _e1421 = keys.member[_e1044.member[1]];
-                                        let _e1423 = function_4(_e1416[2], _e1421[2]);
-                                        let _e1427 = keys.member[_e1044.member[2]];
-                                        let _e1429 = function_4(_e1423, _e1427[2]);
-                                        let _e1433 = keys.member[_e1042.member[0]];
-                                        let _e1438 = keys.member[_e1042.member[1]];
-                                        let _e1440 = function_5(_e1433[5], _e1438[5]);
-                                        let _e1444 = keys.member[_e1042.member[2]];
-                                        let _e1446 = function_5(_e1440, _e1444[5]);
-                                        if (_e1429[1] > _e1446[1]) {
-                                            phi_2695_ = true;
+                                        let _e1371 = phi_2575_;
+                                        let _e1376 = keys.member[_e1024.member[0]];
+                                        let _e1381 = keys.member[_e1024.member[1]];
+                                        let _e1383 = function_4(_e1376[2], _e1381[2]);
+                                        let _e1387 = keys.member[_e1024.member[2]];
+                                        let _e1389 = function_4(_e1383, _e1387[2]);
+                                        let _e1393 = keys.member[_e1022.member[0]];
+                                        let _e1398 = keys.member[_e1022.member[1]];
+                                        let _e1400 = function_5(_e1393[5], _e1398[5]);
+                                        let _e1404 = keys.member[_e1022.member[2]];
+                                        let _e1406 = function_5(_e1400, _e1404[5]);
+                                        if (_e1389[1] > _e1406[1]) {
+                                            phi_2669_ = true;
                                         } else {
-                                            if (_e1429[1] == _e1446[1]) {
-                                                phi_2694_ = (_e1429[0] > _e1446[0]);
+                                            if (_e1389[1] == _e1406[1]) {
+                                                phi_2668_ = (_e1389[0] > _e1406[0]);
                                             } else {
-                                                phi_2694_ = false;
+                                                phi_2668_ = false;
                                             }
-                                            let _e1457 = phi_2694_;
-                                            phi_2695_ = _e1457;
+                                            let _e1417 = phi_2668_;
+                                            phi_2669_ = _e1417;
                                         }
-                                        let _e1459 = phi_2695_;
-                                        phi_2699_ = (((!(_e1216) && !(_e1264)) && (!(_e1313) && !(_e1361))) && (!(_e1411) && !(_e1459)));
+                                        let _e1419 = phi_2669_;
+                                        phi_2673_ = (((!(_e1176) && !(_e1224)) && (!(_e1273) && !(_e1321))) && (!(_e1371) && !(_e1419)));
                                     }
-                                    let _e1464 = phi_2699_;
-                                    phi_2700_ = _e1464;
-                                    phi_2701_ = _e1169;
+                                    let _e1424 = phi_2673_;
+                                    phi_2674_ = _e1424;
+                                    phi_2675_ = _e1129;
                                 } else {
-                                    phi_2700_ = bool();
-                                    phi_2701_ = true;
+                                    phi_2674_ = bool();
+                                    phi_2675_ = true;
                                 }
-                                let _e1466 = phi_2700_;
-                                let _e1468 = phi_2701_;
-                                if _e1468 {
-                                    phi_2705_ = false;
+                                let _e1426 = phi_2674_;
+                                let _e1428 = phi_2675_;
+                                if _e1428 {
+                                    phi_2679_ = false;
                                 } else {
-                                    phi_2705_ = true;
+                                    phi_2679_ = true;
                                 }
-                                let _e1470 = phi_2705_;
-                                phi_2706_ = _e1466;
-                                phi_2707_ = _e1470;
+                                let _e1430 = phi_2679_;
+                                phi_2680_ = _e1426;
+                                phi_2681_ = _e1430;
                             } else {
-                                phi_2706_ = false;
-                                phi_2707_ = true;
+                                phi_2680_ = false;
+                                phi_2681_ = true;
                             }
-                            let _e1472 = phi_2706_;
-                            let _e1474 = phi_2707_;
-                            phi_2708_ = _e1472;
-                            phi_2709_ = _e1474;
+                            let _e1432 = phi_2680_;
+                            let _e1434 = phi_2681_;
+                            phi_2682_ = _e1432;
+                            phi_2683_ = _e1434;
                         } else {
-                            phi_2708_ = false;
-                            phi_2709_ = true;
+                            phi_2682_ = false;
+                            phi_2683_ = true;
                         }
-                        let _e1476 = phi_2708_;
-                        let _e1478 = phi_2709_;
-                        if _e1478 {
-                            phi_2713_ = _e1476;
+                        let _e1436 = phi_2682_;
+                        let _e1438 = phi_2683_;
+                        if _e1438 {
+                            phi_2687_ = _e1436;
                         } else {
-                            phi_2713_ = true;
+                            phi_2687_ = true;
                         }
-                        let _e1480 = phi_2713_;
-                        if _e1480 {
-                            let _e1482 = atomicAdd((&counters[7u]), 1u);
-                            if (_e1042.member_1 < _e1044.member_1) {
-                                phi_2726_ = _e1044;
-                                phi_2727_ = _e1042;
+                        let _e1440 = phi_2687_;
+                        if _e1440 {
+                            let _e1442 = atomicAdd((&counters[7u]), 1u);
+                            if (_e1022.member_1 < _e1024.member_1) {
+                                phi_2700_ = _e1024;
+                                phi_2701_ = _e1022;
                             } else {
-                                phi_2726_ = _e1042;
-                                phi_2727_ = _e1044;
+                                phi_2700_ = _e1022;
+                                phi_2701_ = _e1024;
                             }
-                            let _e1488 = phi_2726_;
-                            let _e1490 = phi_2727_;
-                            let _e1492 = params.member.member.member_4;
-                            let _e1494 = params.member.member.member_5;
-                            let _e1504 = paths.member[_e1490.member[0]];
-                            let _e1506 = paths.member[_e1490.member[1]];
-                            let _e1512 = paths.member[_e1488.member[0]];
-                            let _e1514 = paths.member[_e1488.member[1]];
-                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1512.member[0] - _e1504.member[0]), (_e1512.member[1] - _e1504.member[1]), (_e1512.member[2] - _e1504.member[2])), array<f32, 3>((_e1512.member_1[0] - _e1504.member_1[0]), (_e1512.member_1[1] - _e1504.member_1[1]), (_e1512.member_1[2] - _e1504.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1506.member[0] - _e1504.member[0]), (_e1506.member[1] - _e1504.member[1]), (_e1506.member[2] - _e1504.member[2])), array<f32, 3>((_e1506.member_1[0] - _e1504.member_1[0]), (_e1506.member_1[1] - _e1504.member_1[1]), (_e1506.member_1[2] - _e1504.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1512.member[0] - _e1514.member[0]), (_e1512.member[1] - _e1514.member[1]), (_e1512.member[2] - _e1514.member[2])), array<f32, 3>((_e1512.member_1[0] - _e1514.member_1[0]), (_e1512.member_1[1] - _e1514.member_1[1]), (_e1512.member_1[2] - _e1514.member_1[2]))), (_e1492 + _e1492));
-                            let _e1574 = local_2.member_1[0u];
-                            let _e1580 = local_2.member_2[0u];
-                            let _e1586 = ((_e1574[1] * _e1580[2]) - (_e1574[2] * _e1580[1]));
-                            let _e1589 = ((_e1574[2] * _e1580[0]) - (_e1574[0] * _e1580[2]));
-                            let _e1592 = ((_e1574[0] * _e1580[1]) - (_e1574[1] * _e1580[0]));
-                            let _e1595 = local_2.member_1[1u];
-                            let _e1601 = local_2.member_2[1u];
-                            let _e1607 = ((_e1595[1] * _e1601[2]) - (_e1595[2] * _e1601[1]));
-                            let _e1610 = ((_e1595[2] * _e1601[0]) - (_e1595[0] * _e1601[2]));
-                            let _e1613 = ((_e1595[0] * _e1601[1]) - (_e1595[1] * _e1601[0]));
-                            let _e1616 = local_2.member_1[0u];
-                            let _e1622 = local_2.member_2[1u];
-                            let _e1637 = local_2.member_1[1u];
-                            let _e1643 = local_2.member_2[0u];
-                            let _e1656 = (((_e1616[1] * _e1622[2]) - (_e1616[2] * _e1622[1])) + ((_e1637[1] * _e1643[2]) - (_e1637[2] * _e1643[1])));
-                            let _e1657 = (((_e1616[2] * _e1622[0]) - (_e1616[0] * _e1622[2])) + ((_e1637[2] * _e1643[0]) - (_e1637[0] * _e1643[2])));
-                            let _e1658 = (((_e1616[0] * _e1622[1]) - (_e1616[1] * _e1622[0])) + ((_e1637[0] * _e1643[1]) - (_e1637[1] * _e1643[0])));
-                            let _e1661 = local_2.member[0u];
-                            let _e1672 = local_2.member[1u];
-                            let _e1683 = local_2.member[0u];
-                            let _e1692 = ((((_e1672[0] * _e1586) + (_e1672[1] * _e1589)) + (_e1672[2] * _e1592)) + (((_e1683[0] * _e1656) + (_e1683[1] * _e1657)) + (_e1683[2] * _e1658)));
-                            let _e1695 = local_2.member[0u];
-                            let _e1706 = local_2.member[1u];
-                            let _e1715 = ((((_e1695[0] * _e1607) + (_e1695[1] * _e1610)) + (_e1695[2] * _e1613)) + (((_e1706[0] * _e1656) + (_e1706[1] * _e1657)) + (_e1706[2] * _e1658)));
-                            let _e1718 = local_2.member[1u];
-                            let _e1729 = local_2.member[0u];
-                            if (_e1729[0] < 0f) {
-                                phi_3116_ = -(_e1729[0]);
+                            let _e1448 = phi_2700_;
+                            let _e1450 = phi_2701_;
+                            let _e1452 = params.member.member.member_4;
+                            let _e1454 = params.member.member.member_5;
+                            let _e1464 = paths.member[_e1450.member[0]];
+                            let _e1466 = paths.member[_e1450.member[1]];
+                            let _e1472 = paths.member[_e1448.member[0]];
+                            let _e1474 = paths.member[_e1448.member[1]];
+                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1472.member[0] - _e1464.member[0]), (_e1472.member[1] - _e1464.member[1]), (_e1472.member[2] - _e1464.member[2])), array<f32, 3>((_e1472.member_1[0] - _e1464.member_1[0]), (_e1472.member_1[1] - _e1464.member_1[1]), (_e1472.member_1[2] - _e1464.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1466.member[0] - _e1464.member[0]), (_e1466.member[1] - _e1464.member[1]), (_e1466.member[2] - _e1464.member[2])), array<f32, 3>((_e1466.member_1[0] - _e1464.member_1[0]), (_e1466.member_1[1] - _e1464.member_1[1]), (_e1466.member_1[2] - _e1464.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1472.member[0] - _e1474.member[0]), (_e1472.member[1] - _e1474.member[1]), (_e1472.member[2] - _e1474.member[2])), array<f32, 3>((_e1472.member_1[0] - _e1474.member_1[0]), (_e1472.member_1[1] - _e1474.member_1[1]), (_e1472.member_1[2] - _e1474.member_1[2]))), (_e1452 + _e1452));
+                            let _e1534 = local_2.member_1[0u];
+                            let _e1540 = local_2.member_2[0u];
+                            let _e1546 = ((_e1534[1] * _e1540[2]) - (_e1534[2] * _e1540[1]));
+                            let _e1549 = ((_e1534[2] * _e1540[0]) - (_e1534[0] * _e1540[2]));
+                            let _e1552 = ((_e1534[0] * _e1540[1]) - (_e1534[1] * _e1540[0]));
+                            let _e1555 = local_2.member_1[1u];
+                            let _e1561 = local_2.member_2[1u];
+                            let _e1567 = ((_e1555[1] * _e1561[2]) - (_e1555[2] * _e1561[1]));
+                            let _e1570 = ((_e1555[2] * _e1561[0]) - (_e1555[0] * _e1561[2]));
+                            let _e1573 = ((_e1555[0] * _e1561[1]) - (_e1555[1] * _e1561[0]));
+                            let _e1576 = local_2.member_1[0u];
+                            let _e1582 = local_2.member_2[1u];
+                            let _e1597 = local_2.member_1[1u];
+                            let _e1603 = local_2.member_2[0u];
+                            let _e1616 = (((_e1576[1] * _e1582[2]) - (_e1576[2] * _e1582[1])) + ((_e1597[1] * _e1603[2]) - (_e1597[2] * _e1603[1])));
+                            let _e1617 = (((_e1576[2] * _e1582[0]) - (_e1576[0] * _e1582[2])) + ((_e1597[2] * _e1603[0]) - (_e1597[0] * _e1603[2])));
+                            let _e1618 = (((_e1576[0] * _e1582[1]) - (_e1576[1] * _e1582[0])) + ((_e1597[0] * _e1603[1]) - (_e1597[1] * _e1603[0])));
+                            let _e1621 = local_2.member[0u];
+                            let _e1632 = local_2.member[1u];
+                            let _e1643 = local_2.member[0u];
+                            let _e1652 = ((((_e1632[0] * _e1546) + (_e1632[1] * _e1549)) + (_e1632[2] * _e1552)) + (((_e1643[0] * _e1616) + (_e1643[1] * _e1617)) + (_e1643[2] * _e1618)));
+                            let _e1655 = local_2.member[0u];
+                            let _e1666 = local_2.member[1u];
+                            let _e1675 = ((((_e1655[0] * _e1567) + (_e1655[1] * _e1570)) + (_e1655[2] * _e1573)) + (((_e1666[0] * _e1616) + (_e1666[1] * _e1617)) + (_e1666[2] * _e1618)));
+                            let _e1678 = local_2.member[1u];
+                            let _e1689 = local_2.member[0u];
+                            if (_e1689[0] < 0f) {
+                                phi_3090_ = -(_e1689[0]);
                             } else {
-                                phi_3116_ = _e1729[0];
+                                phi_3090_ = _e1689[0];
                             }
-                            let _e1736 = phi_3116_;
-                            if (_e1729[1] < 0f) {
-                                phi_3123_ = -(_e1729[1]);
+                            let _e1696 = phi_3090_;
+                            if (_e1689[1] < 0f) {
+                                phi_3097_ = -(_e1689[1]);
                             } else {
-                                phi_3123_ = _e1729[1];
+                                phi_3097_ = _e1689[1];
                             }
-                            let _e1740 = phi_3123_;
-                            if (_e1736 > _e1740) {
-                                phi_3128_ = _e1736;
+                            let _e1700 = phi_3097_;
+                            if (_e1696 > _e1700) {
+                                phi_3102_ = _e1696;
                             } else {
-                                phi_3128_ = _e1740;
+                                phi_3102_ = _e1700;
                             }
-                            let _e1743 = phi_3128_;
-                            if (_e1729[2] < 0f) {
-                                phi_3135_ = -(_e1729[2]);
+                            let _e1703 = phi_3102_;
+                            if (_e1689[2] < 0f) {
+                                phi_3109_ = -(_e1689[2]);
                             } else {
-                                phi_3135_ = _e1729[2];
+                                phi_3109_ = _e1689[2];
                             }
-                            let _e1747 = phi_3135_;
-                            if (_e1743 > _e1747) {
-                                phi_3140_ = _e1743;
+                            let _e1707 = phi_3109_;
+                            if (_e1703 > _e1707) {
+                                phi_3114_ = _e1703;
                             } else {
-                                phi_3140_ = _e1747;
+                                phi_3114_ = _e1707;
                             }
-                            let _e1750 = phi_3140_;
-                            let _e1753 = local_2.member[1u];
-                            if (_e1753[0] < 0f) {
-                                phi_3153_ = -(_e1753[0]);
+                            let _e1710 = phi_3114_;
+                            let _e1713 = local_2.member[1u];
+                            if (_e1713[0] < 0f) {
+                                phi_3127_ = -(_e1713[0]);
                             } else {
-                                phi_3153_ = _e1753[0];
+                                phi_3127_ = _e1713[0];
                             }
-                            let _e1760 = phi_3153_;
-                            if (_e1753[1] < 0f) {
-                                phi_3160_ = -(_e1753[1]);
+                            let _e1720 = phi_3127_;
+                            if (_e1713[1] < 0f) {
+                                phi_3134_ = -(_e1713[1]);
                             } else {
-                                phi_3160_ = _e1753[1];
+                                phi_3134_ = _e1713[1];
                             }
-                            let _e1764 = phi_3160_;
-                            if (_e1760 > _e1764) {
-                                phi_3165_ = _e1760;
+                            let _e1724 = phi_3134_;
+                            if (_e1720 > _e1724) {
+                                phi_3139_ = _e1720;
                             } else {
-                                phi_3165_ = _e1764;
+                                phi_3139_ = _e1724;
                             }
-                            let _e1767 = phi_3165_;
-                            if (_e1753[2] < 0f) {
-                                phi_3172_ = -(_e1753[2]);
+                            let _e1727 = phi_3139_;
+                            if (_e1713[2] < 0f) {
+                                phi_3146_ = -(_e1713[2]);
                             } else {
-                                phi_3172_ = _e1753[2];
+                                phi_3146_ = _e1713[2];
                             }
-                            let _e1771 = phi_3172_;
-                            if (_e1767 > _e1771) {
-                                phi_3177_ = _e1767;
+                            let _e1731 = phi_3146_;
+                            if (_e1727 > _e1731) {
+                                phi_3151_ = _e1727;
                             } else {
-                                phi_3177_ = _e1771;
+                                phi_3151_ = _e1731;
                             }
-                            let _e1774 = phi_3177_;
-                            if (_e1750 > _e1774) {
-                                phi_3182_ = _e1750;
+                            let _e1734 = phi_3151_;
+                            if (_e1710 > _e1734) {
+                                phi_3156_ = _e1710;
                             } else {
-                                phi_3182_ = _e1774;
+                                phi_3156_ = _e1734;
                             }
-                            let _e1777 = phi_3182_;
-                            let _e1779 = local_2.member_3;
-                            let _e1780 = (_e1777 + _e1779);
-                            let _e1783 = local_2.member_1[0u];
-                            if (_e1783[0] < 0f) {
-                                phi_3199_ = -(_e1783[0]);
+                            let _e1737 = phi_3156_;
+                            let _e1739 = local_2.member_3;
+                            let _e1740 = (_e1737 + _e1739);
+                            let _e1743 = local_2.member_1[0u];
+                            if (_e1743[0] < 0f) {
+                                phi_3173_ = -(_e1743[0]);
                             } else {
-                                phi_3199_ = _e1783[0];
+                                phi_3173_ = _e1743[0];
                             }
-                            let _e1790 = phi_3199_;
-                            if (_e1783[1] < 0f) {
-                                phi_3206_ = -(_e1783[1]);
+                            let _e1750 = phi_3173_;
+                            if (_e1743[1] < 0f) {
+                                phi_3180_ = -(_e1743[1]);
                             } else {
-                                phi_3206_ = _e1783[1];
+                                phi_3180_ = _e1743[1];
                             }
-                            let _e1794 = phi_3206_;
-                            if (_e1790 > _e1794) {
-                                phi_3211_ = _e1790;
+                            let _e1754 = phi_3180_;
+                            if (_e1750 > _e1754) {
+                                phi_3185_ = _e1750;
                             } else {
-                                phi_3211_ = _e1794;
+                                phi_3185_ = _e1754;
                             }
-                            let _e1797 = phi_3211_;
-                            if (_e1783[2] < 0f) {
-                                phi_3218_ = -(_e1783[2]);
+                            let _e1757 = phi_3185_;
+                            if (_e1743[2] < 0f) {
+                                phi_3192_ = -(_e1743[2]);
                             } else {
-                                phi_3218_ = _e1783[2];
+                                phi_3192_ = _e1743[2];
                             }
-                            let _e1801 = phi_3218_;
-                            if (_e1797 > _e1801) {
-                                phi_3223_ = _e1797;
+                            let _e1761 = phi_3192_;
+                            if (_e1757 > _e1761) {
+                                phi_3197_ = _e1757;
                             } else {
-                                phi_3223_ = _e1801;
+                                phi_3197_ = _e1761;
                             }
-                            let _e1804 = phi_3223_;
-                            let _e1807 = local_2.member_1[1u];
-                            if (_e1807[0] < 0f) {
-                                phi_3237_ = -(_e1807[0]);
+                            let _e1764 = phi_3197_;
+                            let _e1767 = local_2.member_1[1u];
+                            if (_e1767[0] < 0f) {
+                                phi_3211_ = -(_e1767[0]);
                             } else {
-                                phi_3237_ = _e1807[0];
+                                phi_3211_ = _e1767[0];
                             }
-                            let _e1814 = phi_3237_;
-                            if (_e1807[1] < 0f) {
-                                phi_3244_ = -(_e1807[1]);
+                            let _e1774 = phi_3211_;
+                            if (_e1767[1] < 0f) {
+                                phi_3218_ = -(_e1767[1]);
                             } else {
-                                phi_3244_ = _e1807[1];
+                                phi_3218_ = _e1767[1];
                             }
-                            let _e1818 = phi_3244_;
-                            if (_e1814 > _e1818) {
-                                phi_3249_ = _e1814;
+                            let _e1778 = phi_3218_;
+                            if (_e1774 > _e1778) {
+                                phi_3223_ = _e1774;
                             } else {
-                                phi_3249_ = _e1818;
+                                phi_3223_ = _e1778;
                             }
-                            let _e1821 = phi_3249_;
-                            if (_e1807[2] < 0f) {
-                                phi_3256_ = -(_e1807[2]);
+                            let _e1781 = phi_3223_;
+                            if (_e1767[2] < 0f) {
+                                phi_3230_ = -(_e1767[2]);
                             } else {
-                                phi_3256_ = _e1807[2];
+                                phi_3230_ = _e1767[2];
                             }
-                            let _e1825 = phi_3256_;
-                            if (_e1821 > _e1825) {
-                                phi_3261_ = _e1821;
+                            let _e1785 = phi_3230_;
+                            if (_e1781 > _e1785) {
+                                phi_3235_ = _e1781;
                             } else {
-                                phi_3261_ = _e1825;
+                                phi_3235_ = _e1785;
                             }
-                            let _e1828 = phi_3261_;
-                            if (_e1804 > _e1828) {
-                                phi_3266_ = _e1804;
+                            let _e1788 = phi_3235_;
+                            if (_e1764 > _e1788) {
+                                phi_3240_ = _e1764;
                             } else {
-                                phi_3266_ = _e1828;
+                                phi_3240_ = _e1788;
                             }
-                            let _e1831 = phi_3266_;
-                            let _e1833 = local_2.member_3;
-                            let _e1834 = (_e1831 + _e1833);
-                            let _e1837 = local_2.member_2[0u];
-                            if (_e1837[0] < 0f) {
-                                phi_3283_ = -(_e1837[0]);
+                            let _e1791 = phi_3240_;
+                            let _e1793 = local_2.member_3;
+                            let _e1794 = (_e1791 + _e1793);
+                            let _e1797 = local_2.member_2[0u];
+                            if (_e1797[0] < 0f) {
+                                phi_3257_ = -(_e1797[0]);
                             } else {
-                                phi_3283_ = _e1837[0];
+                                phi_3257_ = _e1797[0];
                             }
-                            let _e1844 = phi_3283_;
-                            if (_e1837[1] < 0f) {
-                                phi_3290_ = -(_e1837[1]);
+                            let _e1804 = phi_3257_;
+                            if (_e1797[1] < 0f) {
+                                phi_3264_ = -(_e1797[1]);
                             } else {
-                                phi_3290_ = _e1837[1];
+                                phi_3264_ = _e1797[1];
                             }
-                            let _e1848 = phi_3290_;
-                            if (_e1844 > _e1848) {
-                                phi_3295_ = _e1844;
+                            let _e1808 = phi_3264_;
+                            if (_e1804 > _e1808) {
+                                phi_3269_ = _e1804;
                             } else {
-                                phi_3295_ = _e1848;
+                                phi_3269_ = _e1808;
                             }
-                            let _e1851 = phi_3295_;
-                            if (_e1837[2] < 0f) {
-                                phi_3302_ = -(_e1837[2]);
+                            let _e1811 = phi_3269_;
+                            if (_e1797[2] < 0f) {
+                                phi_3276_ = -(_e1797[2]);
                             } else {
-                                phi_3302_ = _e1837[2];
+                                phi_3276_ = _e1797[2];
                             }
-                            let _e1855 = phi_3302_;
-                            if (_e1851 > _e1855) {
-                                phi_3307_ = _e1851;
+                            let _e1815 = phi_3276_;
+                            if (_e1811 > _e1815) {
+                                phi_3281_ = _e1811;
                             } else {
-                                phi_3307_ = _e1855;
+                                phi_3281_ = _e1815;
                             }
-                            let _e1858 = phi_3307_;
-                            let _e1861 = local_2.member_2[1u];
-                            if (_e1861[0] < 0f) {
-                                phi_3321_ = -(_e1861[0]);
+                            let _e1818 = phi_3281_;
+                            let _e1821 = local_2.member_2[1u];
+                            if (_e1821[0] < 0f) {
+                                phi_3295_ = -(_e1821[0]);
                             } else {
-                                phi_3321_ = _e1861[0];
+                                phi_3295_ = _e1821[0];
                             }
-                            let _e1868 = phi_3321_;
-                            if (_e1861[1] < 0f) {
-                                phi_3328_ = -(_e1861[1]);
+                            let _e1828 = phi_3295_;
+                            if (_e1821[1] < 0f) {
+                                phi_3302_ = -(_e1821[1]);
                             } else {
-                                phi_3328_ = _e1861[1];
+                                phi_3302_ = _e1821[1];
                             }
-                            let _e1872 = phi_3328_;
-                            if (_e1868 > _e1872) {
-                                phi_3333_ = _e1868;
+                            let _e1832 = phi_3302_;
+                            if (_e1828 > _e1832) {
+                                phi_3307_ = _e1828;
                             } else {
-                                phi_3333_ = _e1872;
+                                phi_3307_ = _e1832;
                             }
-                            let _e1875 = phi_3333_;
-                            if (_e1861[2] < 0f) {
-                                phi_3340_ = -(_e1861[2]);
+                            let _e1835 = phi_3307_;
+                            if (_e1821[2] < 0f) {
+                                phi_3314_ = -(_e1821[2]);
                             } else {
-                                phi_3340_ = _e1861[2];
+                                phi_3314_ = _e1821[2];
                             }
-                            let _e1879 = phi_3340_;
-                            if (_e1875 > _e1879) {
-                                phi_3345_ = _e1875;
+                            let _e1839 = phi_3314_;
+                            if (_e1835 > _e1839) {
+                                phi_3319_ = _e1835;
                             } else {
-                                phi_3345_ = _e1879;
+                                phi_3319_ = _e1839;
                             }
-                            let _e1882 = phi_3345_;
-                            if (_e1858 > _e1882) {
-                                phi_3350_ = _e1858;
+                            let _e1842 = phi_3319_;
+                            if (_e1818 > _e1842) {
+                                phi_3324_ = _e1818;
                             } else {
-                                phi_3350_ = _e1882;
+                                phi_3324_ = _e1842;
                             }
-                            let _e1885 = phi_3350_;
-                            let _e1887 = local_2.member_3;
-                            let _e1888 = (_e1885 + _e1887);
-                            let _e1890 = ((_e1834 * 8f) * _e1888);
-                            let _e1897 = local_2.member_3;
-                            if (_e1586 < 0f) {
-                                phi_3381_ = -(_e1586);
+                            let _e1845 = phi_3324_;
+                            let _e1847 = local_2.member_3;
+                            let _e1848 = (_e1845 + _e1847);
+                            let _e1850 = ((_e1794 * 8f) * _e1848);
+                            let _e1857 = local_2.member_3;
+                            if (_e1546 < 0f) {
+                                phi_3355_ = -(_e1546);
                             } else {
-                                phi_3381_ = _e1586;
+                                phi_3355_ = _e1546;
                             }
-                            let _e1914 = phi_3381_;
-                            if (_e1589 < 0f) {
-                                phi_3387_ = -(_e1589);
+                            let _e1874 = phi_3355_;
+                            if (_e1549 < 0f) {
+                                phi_3361_ = -(_e1549);
                             } else {
-                                phi_3387_ = _e1589;
+                                phi_3361_ = _e1549;
                             }
-                            let _e1918 = phi_3387_;
-                            if (_e1592 < 0f) {
-                                phi_3394_ = -(_e1592);
+                            let _e1878 = phi_3361_;
+                            if (_e1552 < 0f) {
+                                phi_3368_ = -(_e1552);
                             } else {
-                                phi_3394_ = _e1592;
+                                phi_3368_ = _e1552;
                             }
-                            let _e1923 = phi_3394_;
-                            let _e1924 = ((_e1914 + _e1918) + _e1923);
-                            if (_e1607 < 0f) {
-                                phi_3401_ = -(_e1607);
+                            let _e1883 = phi_3368_;
+                            let _e1884 = ((_e1874 + _e1878) + _e1883);
+                            if (_e1567 < 0f) {
+                                phi_3375_ = -(_e1567);
                             } else {
-                                phi_3401_ = _e1607;
+                                phi_3375_ = _e1567;
                             }
-                            let _e1928 = phi_3401_;
-                            if (_e1610 < 0f) {
-                                phi_3407_ = -(_e1610);
+                            let _e1888 = phi_3375_;
+                            if (_e1570 < 0f) {
+                                phi_3381_ = -(_e1570);
                             } else {
-                                phi_3407_ = _e1610;
+                                phi_3381_ = _e1570;
                             }
-                            let _e1932 = phi_3407_;
-                            if (_e1613 < 0f) {
-                                phi_3414_ = -(_e1613);
+                            let _e1892 = phi_3381_;
+                            if (_e1573 < 0f) {
+                                phi_3388_ = -(_e1573);
                             } else {
-                                phi_3414_ = _e1613;
+                                phi_3388_ = _e1573;
                             }
-                            let _e1937 = phi_3414_;
-                            let _e1938 = ((_e1928 + _e1932) + _e1937);
-                            if (_e1924 > _e1938) {
-                                phi_3420_ = _e1924;
+                            let _e1897 = phi_3388_;
+                            let _e1898 = ((_e1888 + _e1892) + _e1897);
+                            if (_e1884 > _e1898) {
+                                phi_3394_ = _e1884;
                             } else {
-                                phi_3420_ = _e1938;
+                                phi_3394_ = _e1898;
                             }
-                            let _e1941 = phi_3420_;
-                            if (_e1656 < 0f) {
-                                phi_3426_ = -(_e1656);
+                            let _e1901 = phi_3394_;
+                            if (_e1616 < 0f) {
+                                phi_3400_ = -(_e1616);
                             } else {
-                                phi_3426_ = _e1656;
+                                phi_3400_ = _e1616;
                             }
-                            let _e1945 = phi_3426_;
-                            if (_e1657 < 0f) {
-                                phi_3432_ = -(_e1657);
+                            let _e1905 = phi_3400_;
+                            if (_e1617 < 0f) {
+                                phi_3406_ = -(_e1617);
                             } else {
-                                phi_3432_ = _e1657;
+                                phi_3406_ = _e1617;
                             }
-                            let _e1949 = phi_3432_;
-                            if (_e1658 < 0f) {
-                                phi_3439_ = -(_e1658);
+                            let _e1909 = phi_3406_;
+                            if (_e1618 < 0f) {
+                                phi_3413_ = -(_e1618);
                             } else {
-                                phi_3439_ = _e1658;
+                                phi_3413_ = _e1618;
                             }
-                            let _e1954 = phi_3439_;
-                            let _e1956 = (((_e1945 + _e1949) + _e1954) * 0.5f);
-                            if (_e1941 > _e1956) {
-                                phi_3446_ = _e1941;
+                            let _e1914 = phi_3413_;
+                            let _e1916 = (((_e1905 + _e1909) + _e1914) * 0.5f);
+                            if (_e1901 > _e1916) {
+                                phi_3420_ = _e1901;
                             } else {
-                                phi_3446_ = _e1956;
+                                phi_3420_ = _e1916;
                             }
-                            let _e1959 = phi_3446_;
-                            let _e1964 = local_2.member_3;
-                            let _e1977 = ((((_e1661[0] * _e1586) + (_e1661[1] * _e1589)) + (_e1661[2] * _e1592)) * 3f);
-                            let _e1978 = ((((_e1718[0] * _e1607) + (_e1718[1] * _e1610)) + (_e1718[2] * _e1613)) * 3f);
-                            if (_e1977 < _e1978) {
-                                phi_3470_ = _e1977;
+                            let _e1919 = phi_3420_;
+                            let _e1924 = local_2.member_3;
+                            let _e1937 = ((((_e1621[0] * _e1546) + (_e1621[1] * _e1549)) + (_e1621[2] * _e1552)) * 3f);
+                            let _e1938 = ((((_e1678[0] * _e1567) + (_e1678[1] * _e1570)) + (_e1678[2] * _e1573)) * 3f);
+                            if (_e1937 < _e1938) {
+                                phi_3444_ = _e1937;
                             } else {
-                                phi_3470_ = _e1978;
+                                phi_3444_ = _e1938;
                             }
-                            let _e1981 = phi_3470_;
-                            if (_e1692 < _e1715) {
-                                phi_3475_ = _e1692;
+                            let _e1941 = phi_3444_;
+                            if (_e1652 < _e1675) {
+                                phi_3449_ = _e1652;
                             } else {
-                                phi_3475_ = _e1715;
+                                phi_3449_ = _e1675;
                             }
-                            let _e1984 = phi_3475_;
-                            if (_e1981 < _e1984) {
-                                phi_3480_ = _e1981;
+                            let _e1944 = phi_3449_;
+                            if (_e1941 < _e1944) {
+                                phi_3454_ = _e1941;
                             } else {
-                                phi_3480_ = _e1984;
+                                phi_3454_ = _e1944;
                             }
-                            let _e1987 = phi_3480_;
-                            if (_e1977 > _e1978) {
-                                phi_3485_ = _e1977;
+                            let _e1947 = phi_3454_;
+                            if (_e1937 > _e1938) {
+                                phi_3459_ = _e1937;
                             } else {
-                                phi_3485_ = _e1978;
+                                phi_3459_ = _e1938;
                             }
-                            let _e1990 = phi_3485_;
-                            if (_e1692 > _e1715) {
-                                phi_3490_ = _e1692;
+                            let _e1950 = phi_3459_;
+                            if (_e1652 > _e1675) {
+                                phi_3464_ = _e1652;
                             } else {
-                                phi_3490_ = _e1715;
+                                phi_3464_ = _e1675;
                             }
-                            let _e1993 = phi_3490_;
-                            if (_e1990 > _e1993) {
-                                phi_3495_ = _e1990;
+                            let _e1953 = phi_3464_;
+                            if (_e1950 > _e1953) {
+                                phi_3469_ = _e1950;
                             } else {
-                                phi_3495_ = _e1993;
+                                phi_3469_ = _e1953;
                             }
-                            let _e1996 = phi_3495_;
-                            let _e2001 = -(_e1996);
-                            if (_e1987 > _e2001) {
-                                phi_3505_ = _e1987;
+                            let _e1956 = phi_3469_;
+                            let _e1961 = -(_e1956);
+                            if (_e1947 > _e1961) {
+                                phi_3479_ = _e1947;
                             } else {
-                                phi_3505_ = _e2001;
+                                phi_3479_ = _e1961;
                             }
-                            let _e2004 = phi_3505_;
-                            let _e2006 = ((_e2004 - ((((((_e1780 * 8f) * _e1890) * (0.000000059604645f * (524f / 64f))) + ((_e1897 * 19f) * ((_e1780 * (_e1834 + _e1888)) + (_e1834 * _e1888)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1780) * ((1f + _e1834) * (1f + _e1888))))) + ((_e1494 * (((_e1959 + (_e1890 * (0.000000059604645f * 8f))) + ((_e1964 * 6f) * (_e1834 + _e1888))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1834) * (1f + _e1888))))) * (3f * 1.0001f)))) > 0f);
-                            if _e2006 {
-                                phi_4474_ = _e2006;
+                            let _e1964 = phi_3479_;
+                            let _e1966 = ((_e1964 - ((((((_e1740 * 8f) * _e1850) * (0.000000059604645f * (524f / 64f))) + ((_e1857 * 19f) * ((_e1740 * (_e1794 + _e1848)) + (_e1794 * _e1848)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1740) * ((1f + _e1794) * (1f + _e1848))))) + ((_e1454 * (((_e1919 + (_e1850 * (0.000000059604645f * 8f))) + ((_e1924 * 6f) * (_e1794 + _e1848))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1794) * (1f + _e1848))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1966 {
+                                phi_4448_ = _e1966;
                             } else {
-                                let _e2009 = local_2.member_1[0u];
-                                let _e2015 = local_2.member_1[1u];
-                                let _e2019 = (_e2009[0] + _e2015[0]);
-                                let _e2020 = (_e2009[1] + _e2015[1]);
-                                let _e2021 = (_e2009[2] + _e2015[2]);
-                                let _e2024 = local_2.member_2[0u];
-                                let _e2030 = local_2.member_2[1u];
-                                let _e2034 = (_e2024[0] + _e2030[0]);
-                                let _e2035 = (_e2024[1] + _e2030[1]);
-                                let _e2036 = (_e2024[2] + _e2030[2]);
-                                let _e2039 = ((_e2020 * _e2036) - (_e2021 * _e2035));
-                                let _e2042 = ((_e2021 * _e2034) - (_e2019 * _e2036));
-                                let _e2045 = ((_e2019 * _e2035) - (_e2020 * _e2034));
-                                let _e2048 = local_2.member[0u];
-                                let _e2054 = local_2.member_1[0u];
-                                let _e2060 = local_2.member_2[0u];
-                                let _e2064 = (_e2048[0] - _e2054[0]);
-                                let _e2065 = (_e2048[1] - _e2054[1]);
-                                let _e2066 = (_e2048[2] - _e2054[2]);
-                                let _e2067 = (_e2064 - _e2060[0]);
-                                let _e2068 = (_e2065 - _e2060[1]);
-                                let _e2069 = (_e2066 - _e2060[2]);
-                                let _e2070 = (_e2048[0] - _e2060[0]);
-                                let _e2071 = (_e2048[1] - _e2060[1]);
-                                let _e2072 = (_e2048[2] - _e2060[2]);
-                                let _e2075 = local_2.member[1u];
-                                let _e2081 = local_2.member_1[1u];
-                                let _e2087 = local_2.member_2[1u];
-                                let _e2091 = (_e2075[0] - _e2081[0]);
-                                let _e2092 = (_e2075[1] - _e2081[1]);
-                                let _e2093 = (_e2075[2] - _e2081[2]);
-                                let _e2094 = (_e2091 - _e2087[0]);
-                                let _e2095 = (_e2092 - _e2087[1]);
-                                let _e2096 = (_e2093 - _e2087[2]);
-                                let _e2097 = (_e2075[0] - _e2087[0]);
-                                let _e2098 = (_e2075[1] - _e2087[1]);
-                                let _e2099 = (_e2075[2] - _e2087[2]);
-                                let _e2102 = local_2.member[0u];
-                                if (_e2102[0] < 0f) {
-                                    phi_3708_ = -(_e2102[0]);
-                                } else {
-                                    phi_3708_ = _e2102[0];
-                                }
-                                let _e2109 = phi_3708_;
-                                if (_e2102[1] < 0f) {
-                                    phi_3715_ = -(_e2102[1]);
-                                } else {
-                                    phi_3715_ = _e2102[1];
-                                }
-                                let _e2113 = phi_3715_;
-                                if (_e2109 > _e2113) {
-                                    phi_3720_ = _e2109;
-                                } else {
-                                    phi_3720_ = _e2113;
-                                }
-                                let _e2116 = phi_3720_;
-                                if (_e2102[2] < 0f) {
-                                    phi_3727_ = -(_e2102[2]);
-                                } else {
-                                    phi_3727_ = _e2102[2];
-                                }
-                                let _e2120 = phi_3727_;
-                                if (_e2116 > _e2120) {
-                                    phi_3732_ = _e2116;
-                                } else {
-                                    phi_3732_ = _e2120;
-                                }
-                                let _e2123 = phi_3732_;
-                                let _e2126 = local_2.member[1u];
-                                if (_e2126[0] < 0f) {
-                                    phi_3745_ = -(_e2126[0]);
+                                let _e1969 = local_2.member_1[0u];
+                                let _e1975 = local_2.member_1[1u];
+                                let _e1979 = (_e1969[0] + _e1975[0]);
+                                let _e1980 = (_e1969[1] + _e1975[1]);
+                                let _e1981 = (_e1969[2] + _e1975[2]);
+                                let _e1984 = local_2.member_2[0u];
+                                let _e1990 = local_2.member_2[1u];
+                                let _e1994 = (_e1984[0] + _e1990[0]);
+                                let _e1995 = (_e1984[1] + _e1990[1]);
+                                let _e1996 = (_e1984[2] + _e1990[2]);
+                                let _e1999 = ((_e1980 * _e1996) - (_e1981 * _e1995));
+                                let _e2002 = ((_e1981 * _e1994) - (_e1979 * _e1996));
+                                let _e2005 = ((_e1979 * _e1995) - (_e1980 * _e1994));
+                                let _e2008 = local_2.member[0u];
+                                let _e2014 = local_2.member_1[0u];
+                                let _e2020 = local_2.member_2[0u];
+                                let _e2024 = (_e2008[0] - _e2014[0]);
+                                let _e2025 = (_e2008[1] - _e2014[1]);
+                                let _e2026 = (_e2008[2] - _e2014[2]);
+                                let _e2027 = (_e2024 - _e2020[0]);
+                                let _e2028 = (_e2025 - _e2020[1]);
+                                let _e2029 = (_e2026 - _e2020[2]);
+                                let _e2030 = (_e2008[0] - _e2020[0]);
+                                let _e2031 = (_e2008[1] - _e2020[1]);
+                                let _e2032 = (_e2008[2] - _e2020[2]);
+                                let _e2035 = local_2.member[1u];
+                                let _e2041 = local_2.member_1[1u];
+                                let _e2047 = local_2.member_2[1u];
+                                let _e2051 = (_e2035[0] - _e2041[0]);
+                                let _e2052 = (_e2035[1] - _e2041[1]);
+                                let _e2053 = (_e2035[2] - _e2041[2]);
+                                let _e2054 = (_e2051 - _e2047[0]);
+                                let _e2055 = (_e2052 - _e2047[1]);
+                                let _e2056 = (_e2053 - _e2047[2]);
+                                let _e2057 = (_e2035[0] - _e2047[0]);
+                                let _e2058 = (_e2035[1] - _e2047[1]);
+                                let _e2059 = (_e2035[2] - _e2047[2]);
+                                let _e2062 = local_2.member[0u];
+                                if (_e2062[0] < 0f) {
+                                    phi_3682_ = -(_e2062[0]);
+                                } else {
+                                    phi_3682_ = _e2062[0];
+                                }
+                                let _e2069 = phi_3682_;
+                                if (_e2062[1] < 0f) {
+                                    phi_3689_ = -(_e2062[1]);
+                                } else {
+                                    phi_3689_ = _e2062[1];
+                                }
+                                let _e2073 = phi_3689_;
+                                if (_e2069 > _e2073) {
+                                    phi_3694_ = _e2069;
+                                } else {
+                                    phi_3694_ = _e2073;
+                                }
+                                let _e2076 = phi_3694_;
+                                if (_e2062[2] < 0f) {
+                                    phi_3701_ = -(_e2062[2]);
+                                } else {
+                                    phi_3701_ = _e2062[2];
+                                }
+                                let _e2080 = phi_3701_;
+                                if (_e2076 > _e2080) {
+                                    phi_3706_ = _e2076;
+                                } else {
+                                    phi_3706_ = _e2080;
+                                }
+                                let _e2083 = phi_3706_;
+                                let _e2086 = local_2.member[1u];
+                                if (_e2086[0] < 0f) {
+                                    phi_3719_ = -(_e2086[0]);
                                 } else {
-                                    phi_3745_ = _e2126[0];
+                                    phi_3719_ = _e2086[0];
                                 }
-                                let _e2133 = phi_3745_;
-                                if (_e2126[1] < 0f) {
-                                    phi_3752_ = -(_e2126[1]);
-                                } else {
-                                    phi_3752_ = _e2126[1];
+                                let _e2093 = phi_3719_;
+                                if (_e2086[1] < 0f) {
+                                    phi_3726_ = -(_e2086[1]);
+                                } else {
+                                    phi_3726_ = _e2086[1];
                                 }
-                                let _e2137 = phi_3752_;
-                                if (_e2133 > _e2137) {
-                                    phi_3757_ = _e2133;
+                                let _e2097 = phi_3726_;
+                                if (_e2093 > _e2097) {
+                                    phi_3731_ = _e2093;
                                 } else {
-                                    phi_3757_ = _e2137;
+                                    phi_3731_ = _e2097;
                                 }
-                                let _e2140 = phi_3757_;
-                                if (_e2126[2] < 0f) {
-                                    phi_3764_ = -(_e2126[2]);
+                                let _e2100 = phi_3731_;
+                                if (_e2086[2] < 0f) {
+                                    phi_3738_ = -(_e2086[2]);
                                 } else {
-                                    phi_3764_ = _e2126[2];
+                                    phi_3738_ = _e2086[2];
                                 }
-                                let _e2144 = phi_3764_;
-                                if (_e2140 > _e2144) {
-                                    phi_3769_ = _e2140;
+                                let _e2104 = phi_3738_;
+                                if (_e2100 > _e2104) {
+                                    phi_3743_ = _e2100;
                                 } else {
-                                    phi_3769_ = _e2144;
+                                    phi_3743_ = _e2104;
                                 }
-                                let _e2147 = phi_3769_;
-                                if (_e2123 > _e2147) {
-                                    phi_3774_ = _e2123;
+                                let _e2107 = phi_3743_;
+                                if (_e2083 > _e2107) {
+                                    phi_3748_ = _e2083;
                                 } else {
-                                    phi_3774_ = _e2147;
+                                    phi_3748_ = _e2107;
                                 }
-                                let _e2150 = phi_3774_;
-                                let _e2152 = local_2.member_3;
-                                let _e2156 = local_2.member_1[0u];
-                                if (_e2156[0] < 0f) {
-                                    phi_3791_ = -(_e2156[0]);
+                                let _e2110 = phi_3748_;
+                                let _e2112 = local_2.member_3;
+                                let _e2116 = local_2.member_1[0u];
+                                if (_e2116[0] < 0f) {
+                                    phi_3765_ = -(_e2116[0]);
                                 } else {
-                                    phi_3791_ = _e2156[0];
+                                    phi_3765_ = _e2116[0];
                                 }
-                                let _e2163 = phi_3791_;
-                                if (_e2156[1] < 0f) {
-                                    phi_3798_ = -(_e2156[1]);
+                                let _e2123 = phi_3765_;
+                                if (_e2116[1] < 0f) {
+                                    phi_3772_ = -(_e2116[1]);
                                 } else {
-                                    phi_3798_ = _e2156[1];
+                                    phi_3772_ = _e2116[1];
                                 }
-                                let _e2167 = phi_3798_;
-                                if (_e2163 > _e2167) {
-                                    phi_3803_ = _e2163;
+                                let _e2127 = phi_3772_;
+                                if (_e2123 > _e2127) {
+                                    phi_3777_ = _e2123;
                                 } else {
-                                    phi_3803_ = _e2167;
+                                    phi_3777_ = _e2127;
                                 }
-                                let _e2170 = phi_3803_;
-                                if (_e2156[2] < 0f) {
-                                    phi_3810_ = -(_e2156[2]);
+                                let _e2130 = phi_3777_;
+                                if (_e2116[2] < 0f) {
+                                    phi_3784_ = -(_e2116[2]);
                                 } else {
-                                    phi_3810_ = _e2156[2];
+                                    phi_3784_ = _e2116[2];
                                 }
-                                let _e2174 = phi_3810_;
-                                if (_e2170 > _e2174) {
-                                    phi_3815_ = _e2170;
+                                let _e2134 = phi_3784_;
+                                if (_e2130 > _e2134) {
+                                    phi_3789_ = _e2130;
                                 } else {
-                                    phi_3815_ = _e2174;
+                                    phi_3789_ = _e2134;
                                 }
-                                let _e2177 = phi_3815_;
-                                let _e2180 = local_2.member_1[1u];
-                                if (_e2180[0] < 0f) {
-                                    phi_3829_ = -(_e2180[0]);
+                                let _e2137 = phi_3789_;
+                                let _e2140 = local_2.member_1[1u];
+                                if (_e2140[0] < 0f) {
+                                    phi_3803_ = -(_e2140[0]);
                                 } else {
-                                    phi_3829_ = _e2180[0];
+                                    phi_3803_ = _e2140[0];
                                 }
-                                let _e2187 = phi_3829_;
-                                if (_e2180[1] < 0f) {
-                                    phi_3836_ = -(_e2180[1]);
+                                let _e2147 = phi_3803_;
+                                if (_e2140[1] < 0f) {
+                                    phi_3810_ = -(_e2140[1]);
                                 } else {
-                                    phi_3836_ = _e2180[1];
+                                    phi_3810_ = _e2140[1];
                                 }
-                                let _e2191 = phi_3836_;
-                                if (_e2187 > _e2191) {
-                                    phi_3841_ = _e2187;
+                                let _e2151 = phi_3810_;
+                                if (_e2147 > _e2151) {
+                                    phi_3815_ = _e2147;
                                 } else {
-                                    phi_3841_ = _e2191;
+                                    phi_3815_ = _e2151;
                                 }
-                                let _e2194 = phi_3841_;
-                                if (_e2180[2] < 0f) {
-                                    phi_3848_ = -(_e2180[2]);
+                                let _e2154 = phi_3815_;
+                                if (_e2140[2] < 0f) {
+                                    phi_3822_ = -(_e2140[2]);
                                 } else {
-                                    phi_3848_ = _e2180[2];
+                                    phi_3822_ = _e2140[2];
                                 }
-                                let _e2198 = phi_3848_;
-                                if (_e2194 > _e2198) {
-                                    phi_3853_ = _e2194;
+                                let _e2158 = phi_3822_;
+                                if (_e2154 > _e2158) {
+                                    phi_3827_ = _e2154;
                                 } else {
-                                    phi_3853_ = _e2198;
+                                    phi_3827_ = _e2158;
                                 }
-                                let _e2201 = phi_3853_;
-                                if (_e2177 > _e2201) {
-                                    phi_3858_ = _e2177;
+                                let _e2161 = phi_3827_;
+                                if (_e2137 > _e2161) {
+                                    phi_3832_ = _e2137;
                                 } else {
-                                    phi_3858_ = _e2201;
+                                    phi_3832_ = _e2161;
                                 }
-                                let _e2204 = phi_3858_;
-                                let _e2206 = local_2.member_3;
-                                let _e2210 = local_2.member_2[0u];
-                                if (_e2210[0] < 0f) {
-                                    phi_3875_ = -(_e2210[0]);
+                                let _e2164 = phi_3832_;
+                                let _e2166 = local_2.member_3;
+                                let _e2170 = local_2.member_2[0u];
+                                if (_e2170[0] < 0f) {
+                                    phi_3849_ = -(_e2170[0]);
                                 } else {
-                                    phi_3875_ = _e2210[0];
+                                    phi_3849_ = _e2170[0];
                                 }
-                                let _e2217 = phi_3875_;
-                                if (_e2210[1] < 0f) {
-                                    phi_3882_ = -(_e2210[1]);
+                                let _e2177 = phi_3849_;
+                                if (_e2170[1] < 0f) {
+                                    phi_3856_ = -(_e2170[1]);
                                 } else {
-                                    phi_3882_ = _e2210[1];
+                                    phi_3856_ = _e2170[1];
                                 }
-                                let _e2221 = phi_3882_;
-                                if (_e2217 > _e2221) {
-                                    phi_3887_ = _e2217;
+                                let _e2181 = phi_3856_;
+                                if (_e2177 > _e2181) {
+                                    phi_3861_ = _e2177;
                                 } else {
-                                    phi_3887_ = _e2221;
+                                    phi_3861_ = _e2181;
                                 }
-                                let _e2224 = phi_3887_;
-                                if (_e2210[2] < 0f) {
-                                    phi_3894_ = -(_e2210[2]);
+                                let _e2184 = phi_3861_;
+                                if (_e2170[2] < 0f) {
+                                    phi_3868_ = -(_e2170[2]);
                                 } else {
-                                    phi_3894_ = _e2210[2];
+                                    phi_3868_ = _e2170[2];
                                 }
-                                let _e2228 = phi_3894_;
-                                if (_e2224 > _e2228) {
-                                    phi_3899_ = _e2224;
+                                let _e2188 = phi_3868_;
+                                if (_e2184 > _e2188) {
+                                    phi_3873_ = _e2184;
                                 } else {
-                                    phi_3899_ = _e2228;
+                                    phi_3873_ = _e2188;
                                 }
-                                let _e2231 = phi_3899_;
-                                let _e2234 = local_2.member_2[1u];
-                                if (_e2234[0] < 0f) {
-                                    phi_3913_ = -(_e2234[0]);
+                                let _e2191 = phi_3873_;
+                                let _e2194 = local_2.member_2[1u];
+                                if (_e2194[0] < 0f) {
+                                    phi_3887_ = -(_e2194[0]);
                                 } else {
-                                    phi_3913_ = _e2234[0];
+                                    phi_3887_ = _e2194[0];
                                 }
-                                let _e2241 = phi_3913_;
-                                if (_e2234[1] < 0f) {
-                                    phi_3920_ = -(_e2234[1]);
+                                let _e2201 = phi_3887_;
+                                if (_e2194[1] < 0f) {
+                                    phi_3894_ = -(_e2194[1]);
                                 } else {
-                                    phi_3920_ = _e2234[1];
+                                    phi_3894_ = _e2194[1];
                                 }
-                                let _e2245 = phi_3920_;
-                                if (_e2241 > _e2245) {
-                                    phi_3925_ = _e2241;
+                                let _e2205 = phi_3894_;
+                                if (_e2201 > _e2205) {
+                                    phi_3899_ = _e2201;
                                 } else {
-                                    phi_3925_ = _e2245;
+                                    phi_3899_ = _e2205;
                                 }
-                                let _e2248 = phi_3925_;
-                                if (_e2234[2] < 0f) {
-                                    phi_3932_ = -(_e2234[2]);
+                                let _e2208 = phi_3899_;
+                                if (_e2194[2] < 0f) {
+                                    phi_3906_ = -(_e2194[2]);
                                 } else {
-                                    phi_3932_ = _e2234[2];
+                                    phi_3906_ = _e2194[2];
                                 }
-                                let _e2252 = phi_3932_;
-                                if (_e2248 > _e2252) {
-                                    phi_3937_ = _e2248;
+                                let _e2212 = phi_3906_;
+                                if (_e2208 > _e2212) {
+                                    phi_3911_ = _e2208;
                                 } else {
-                                    phi_3937_ = _e2252;
+                                    phi_3911_ = _e2212;
                                 }
-                                let _e2255 = phi_3937_;
-                                if (_e2231 > _e2255) {
-                                    phi_3942_ = _e2231;
+                                let _e2215 = phi_3911_;
+                                if (_e2191 > _e2215) {
+                                    phi_3916_ = _e2191;
                                 } else {
-                                    phi_3942_ = _e2255;
+                                    phi_3916_ = _e2215;
                                 }
-                                let _e2258 = phi_3942_;
-                                let _e2260 = local_2.member_3;
-                                let _e2264 = ((((_e2150 + _e2152) + (_e2204 + _e2206)) + (_e2258 + _e2260)) * 2f);
-                                let _e2267 = local_2.member_3;
-                                let _e2271 = (((_e1494 * 1.0001f) + (_e2267 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2274 = ((_e2042 * _e2021) - (_e2045 * _e2020));
-                                let _e2277 = ((_e2045 * _e2019) - (_e2039 * _e2021));
-                                let _e2280 = ((_e2039 * _e2020) - (_e2042 * _e2019));
-                                let _e2285 = (((_e2274 * _e2048[0]) + (_e2277 * _e2048[1])) + (_e2280 * _e2048[2]));
-                                let _e2290 = (((_e2274 * _e2064) + (_e2277 * _e2065)) + (_e2280 * _e2066));
-                                let _e2295 = (((_e2274 * _e2070) + (_e2277 * _e2071)) + (_e2280 * _e2072));
-                                let _e2300 = (((_e2274 * _e2067) + (_e2277 * _e2068)) + (_e2280 * _e2069));
-                                let _e2305 = (((_e2274 * _e2075[0]) + (_e2277 * _e2075[1])) + (_e2280 * _e2075[2]));
-                                let _e2310 = (((_e2274 * _e2091) + (_e2277 * _e2092)) + (_e2280 * _e2093));
-                                let _e2315 = (((_e2274 * _e2097) + (_e2277 * _e2098)) + (_e2280 * _e2099));
-                                let _e2320 = (((_e2274 * _e2094) + (_e2277 * _e2095)) + (_e2280 * _e2096));
-                                if (_e2285 < _e2290) {
-                                    phi_4021_ = _e2285;
+                                let _e2218 = phi_3916_;
+                                let _e2220 = local_2.member_3;
+                                let _e2224 = ((((_e2110 + _e2112) + (_e2164 + _e2166)) + (_e2218 + _e2220)) * 2f);
+                                let _e2227 = local_2.member_3;
+                                let _e2231 = (((_e1454 * 1.0001f) + (_e2227 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2234 = ((_e2002 * _e1981) - (_e2005 * _e1980));
+                                let _e2237 = ((_e2005 * _e1979) - (_e1999 * _e1981));
+                                let _e2240 = ((_e1999 * _e1980) - (_e2002 * _e1979));
+                                let _e2245 = (((_e2234 * _e2008[0]) + (_e2237 * _e2008[1])) + (_e2240 * _e2008[2]));
+                                let _e2250 = (((_e2234 * _e2024) + (_e2237 * _e2025)) + (_e2240 * _e2026));
+                                let _e2255 = (((_e2234 * _e2030) + (_e2237 * _e2031)) + (_e2240 * _e2032));
+                                let _e2260 = (((_e2234 * _e2027) + (_e2237 * _e2028)) + (_e2240 * _e2029));
+                                let _e2265 = (((_e2234 * _e2035[0]) + (_e2237 * _e2035[1])) + (_e2240 * _e2035[2]));
+                                let _e2270 = (((_e2234 * _e2051) + (_e2237 * _e2052)) + (_e2240 * _e2053));
+                                let _e2275 = (((_e2234 * _e2057) + (_e2237 * _e2058)) + (_e2240 * _e2059));
+                                let _e2280 = (((_e2234 * _e2054) + (_e2237 * _e2055)) + (_e2240 * _e2056));
+                                if (_e2245 < _e2250) {
+                                    phi_3995_ = _e2245;
                                 } else {
-                                    phi_4021_ = _e2290;
+                                    phi_3995_ = _e2250;
                                 }
-                                let _e2323 = phi_4021_;
-                                if (_e2295 < _e2300) {
-                                    phi_4026_ = _e2295;
+                                let _e2283 = phi_3995_;
+                                if (_e2255 < _e2260) {
+                                    phi_4000_ = _e2255;
                                 } else {
-                                    phi_4026_ = _e2300;
+                                    phi_4000_ = _e2260;
                                 }
-                                let _e2326 = phi_4026_;
-                                if (_e2323 < _e2326) {
-                                    phi_4031_ = _e2323;
+                                let _e2286 = phi_4000_;
+                                if (_e2283 < _e2286) {
+                                    phi_4005_ = _e2283;
                                 } else {
-                                    phi_4031_ = _e2326;
+                                    phi_4005_ = _e2286;
                                 }
-                                let _e2329 = phi_4031_;
-                                if (_e2305 < _e2310) {
-                                    phi_4036_ = _e2305;
+                                let _e2289 = phi_4005_;
+                                if (_e2265 < _e2270) {
+                                    phi_4010_ = _e2265;
                                 } else {
-                                    phi_4036_ = _e2310;
+                                    phi_4010_ = _e2270;
                                 }
-                                let _e2332 = phi_4036_;
-                                if (_e2315 < _e2320) {
-                                    phi_4041_ = _e2315;
+                                let _e2292 = phi_4010_;
+                                if (_e2275 < _e2280) {
+                                    phi_4015_ = _e2275;
                                 } else {
-                                    phi_4041_ = _e2320;
+                                    phi_4015_ = _e2280;
                                 }
-                                let _e2335 = phi_4041_;
-                                if (_e2332 < _e2335) {
-                                    phi_4046_ = _e2332;
+                                let _e2295 = phi_4015_;
+                                if (_e2292 < _e2295) {
+                                    phi_4020_ = _e2292;
                                 } else {
-                                    phi_4046_ = _e2335;
+                                    phi_4020_ = _e2295;
                                 }
-                                let _e2338 = phi_4046_;
-                                if (_e2329 < _e2338) {
-                                    phi_4051_ = _e2329;
+                                let _e2298 = phi_4020_;
+                                if (_e2289 < _e2298) {
+                                    phi_4025_ = _e2289;
                                 } else {
-                                    phi_4051_ = _e2338;
+                                    phi_4025_ = _e2298;
                                 }
-                                let _e2341 = phi_4051_;
-                                if (_e2285 > _e2290) {
-                                    phi_4056_ = _e2285;
+                                let _e2301 = phi_4025_;
+                                if (_e2245 > _e2250) {
+                                    phi_4030_ = _e2245;
                                 } else {
-                                    phi_4056_ = _e2290;
+                                    phi_4030_ = _e2250;
                                 }
-                                let _e2344 = phi_4056_;
-                                if (_e2295 > _e2300) {
-                                    phi_4061_ = _e2295;
+                                let _e2304 = phi_4030_;
+                                if (_e2255 > _e2260) {
+                                    phi_4035_ = _e2255;
                                 } else {
-                                    phi_4061_ = _e2300;
+                                    phi_4035_ = _e2260;
                                 }
-                                let _e2347 = phi_4061_;
-                                if (_e2344 > _e2347) {
-                                    phi_4066_ = _e2344;
+                                let _e2307 = phi_4035_;
+                                if (_e2304 > _e2307) {
+                                    phi_4040_ = _e2304;
                                 } else {
-                                    phi_4066_ = _e2347;
+                                    phi_4040_ = _e2307;
                                 }
-                                let _e2350 = phi_4066_;
-                                if (_e2305 > _e2310) {
-                                    phi_4071_ = _e2305;
+                                let _e2310 = phi_4040_;
+                                if (_e2265 > _e2270) {
+                                    phi_4045_ = _e2265;
                                 } else {
-                                    phi_4071_ = _e2310;
+                                    phi_4045_ = _e2270;
                                 }
-                                let _e2353 = phi_4071_;
-                                if (_e2315 > _e2320) {
-                                    phi_4076_ = _e2315;
+                                let _e2313 = phi_4045_;
+                                if (_e2275 > _e2280) {
+                                    phi_4050_ = _e2275;
                                 } else {
-                                    phi_4076_ = _e2320;
+                                    phi_4050_ = _e2280;
                                 }
-                                let _e2356 = phi_4076_;
-                                if (_e2353 > _e2356) {
-                                    phi_4081_ = _e2353;
+                                let _e2316 = phi_4050_;
+                                if (_e2313 > _e2316) {
+                                    phi_4055_ = _e2313;
                                 } else {
-                                    phi_4081_ = _e2356;
+                                    phi_4055_ = _e2316;
                                 }
-                                let _e2359 = phi_4081_;
-                                if (_e2350 > _e2359) {
-                                    phi_4086_ = _e2350;
+                                let _e2319 = phi_4055_;
+                                if (_e2310 > _e2319) {
+                                    phi_4060_ = _e2310;
                                 } else {
-                                    phi_4086_ = _e2359;
+                                    phi_4060_ = _e2319;
                                 }
-                                let _e2362 = phi_4086_;
-                                if (_e2274 < 0f) {
-                                    phi_4092_ = -(_e2274);
+                                let _e2322 = phi_4060_;
+                                if (_e2234 < 0f) {
+                                    phi_4066_ = -(_e2234);
                                 } else {
-                                    phi_4092_ = _e2274;
+                                    phi_4066_ = _e2234;
                                 }
-                                let _e2366 = phi_4092_;
-                                if (_e2277 < 0f) {
-                                    phi_4098_ = -(_e2277);
+                                let _e2326 = phi_4066_;
+                                if (_e2237 < 0f) {
+                                    phi_4072_ = -(_e2237);
                                 } else {
-                                    phi_4098_ = _e2277;
+                                    phi_4072_ = _e2237;
                                 }
-                                let _e2370 = phi_4098_;
-                                if (_e2280 < 0f) {
-                                    phi_4105_ = -(_e2280);
+                                let _e2330 = phi_4072_;
+                                if (_e2240 < 0f) {
+                                    phi_4079_ = -(_e2240);
                                 } else {
-                                    phi_4105_ = _e2280;
+                                    phi_4079_ = _e2240;
                                 }
-                                let _e2375 = phi_4105_;
-                                let _e2376 = ((_e2366 + _e2370) + _e2375);
-                                let _e2381 = -(_e2362);
-                                if (_e2341 > _e2381) {
-                                    phi_4116_ = _e2341;
+                                let _e2335 = phi_4079_;
+                                let _e2336 = ((_e2326 + _e2330) + _e2335);
+                                let _e2341 = -(_e2322);
+                                if (_e2301 > _e2341) {
+                                    phi_4090_ = _e2301;
                                 } else {
-                                    phi_4116_ = _e2381;
+                                    phi_4090_ = _e2341;
                                 }
-                                let _e2384 = phi_4116_;
-                                let _e2389 = (((_e2384 - ((_e2376 * _e2264) * (0.000000059604645f * (17f / 2f)))) - (_e2376 * _e2271)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2392 = ((_e2042 * _e2036) - (_e2045 * _e2035));
-                                let _e2395 = ((_e2045 * _e2034) - (_e2039 * _e2036));
-                                let _e2398 = ((_e2039 * _e2035) - (_e2042 * _e2034));
-                                let _e2403 = (((_e2392 * _e2048[0]) + (_e2395 * _e2048[1])) + (_e2398 * _e2048[2]));
-                                let _e2408 = (((_e2392 * _e2064) + (_e2395 * _e2065)) + (_e2398 * _e2066));
-                                let _e2413 = (((_e2392 * _e2070) + (_e2395 * _e2071)) + (_e2398 * _e2072));
-                                let _e2418 = (((_e2392 * _e2067) + (_e2395 * _e2068)) + (_e2398 * _e2069));
-                                let _e2423 = (((_e2392 * _e2075[0]) + (_e2395 * _e2075[1])) + (_e2398 * _e2075[2]));
-                                let _e2428 = (((_e2392 * _e2091) + (_e2395 * _e2092)) + (_e2398 * _e2093));
-                                let _e2433 = (((_e2392 * _e2097) + (_e2395 * _e2098)) + (_e2398 * _e2099));
-                                let _e2438 = (((_e2392 * _e2094) + (_e2395 * _e2095)) + (_e2398 * _e2096));
-                                if (_e2403 < _e2408) {
-                                    phi_4187_ = _e2403;
+                                let _e2344 = phi_4090_;
+                                let _e2349 = (((_e2344 - ((_e2336 * _e2224) * (0.000000059604645f * (17f / 2f)))) - (_e2336 * _e2231)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2352 = ((_e2002 * _e1996) - (_e2005 * _e1995));
+                                let _e2355 = ((_e2005 * _e1994) - (_e1999 * _e1996));
+                                let _e2358 = ((_e1999 * _e1995) - (_e2002 * _e1994));
+                                let _e2363 = (((_e2352 * _e2008[0]) + (_e2355 * _e2008[1])) + (_e2358 * _e2008[2]));
+                                let _e2368 = (((_e2352 * _e2024) + (_e2355 * _e2025)) + (_e2358 * _e2026));
+                                let _e2373 = (((_e2352 * _e2030) + (_e2355 * _e2031)) + (_e2358 * _e2032));
+                                let _e2378 = (((_e2352 * _e2027) + (_e2355 * _e2028)) + (_e2358 * _e2029));
+                                let _e2383 = (((_e2352 * _e2035[0]) + (_e2355 * _e2035[1])) + (_e2358 * _e2035[2]));
+                                let _e2388 = (((_e2352 * _e2051) + (_e2355 * _e2052)) + (_e2358 * _e2053));
+                                let _e2393 = (((_e2352 * _e2057) + (_e2355 * _e2058)) + (_e2358 * _e2059));
+                                let _e2398 = (((_e2352 * _e2054) + (_e2355 * _e2055)) + (_e2358 * _e2056));
+                                if (_e2363 < _e2368) {
+                                    phi_4161_ = _e2363;
                                 } else {
-                                    phi_4187_ = _e2408;
+                                    phi_4161_ = _e2368;
                                 }
-                                let _e2441 = phi_4187_;
-                                if (_e2413 < _e2418) {
-                                    phi_4192_ = _e2413;
+                                let _e2401 = phi_4161_;
+                                if (_e2373 < _e2378) {
+                                    phi_4166_ = _e2373;
                                 } else {
-                                    phi_4192_ = _e2418;
+                                    phi_4166_ = _e2378;
                                 }
-                                let _e2444 = phi_4192_;
-                                if (_e2441 < _e2444) {
-                                    phi_4197_ = _e2441;
+                                let _e2404 = phi_4166_;
+                                if (_e2401 < _e2404) {
+                                    phi_4171_ = _e2401;
                                 } else {
-                                    phi_4197_ = _e2444;
+                                    phi_4171_ = _e2404;
                                 }
-                                let _e2447 = phi_4197_;
-                                if (_e2423 < _e2428) {
-                                    phi_4202_ = _e2423;
+                                let _e2407 = phi_4171_;
+                                if (_e2383 < _e2388) {
+                                    phi_4176_ = _e2383;
                                 } else {
-                                    phi_4202_ = _e2428;
+                                    phi_4176_ = _e2388;
                                 }
-                                let _e2450 = phi_4202_;
-                                if (_e2433 < _e2438) {
-                                    phi_4207_ = _e2433;
+                                let _e2410 = phi_4176_;
+                                if (_e2393 < _e2398) {
+                                    phi_4181_ = _e2393;
                                 } else {
-                                    phi_4207_ = _e2438;
+                                    phi_4181_ = _e2398;
                                 }
-                                let _e2453 = phi_4207_;
-                                if (_e2450 < _e2453) {
-                                    phi_4212_ = _e2450;
+                                let _e2413 = phi_4181_;
+                                if (_e2410 < _e2413) {
+                                    phi_4186_ = _e2410;
                                 } else {
-                                    phi_4212_ = _e2453;
+                                    phi_4186_ = _e2413;
                                 }
-                                let _e2456 = phi_4212_;
-                                if (_e2447 < _e2456) {
-                                    phi_4217_ = _e2447;
+                                let _e2416 = phi_4186_;
+                                if (_e2407 < _e2416) {
+                                    phi_4191_ = _e2407;
                                 } else {
-                                    phi_4217_ = _e2456;
+                                    phi_4191_ = _e2416;
                                 }
-                                let _e2459 = phi_4217_;
-                                if (_e2403 > _e2408) {
-                                    phi_4222_ = _e2403;
+                                let _e2419 = phi_4191_;
+                                if (_e2363 > _e2368) {
+                                    phi_4196_ = _e2363;
                                 } else {
-                                    phi_4222_ = _e2408;
+                                    phi_4196_ = _e2368;
                                 }
-                                let _e2462 = phi_4222_;
-                                if (_e2413 > _e2418) {
-                                    phi_4227_ = _e2413;
+                                let _e2422 = phi_4196_;
+                                if (_e2373 > _e2378) {
+                                    phi_4201_ = _e2373;
                                 } else {
-                                    phi_4227_ = _e2418;
+                                    phi_4201_ = _e2378;
                                 }
-                                let _e2465 = phi_4227_;
-                                if (_e2462 > _e2465) {
-                                    phi_4232_ = _e2462;
+                                let _e2425 = phi_4201_;
+                                if (_e2422 > _e2425) {
+                                    phi_4206_ = _e2422;
                                 } else {
-                                    phi_4232_ = _e2465;
+                                    phi_4206_ = _e2425;
                                 }
-                                let _e2468 = phi_4232_;
-                                if (_e2423 > _e2428) {
-                                    phi_4237_ = _e2423;
+                                let _e2428 = phi_4206_;
+                                if (_e2383 > _e2388) {
+                                    phi_4211_ = _e2383;
                                 } else {
-                                    phi_4237_ = _e2428;
+                                    phi_4211_ = _e2388;
                                 }
-                                let _e2471 = phi_4237_;
-                                if (_e2433 > _e2438) {
-                                    phi_4242_ = _e2433;
+                                let _e2431 = phi_4211_;
+                                if (_e2393 > _e2398) {
+                                    phi_4216_ = _e2393;
                                 } else {
-                                    phi_4242_ = _e2438;
+                                    phi_4216_ = _e2398;
                                 }
-                                let _e2474 = phi_4242_;
-                                if (_e2471 > _e2474) {
-                                    phi_4247_ = _e2471;
+                                let _e2434 = phi_4216_;
+                                if (_e2431 > _e2434) {
+                                    phi_4221_ = _e2431;
                                 } else {
-                                    phi_4247_ = _e2474;
+                                    phi_4221_ = _e2434;
                                 }
-                                let _e2477 = phi_4247_;
-                                if (_e2468 > _e2477) {
-                                    phi_4252_ = _e2468;
+                                let _e2437 = phi_4221_;
+                                if (_e2428 > _e2437) {
+                                    phi_4226_ = _e2428;
                                 } else {
-                                    phi_4252_ = _e2477;
+                                    phi_4226_ = _e2437;
                                 }
-                                let _e2480 = phi_4252_;
-                                if (_e2392 < 0f) {
-                                    phi_4258_ = -(_e2392);
+                                let _e2440 = phi_4226_;
+                                if (_e2352 < 0f) {
+                                    phi_4232_ = -(_e2352);
                                 } else {
-                                    phi_4258_ = _e2392;
+                                    phi_4232_ = _e2352;
                                 }
-                                let _e2484 = phi_4258_;
-                                if (_e2395 < 0f) {
-                                    phi_4264_ = -(_e2395);
+                                let _e2444 = phi_4232_;
+                                if (_e2355 < 0f) {
+                                    phi_4238_ = -(_e2355);
                                 } else {
-                                    phi_4264_ = _e2395;
+                                    phi_4238_ = _e2355;
                                 }
-                                let _e2488 = phi_4264_;
-                                if (_e2398 < 0f) {
-                                    phi_4271_ = -(_e2398);
+                                let _e2448 = phi_4238_;
+                                if (_e2358 < 0f) {
+                                    phi_4245_ = -(_e2358);
                                 } else {
-                                    phi_4271_ = _e2398;
+                                    phi_4245_ = _e2358;
                                 }
-                                let _e2493 = phi_4271_;
-                                let _e2494 = ((_e2484 + _e2488) + _e2493);
-                                let _e2499 = -(_e2480);
-                                if (_e2459 > _e2499) {
-                                    phi_4282_ = _e2459;
+                                let _e2453 = phi_4245_;
+                                let _e2454 = ((_e2444 + _e2448) + _e2453);
+                                let _e2459 = -(_e2440);
+                                if (_e2419 > _e2459) {
+                                    phi_4256_ = _e2419;
                                 } else {
-                                    phi_4282_ = _e2499;
+                                    phi_4256_ = _e2459;
                                 }
-                                let _e2502 = phi_4282_;
-                                let _e2507 = (((_e2502 - ((_e2494 * _e2264) * (0.000000059604645f * (17f / 2f)))) - (_e2494 * _e2271)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2389 > _e2507) {
-                                    phi_4292_ = _e2389;
+                                let _e2462 = phi_4256_;
+                                let _e2467 = (((_e2462 - ((_e2454 * _e2224) * (0.000000059604645f * (17f / 2f)))) - (_e2454 * _e2231)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2349 > _e2467) {
+                                    phi_4266_ = _e2349;
                                 } else {
-                                    phi_4292_ = _e2507;
+                                    phi_4266_ = _e2467;
                                 }
-                                let _e2510 = phi_4292_;
-                                phi_4474_ = (_e2006 || (_e2510 > 0f));
+                                let _e2470 = phi_4266_;
+                                phi_4448_ = (_e1966 || (_e2470 > 0f));
                             }
-                            let _e2514 = phi_4474_;
-                            if _e2514 {
-                                phi_7891_ = _e2514;
+                            let _e2474 = phi_4448_;
+                            if _e2474 {
+                                phi_7865_ = _e2474;
                             } else {
-                                let _e2517 = local_2.member[0u];
-                                let _e2523 = local_2.member[1u];
-                                let _e2530 = ((_e2517[0] + _e2523[0]) * 0.5f);
-                                let _e2531 = ((_e2517[1] + _e2523[1]) * 0.5f);
-                                let _e2532 = ((_e2517[2] + _e2523[2]) * 0.5f);
-                                let _e2535 = local_2.member_1[0u];
-                                let _e2541 = local_2.member_1[1u];
-                                let _e2548 = ((_e2535[0] + _e2541[0]) * 0.5f);
-                                let _e2549 = ((_e2535[1] + _e2541[1]) * 0.5f);
-                                let _e2550 = ((_e2535[2] + _e2541[2]) * 0.5f);
-                                let _e2553 = local_2.member_2[0u];
-                                let _e2559 = local_2.member_2[1u];
-                                let _e2566 = ((_e2553[0] + _e2559[0]) * 0.5f);
-                                let _e2567 = ((_e2553[1] + _e2559[1]) * 0.5f);
-                                let _e2568 = ((_e2553[2] + _e2559[2]) * 0.5f);
-                                let _e2571 = local_2.member[0u];
-                                let _e2574 = local_2.member_1[0u];
-                                let _e2577 = local_2.member_2[0u];
-                                let _e2579 = local_2.member_3;
-                                let _e2582 = local_2.member[1u];
-                                let _e2585 = local_2.member_1[1u];
-                                let _e2588 = local_2.member_2[1u];
-                                let _e2590 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2571, array<f32, 3>(_e2530, _e2531, _e2532)), array<array<f32, 3>, 2>(_e2574, array<f32, 3>(_e2548, _e2549, _e2550)), array<array<f32, 3>, 2>(_e2577, array<f32, 3>(_e2566, _e2567, _e2568)), _e2579);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2530, _e2531, _e2532), _e2582), array<array<f32, 3>, 2>(array<f32, 3>(_e2548, _e2549, _e2550), _e2585), array<array<f32, 3>, 2>(array<f32, 3>(_e2566, _e2567, _e2568), _e2588), _e2590);
-                                let _e2607 = local.member_1[0u];
-                                let _e2613 = local.member_2[0u];
-                                let _e2619 = ((_e2607[1] * _e2613[2]) - (_e2607[2] * _e2613[1]));
-                                let _e2622 = ((_e2607[2] * _e2613[0]) - (_e2607[0] * _e2613[2]));
-                                let _e2625 = ((_e2607[0] * _e2613[1]) - (_e2607[1] * _e2613[0]));
-                                let _e2628 = local.member_1[1u];
-                                let _e2634 = local.member_2[1u];
-                                let _e2640 = ((_e2628[1] * _e2634[2]) - (_e2628[2] * _e2634[1]));
-                                let _e2643 = ((_e2628[2] * _e2634[0]) - (_e2628[0] * _e2634[2]));
-                                let _e2646 = ((_e2628[0] * _e2634[1]) - (_e2628[1] * _e2634[0]));
-                                let _e2649 = local.member_1[0u];
-                                let _e2655 = local.member_2[1u];
-                                let _e2670 = local.member_1[1u];
-                                let _e2676 = local.member_2[0u];
-                                let _e2689 = (((_e2649[1] * _e2655[2]) - (_e2649[2] * _e2655[1])) + ((_e2670[1] * _e2676[2]) - (_e2670[2] * _e2676[1])));
-                                let _e2690 = (((_e2649[2] * _e2655[0]) - (_e2649[0] * _e2655[2])) + ((_e2670[2] * _e2676[0]) - (_e2670[0] * _e2676[2])));
-                                let _e2691 = (((_e2649[0] * _e2655[1]) - (_e2649[1] * _e2655[0])) + ((_e2670[0] * _e2676[1]) - (_e2670[1] * _e2676[0])));
-                                let _e2694 = local.member[0u];
-                                let _e2705 = local.member[1u];
-                                let _e2716 = local.member[0u];
-                                let _e2725 = ((((_e2705[0] * _e2619) + (_e2705[1] * _e2622)) + (_e2705[2] * _e2625)) + (((_e2716[0] * _e2689) + (_e2716[1] * _e2690)) + (_e2716[2] * _e2691)));
-                                let _e2728 = local.member[0u];
-                                let _e2739 = local.member[1u];
-                                let _e2748 = ((((_e2728[0] * _e2640) + (_e2728[1] * _e2643)) + (_e2728[2] * _e2646)) + (((_e2739[0] * _e2689) + (_e2739[1] * _e2690)) + (_e2739[2] * _e2691)));
-                                let _e2751 = local.member[1u];
-                                let _e2762 = local.member[0u];
-                                if (_e2762[0] < 0f) {
-                                    phi_4926_ = -(_e2762[0]);
+                                let _e2477 = local_2.member[0u];
+                                let _e2483 = local_2.member[1u];
+                                let _e2490 = ((_e2477[0] + _e2483[0]) * 0.5f);
+                                let _e2491 = ((_e2477[1] + _e2483[1]) * 0.5f);
+                                let _e2492 = ((_e2477[2] + _e2483[2]) * 0.5f);
+                                let _e2495 = local_2.member_1[0u];
+                                let _e2501 = local_2.member_1[1u];
+                                let _e2508 = ((_e2495[0] + _e2501[0]) * 0.5f);
+                                let _e2509 = ((_e2495[1] + _e2501[1]) * 0.5f);
+                                let _e2510 = ((_e2495[2] + _e2501[2]) * 0.5f);
+                                let _e2513 = local_2.member_2[0u];
+                                let _e2519 = local_2.member_2[1u];
+                                let _e2526 = ((_e2513[0] + _e2519[0]) * 0.5f);
+                                let _e2527 = ((_e2513[1] + _e2519[1]) * 0.5f);
+                                let _e2528 = ((_e2513[2] + _e2519[2]) * 0.5f);
+                                let _e2531 = local_2.member[0u];
+                                let _e2534 = local_2.member_1[0u];
+                                let _e2537 = local_2.member_2[0u];
+                                let _e2539 = local_2.member_3;
+                                let _e2542 = local_2.member[1u];
+                                let _e2545 = local_2.member_1[1u];
+                                let _e2548 = local_2.member_2[1u];
+                                let _e2550 = local_2.member_3;
+                                local = type_37(array<array<f32, 3>, 2>(_e2531, array<f32, 3>(_e2490, _e2491, _e2492)), array<array<f32, 3>, 2>(_e2534, array<f32, 3>(_e2508, _e2509, _e2510)), array<array<f32, 3>, 2>(_e2537, array<f32, 3>(_e2526, _e2527, _e2528)), _e2539);
+                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2490, _e2491, _e2492), _e2542), array<array<f32, 3>, 2>(array<f32, 3>(_e2508, _e2509, _e2510), _e2545), array<array<f32, 3>, 2>(array<f32, 3>(_e2526, _e2527, _e2528), _e2548), _e2550);
+                                let _e2567 = local.member_1[0u];
+                                let _e2573 = local.member_2[0u];
+                                let _e2579 = ((_e2567[1] * _e2573[2]) - (_e2567[2] * _e2573[1]));
+                                let _e2582 = ((_e2567[2] * _e2573[0]) - (_e2567[0] * _e2573[2]));
+                                let _e2585 = ((_e2567[0] * _e2573[1]) - (_e2567[1] * _e2573[0]));
+                                let _e2588 = local.member_1[1u];
+                                let _e2594 = local.member_2[1u];
+                                let _e2600 = ((_e2588[1] * _e2594[2]) - (_e2588[2] * _e2594[1]));
+                                let _e2603 = ((_e2588[2] * _e2594[0]) - (_e2588[0] * _e2594[2]));
+                                let _e2606 = ((_e2588[0] * _e2594[1]) - (_e2588[1] * _e2594[0]));
+                                let _e2609 = local.member_1[0u];
+                                let _e2615 = local.member_2[1u];
+                                let _e2630 = local.member_1[1u];
+                                let _e2636 = local.member_2[0u];
+                                let _e2649 = (((_e2609[1] * _e2615[2]) - (_e2609[2] * _e2615[1])) + ((_e2630[1] * _e2636[2]) - (_e2630[2] * _e2636[1])));
+                                let _e2650 = (((_e2609[2] * _e2615[0]) - (_e2609[0] * _e2615[2])) + ((_e2630[2] * _e2636[0]) - (_e2630[0] * _e2636[2])));
+                                let _e2651 = (((_e2609[0] * _e2615[1]) - (_e2609[1] * _e2615[0])) + ((_e2630[0] * _e2636[1]) - (_e2630[1] * _e2636[0])));
+                                let _e2654 = local.member[0u];
+                                let _e2665 = local.member[1u];
+                                let _e2676 = local.member[0u];
+                                let _e2685 = ((((_e2665[0] * _e2579) + (_e2665[1] * _e2582)) + (_e2665[2] * _e2585)) + (((_e2676[0] * _e2649) + (_e2676[1] * _e2650)) + (_e2676[2] * _e2651)));
+                                let _e2688 = local.member[0u];
+                                let _e2699 = local.member[1u];
+                                let _e2708 = ((((_e2688[0] * _e2600) + (_e2688[1] * _e2603)) + (_e2688[2] * _e2606)) + (((_e2699[0] * _e2649) + (_e2699[1] * _e2650)) + (_e2699[2] * _e2651)));
+                                let _e2711 = local.member[1u];
+                                let _e2722 = local.member[0u];
+                                if (_e2722[0] < 0f) {
+                                    phi_4900_ = -(_e2722[0]);
                                 } else {
-                                    phi_4926_ = _e2762[0];
+                                    phi_4900_ = _e2722[0];
                                 }
-                                let _e2769 = phi_4926_;
-                                if (_e2762[1] < 0f) {
-                                    phi_4933_ = -(_e2762[1]);
+                                let _e2729 = phi_4900_;
+                                if (_e2722[1] < 0f) {
+                                    phi_4907_ = -(_e2722[1]);
                                 } else {
-                                    phi_4933_ = _e2762[1];
+                                    phi_4907_ = _e2722[1];
                                 }
-                                let _e2773 = phi_4933_;
-                                if (_e2769 > _e2773) {
-                                    phi_4938_ = _e2769;
+                                let _e2733 = phi_4907_;
+                                if (_e2729 > _e2733) {
+                                    phi_4912_ = _e2729;
                                 } else {
-                                    phi_4938_ = _e2773;
+                                    phi_4912_ = _e2733;
                                 }
-                                let _e2776 = phi_4938_;
-                                if (_e2762[2] < 0f) {
-                                    phi_4945_ = -(_e2762[2]);
+                                let _e2736 = phi_4912_;
+                                if (_e2722[2] < 0f) {
+                                    phi_4919_ = -(_e2722[2]);
                                 } else {
-                                    phi_4945_ = _e2762[2];
+                                    phi_4919_ = _e2722[2];
                                 }
-                                let _e2780 = phi_4945_;
-                                if (_e2776 > _e2780) {
-                                    phi_4950_ = _e2776;
+                                let _e2740 = phi_4919_;
+                                if (_e2736 > _e2740) {
+                                    phi_4924_ = _e2736;
                                 } else {
-                                    phi_4950_ = _e2780;
+                                    phi_4924_ = _e2740;
                                 }
-                                let _e2783 = phi_4950_;
-                                let _e2786 = local.member[1u];
-                                if (_e2786[0] < 0f) {
-                                    phi_4963_ = -(_e2786[0]);
+                                let _e2743 = phi_4924_;
+                                let _e2746 = local.member[1u];
+                                if (_e2746[0] < 0f) {
+                                    phi_4937_ = -(_e2746[0]);
                                 } else {
-                                    phi_4963_ = _e2786[0];
+                                    phi_4937_ = _e2746[0];
                                 }
-                                let _e2793 = phi_4963_;
-                                if (_e2786[1] < 0f) {
-                                    phi_4970_ = -(_e2786[1]);
+                                let _e2753 = phi_4937_;
+                                if (_e2746[1] < 0f) {
+                                    phi_4944_ = -(_e2746[1]);
                                 } else {
-                                    phi_4970_ = _e2786[1];
+                                    phi_4944_ = _e2746[1];
                                 }
-                                let _e2797 = phi_4970_;
-                                if (_e2793 > _e2797) {
-                                    phi_4975_ = _e2793;
+                                let _e2757 = phi_4944_;
+                                if (_e2753 > _e2757) {
+                                    phi_4949_ = _e2753;
                                 } else {
-                                    phi_4975_ = _e2797;
+                                    phi_4949_ = _e2757;
                                 }
-                                let _e2800 = phi_4975_;
-                                if (_e2786[2] < 0f) {
-                                    phi_4982_ = -(_e2786[2]);
+                                let _e2760 = phi_4949_;
+                                if (_e2746[2] < 0f) {
+                                    phi_4956_ = -(_e2746[2]);
                                 } else {
-                                    phi_4982_ = _e2786[2];
+                                    phi_4956_ = _e2746[2];
                                 }
-                                let _e2804 = phi_4982_;
-                                if (_e2800 > _e2804) {
-                                    phi_4987_ = _e2800;
+                                let _e2764 = phi_4956_;
+                                if (_e2760 > _e2764) {
+                                    phi_4961_ = _e2760;
                                 } else {
-                                    phi_4987_ = _e2804;
+                                    phi_4961_ = _e2764;
                                 }
-                                let _e2807 = phi_4987_;
-                                if (_e2783 > _e2807) {
-                                    phi_4992_ = _e2783;
+                                let _e2767 = phi_4961_;
+                                if (_e2743 > _e2767) {
+                                    phi_4966_ = _e2743;
                                 } else {
-                                    phi_4992_ = _e2807;
+                                    phi_4966_ = _e2767;
                                 }
-                                let _e2810 = phi_4992_;
-                                let _e2812 = local.member_3;
-                                let _e2813 = (_e2810 + _e2812);
-                                let _e2816 = local.member_1[0u];
-                                if (_e2816[0] < 0f) {
-                                    phi_5009_ = -(_e2816[0]);
+                                let _e2770 = phi_4966_;
+                                let _e2772 = local.member_3;
+                                let _e2773 = (_e2770 + _e2772);
+                                let _e2776 = local.member_1[0u];
+                                if (_e2776[0] < 0f) {
+                                    phi_4983_ = -(_e2776[0]);
                                 } else {
-                                    phi_5009_ = _e2816[0];
+                                    phi_4983_ = _e2776[0];
                                 }
-                                let _e2823 = phi_5009_;
-                                if (_e2816[1] < 0f) {
-                                    phi_5016_ = -(_e2816[1]);
+                                let _e2783 = phi_4983_;
+                                if (_e2776[1] < 0f) {
+                                    phi_4990_ = -(_e2776[1]);
                                 } else {
-                                    phi_5016_ = _e2816[1];
+                                    phi_4990_ = _e2776[1];
                                 }
-                                let _e2827 = phi_5016_;
-                                if (_e2823 > _e2827) {
-                                    phi_5021_ = _e2823;
+                                let _e2787 = phi_4990_;
+                                if (_e2783 > _e2787) {
+                                    phi_4995_ = _e2783;
                                 } else {
-                                    phi_5021_ = _e2827;
+                                    phi_4995_ = _e2787;
                                 }
-                                let _e2830 = phi_5021_;
-                                if (_e2816[2] < 0f) {
-                                    phi_5028_ = -(_e2816[2]);
+                                let _e2790 = phi_4995_;
+                                if (_e2776[2] < 0f) {
+                                    phi_5002_ = -(_e2776[2]);
                                 } else {
-                                    phi_5028_ = _e2816[2];
+                                    phi_5002_ = _e2776[2];
                                 }
-                                let _e2834 = phi_5028_;
-                                if (_e2830 > _e2834) {
-                                    phi_5033_ = _e2830;
+                                let _e2794 = phi_5002_;
+                                if (_e2790 > _e2794) {
+                                    phi_5007_ = _e2790;
                                 } else {
-                                    phi_5033_ = _e2834;
+                                    phi_5007_ = _e2794;
                                 }
-                                let _e2837 = phi_5033_;
-                                let _e2840 = local.member_1[1u];
-                                if (_e2840[0] < 0f) {
-                                    phi_5047_ = -(_e2840[0]);
+                                let _e2797 = phi_5007_;
+                                let _e2800 = local.member_1[1u];
+                                if (_e2800[0] < 0f) {
+                                    phi_5021_ = -(_e2800[0]);
                                 } else {
-                                    phi_5047_ = _e2840[0];
+                                    phi_5021_ = _e2800[0];
                                 }
-                                let _e2847 = phi_5047_;
-                                if (_e2840[1] < 0f) {
-                                    phi_5054_ = -(_e2840[1]);
+                                let _e2807 = phi_5021_;
+                                if (_e2800[1] < 0f) {
+                                    phi_5028_ = -(_e2800[1]);
                                 } else {
-                                    phi_5054_ = _e2840[1];
+                                    phi_5028_ = _e2800[1];
                                 }
-                                let _e2851 = phi_5054_;
-                                if (_e2847 > _e2851) {
-                                    phi_5059_ = _e2847;
+                                let _e2811 = phi_5028_;
+                                if (_e2807 > _e2811) {
+                                    phi_5033_ = _e2807;
                                 } else {
-                                    phi_5059_ = _e2851;
+                                    phi_5033_ = _e2811;
                                 }
-                                let _e2854 = phi_5059_;
-                                if (_e2840[2] < 0f) {
-                                    phi_5066_ = -(_e2840[2]);
+                                let _e2814 = phi_5033_;
+                                if (_e2800[2] < 0f) {
+                                    phi_5040_ = -(_e2800[2]);
                                 } else {
-                                    phi_5066_ = _e2840[2];
+                                    phi_5040_ = _e2800[2];
                                 }
-                                let _e2858 = phi_5066_;
-                                if (_e2854 > _e2858) {
-                                    phi_5071_ = _e2854;
+                                let _e2818 = phi_5040_;
+                                if (_e2814 > _e2818) {
+                                    phi_5045_ = _e2814;
                                 } else {
-                                    phi_5071_ = _e2858;
+                                    phi_5045_ = _e2818;
                                 }
-                                let _e2861 = phi_5071_;
-                                if (_e2837 > _e2861) {
-                                    phi_5076_ = _e2837;
+                                let _e2821 = phi_5045_;
+                                if (_e2797 > _e2821) {
+                                    phi_5050_ = _e2797;
                                 } else {
-                                    phi_5076_ = _e2861;
+                                    phi_5050_ = _e2821;
                                 }
-                                let _e2864 = phi_5076_;
-                                let _e2866 = local.member_3;
-                                let _e2867 = (_e2864 + _e2866);
-                                let _e2870 = local.member_2[0u];
-                                if (_e2870[0] < 0f) {
-                                    phi_5093_ = -(_e2870[0]);
+                                let _e2824 = phi_5050_;
+                                let _e2826 = local.member_3;
+                                let _e2827 = (_e2824 + _e2826);
+                                let _e2830 = local.member_2[0u];
+                                if (_e2830[0] < 0f) {
+                                    phi_5067_ = -(_e2830[0]);
                                 } else {
-                                    phi_5093_ = _e2870[0];
+                                    phi_5067_ = _e2830[0];
                                 }
-                                let _e2877 = phi_5093_;
-                                if (_e2870[1] < 0f) {
-                                    phi_5100_ = -(_e2870[1]);
+                                let _e2837 = phi_5067_;
+                                if (_e2830[1] < 0f) {
+                                    phi_5074_ = -(_e2830[1]);
                                 } else {
-                                    phi_5100_ = _e2870[1];
+                                    phi_5074_ = _e2830[1];
                                 }
-                                let _e2881 = phi_5100_;
-                                if (_e2877 > _e2881) {
-                                    phi_5105_ = _e2877;
+                                let _e2841 = phi_5074_;
+                                if (_e2837 > _e2841) {
+                                    phi_5079_ = _e2837;
                                 } else {
-                                    phi_5105_ = _e2881;
+                                    phi_5079_ = _e2841;
                                 }
-                                let _e2884 = phi_5105_;
-                                if (_e2870[2] < 0f) {
-                                    phi_5112_ = -(_e2870[2]);
+                                let _e2844 = phi_5079_;
+                                if (_e2830[2] < 0f) {
+                                    phi_5086_ = -(_e2830[2]);
                                 } else {
-                                    phi_5112_ = _e2870[2];
+                                    phi_5086_ = _e2830[2];
                                 }
-                                let _e2888 = phi_5112_;
-                                if (_e2884 > _e2888) {
-                                    phi_5117_ = _e2884;
+                                let _e2848 = phi_5086_;
+                                if (_e2844 > _e2848) {
+                                    phi_5091_ = _e2844;
                                 } else {
-                                    phi_5117_ = _e2888;
+                                    phi_5091_ = _e2848;
                                 }
-                                let _e2891 = phi_5117_;
-                                let _e2894 = local.member_2[1u];
-                                if (_e2894[0] < 0f) {
-                                    phi_5131_ = -(_e2894[0]);
+                                let _e2851 = phi_5091_;
+                                let _e2854 = local.member_2[1u];
+                                if (_e2854[0] < 0f) {
+                                    phi_5105_ = -(_e2854[0]);
                                 } else {
-                                    phi_5131_ = _e2894[0];
+                                    phi_5105_ = _e2854[0];
                                 }
-                                let _e2901 = phi_5131_;
-                                if (_e2894[1] < 0f) {
-                                    phi_5138_ = -(_e2894[1]);
+                                let _e2861 = phi_5105_;
+                                if (_e2854[1] < 0f) {
+                                    phi_5112_ = -(_e2854[1]);
                                 } else {
-                                    phi_5138_ = _e2894[1];
+                                    phi_5112_ = _e2854[1];
                                 }
-                                let _e2905 = phi_5138_;
-                                if (_e2901 > _e2905) {
-                                    phi_5143_ = _e2901;
+                                let _e2865 = phi_5112_;
+                                if (_e2861 > _e2865) {
+                                    phi_5117_ = _e2861;
                                 } else {
-                                    phi_5143_ = _e2905;
+                                    phi_5117_ = _e2865;
                                 }
-                                let _e2908 = phi_5143_;
-                                if (_e2894[2] < 0f) {
-                                    phi_5150_ = -(_e2894[2]);
+                                let _e2868 = phi_5117_;
+                                if (_e2854[2] < 0f) {
+                                    phi_5124_ = -(_e2854[2]);
                                 } else {
-                                    phi_5150_ = _e2894[2];
+                                    phi_5124_ = _e2854[2];
                                 }
-                                let _e2912 = phi_5150_;
-                                if (_e2908 > _e2912) {
-                                    phi_5155_ = _e2908;
+                                let _e2872 = phi_5124_;
+                                if (_e2868 > _e2872) {
+                                    phi_5129_ = _e2868;
                                 } else {
-                                    phi_5155_ = _e2912;
+                                    phi_5129_ = _e2872;
                                 }
-                                let _e2915 = phi_5155_;
-                                if (_e2891 > _e2915) {
-                                    phi_5160_ = _e2891;
+                                let _e2875 = phi_5129_;
+                                if (_e2851 > _e2875) {
+                                    phi_5134_ = _e2851;
                                 } else {
-                                    phi_5160_ = _e2915;
+                                    phi_5134_ = _e2875;
                                 }
-                                let _e2918 = phi_5160_;
-                                let _e2920 = local.member_3;
-                                let _e2921 = (_e2918 + _e2920);
-                                let _e2923 = ((_e2867 * 8f) * _e2921);
-                                let _e2930 = local.member_3;
-                                if (_e2619 < 0f) {
-                                    phi_5191_ = -(_e2619);
+                                let _e2878 = phi_5134_;
+                                let _e2880 = local.member_3;
+                                let _e2881 = (_e2878 + _e2880);
+                                let _e2883 = ((_e2827 * 8f) * _e2881);
+                                let _e2890 = local.member_3;
+                                if (_e2579 < 0f) {
+                                    phi_5165_ = -(_e2579);
                                 } else {
-                                    phi_5191_ = _e2619;
+                                    phi_5165_ = _e2579;
                                 }
-                                let _e2947 = phi_5191_;
-                                if (_e2622 < 0f) {
-                                    phi_5197_ = -(_e2622);
+                                let _e2907 = phi_5165_;
+                                if (_e2582 < 0f) {
+                                    phi_5171_ = -(_e2582);
                                 } else {
-                                    phi_5197_ = _e2622;
+                                    phi_5171_ = _e2582;
                                 }
-                                let _e2951 = phi_5197_;
-                                if (_e2625 < 0f) {
-                                    phi_5204_ = -(_e2625);
+                                let _e2911 = phi_5171_;
+                                if (_e2585 < 0f) {
+                                    phi_5178_ = -(_e2585);
                                 } else {
-                                    phi_5204_ = _e2625;
+                                    phi_5178_ = _e2585;
                                 }
-                                let _e2956 = phi_5204_;
-                                let _e2957 = ((_e2947 + _e2951) + _e2956);
-                                if (_e2640 < 0f) {
-                                    phi_5211_ = -(_e2640);
+                                let _e2916 = phi_5178_;
+                                let _e2917 = ((_e2907 + _e2911) + _e2916);
+                                if (_e2600 < 0f) {
+                                    phi_5185_ = -(_e2600);
                                 } else {
-                                    phi_5211_ = _e2640;
+                                    phi_5185_ = _e2600;
                                 }
-                                let _e2961 = phi_5211_;
-                                if (_e2643 < 0f) {
-                                    phi_5217_ = -(_e2643);
+                                let _e2921 = phi_5185_;
+                                if (_e2603 < 0f) {
+                                    phi_5191_ = -(_e2603);
                                 } else {
-                                    phi_5217_ = _e2643;
+                                    phi_5191_ = _e2603;
                                 }
-                                let _e2965 = phi_5217_;
-                                if (_e2646 < 0f) {
-                                    phi_5224_ = -(_e2646);
+                                let _e2925 = phi_5191_;
+                                if (_e2606 < 0f) {
+                                    phi_5198_ = -(_e2606);
                                 } else {
-                                    phi_5224_ = _e2646;
+                                    phi_5198_ = _e2606;
                                 }
-                                let _e2970 = phi_5224_;
-                                let _e2971 = ((_e2961 + _e2965) + _e2970);
-                                if (_e2957 > _e2971) {
-                                    phi_5230_ = _e2957;
+                                let _e2930 = phi_5198_;
+                                let _e2931 = ((_e2921 + _e2925) + _e2930);
+                                if (_e2917 > _e2931) {
+                                    phi_5204_ = _e2917;
                                 } else {
-                                    phi_5230_ = _e2971;
+                                    phi_5204_ = _e2931;
                                 }
-                                let _e2974 = phi_5230_;
-                                if (_e2689 < 0f) {
-                                    phi_5236_ = -(_e2689);
+                                let _e2934 = phi_5204_;
+                                if (_e2649 < 0f) {
+                                    phi_5210_ = -(_e2649);
                                 } else {
-                                    phi_5236_ = _e2689;
+                                    phi_5210_ = _e2649;
                                 }
-                                let _e2978 = phi_5236_;
-                                if (_e2690 < 0f) {
-                                    phi_5242_ = -(_e2690);
+                                let _e2938 = phi_5210_;
+                                if (_e2650 < 0f) {
+                                    phi_5216_ = -(_e2650);
                                 } else {
-                                    phi_5242_ = _e2690;
+                                    phi_5216_ = _e2650;
                                 }
-                                let _e2982 = phi_5242_;
-                                if (_e2691 < 0f) {
-                                    phi_5249_ = -(_e2691);
+                                let _e2942 = phi_5216_;
+                                if (_e2651 < 0f) {
+                                    phi_5223_ = -(_e2651);
                                 } else {
-                                    phi_5249_ = _e2691;
+                                    phi_5223_ = _e2651;
                                 }
-                                let _e2987 = phi_5249_;
-                                let _e2989 = (((_e2978 + _e2982) + _e2987) * 0.5f);
-                                if (_e2974 > _e2989) {
-                                    phi_5256_ = _e2974;
+                                let _e2947 = phi_5223_;
+                                let _e2949 = (((_e2938 + _e2942) + _e2947) * 0.5f);
+                                if (_e2934 > _e2949) {
+                                    phi_5230_ = _e2934;
                                 } else {
-                                    phi_5256_ = _e2989;
+                                    phi_5230_ = _e2949;
                                 }
-                                let _e2992 = phi_5256_;
-                                let _e2997 = local.member_3;
-                                let _e3010 = ((((_e2694[0] * _e2619) + (_e2694[1] * _e2622)) + (_e2694[2] * _e2625)) * 3f);
-                                let _e3011 = ((((_e2751[0] * _e2640) + (_e2751[1] * _e2643)) + (_e2751[2] * _e2646)) * 3f);
-                                if (_e3010 < _e3011) {
-                                    phi_5280_ = _e3010;
+                                let _e2952 = phi_5230_;
+                                let _e2957 = local.member_3;
+                                let _e2970 = ((((_e2654[0] * _e2579) + (_e2654[1] * _e2582)) + (_e2654[2] * _e2585)) * 3f);
+                                let _e2971 = ((((_e2711[0] * _e2600) + (_e2711[1] * _e2603)) + (_e2711[2] * _e2606)) * 3f);
+                                if (_e2970 < _e2971) {
+                                    phi_5254_ = _e2970;
                                 } else {
-                                    phi_5280_ = _e3011;
+                                    phi_5254_ = _e2971;
                                 }
-                                let _e3014 = phi_5280_;
-                                if (_e2725 < _e2748) {
-                                    phi_5285_ = _e2725;
+                                let _e2974 = phi_5254_;
+                                if (_e2685 < _e2708) {
+                                    phi_5259_ = _e2685;
                                 } else {
-                                    phi_5285_ = _e2748;
+                                    phi_5259_ = _e2708;
                                 }
-                                let _e3017 = phi_5285_;
-                                if (_e3014 < _e3017) {
-                                    phi_5290_ = _e3014;
+                                let _e2977 = phi_5259_;
+                                if (_e2974 < _e2977) {
+                                    phi_5264_ = _e2974;
                                 } else {
-                                    phi_5290_ = _e3017;
+                                    phi_5264_ = _e2977;
                                 }
-                                let _e3020 = phi_5290_;
-                                if (_e3010 > _e3011) {
-                                    phi_5295_ = _e3010;
+                                let _e2980 = phi_5264_;
+                                if (_e2970 > _e2971) {
+                                    phi_5269_ = _e2970;
                                 } else {
-                                    phi_5295_ = _e3011;
+                                    phi_5269_ = _e2971;
                                 }
-                                let _e3023 = phi_5295_;
-                                if (_e2725 > _e2748) {
-                                    phi_5300_ = _e2725;
+                                let _e2983 = phi_5269_;
+                                if (_e2685 > _e2708) {
+                                    phi_5274_ = _e2685;
                                 } else {
-                                    phi_5300_ = _e2748;
+                                    phi_5274_ = _e2708;
                                 }
-                                let _e3026 = phi_5300_;
-                                if (_e3023 > _e3026) {
-                                    phi_5305_ = _e3023;
+                                let _e2986 = phi_5274_;
+                                if (_e2983 > _e2986) {
+                                    phi_5279_ = _e2983;
                                 } else {
-                                    phi_5305_ = _e3026;
+                                    phi_5279_ = _e2986;
                                 }
-                                let _e3029 = phi_5305_;
-                                let _e3034 = -(_e3029);
-                                if (_e3020 > _e3034) {
-                                    phi_5315_ = _e3020;
+                                let _e2989 = phi_5279_;
+                                let _e2994 = -(_e2989);
+                                if (_e2980 > _e2994) {
+                                    phi_5289_ = _e2980;
                                 } else {
-                                    phi_5315_ = _e3034;
+                                    phi_5289_ = _e2994;
                                 }
-                                let _e3037 = phi_5315_;
-                                let _e3039 = ((_e3037 - ((((((_e2813 * 8f) * _e2923) * (0.000000059604645f * (524f / 64f))) + ((_e2930 * 19f) * ((_e2813 * (_e2867 + _e2921)) + (_e2867 * _e2921)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2813) * ((1f + _e2867) * (1f + _e2921))))) + ((_e1494 * (((_e2992 + (_e2923 * (0.000000059604645f * 8f))) + ((_e2997 * 6f) * (_e2867 + _e2921))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2867) * (1f + _e2921))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3039 {
-                                    phi_6284_ = _e3039;
+                                let _e2997 = phi_5289_;
+                                let _e2999 = ((_e2997 - ((((((_e2773 * 8f) * _e2883) * (0.000000059604645f * (524f / 64f))) + ((_e2890 * 19f) * ((_e2773 * (_e2827 + _e2881)) + (_e2827 * _e2881)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2773) * ((1f + _e2827) * (1f + _e2881))))) + ((_e1454 * (((_e2952 + (_e2883 * (0.000000059604645f * 8f))) + ((_e2957 * 6f) * (_e2827 + _e2881))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2827) * (1f + _e2881))))) * (3f * 1.0001f)))) > 0f);
+                                if _e2999 {
+                                    phi_6258_ = _e2999;
                                 } else {
-                                    let _e3042 = local.member_1[0u];
-                                    let _e3048 = local.member_1[1u];
-                                    let _e3052 = (_e3042[0] + _e3048[0]);
-                                    let _e3053 = (_e3042[1] + _e3048[1]);
-                                    let _e3054 = (_e3042[2] + _e3048[2]);
-                                    let _e3057 = local.member_2[0u];
-                                    let _e3063 = local.member_2[1u];
-                                    let _e3067 = (_e3057[0] + _e3063[0]);
-                                    let _e3068 = (_e3057[1] + _e3063[1]);
-                                    let _e3069 = (_e3057[2] + _e3063[2]);
-                                    let _e3072 = ((_e3053 * _e3069) - (_e3054 * _e3068));
-                                    let _e3075 = ((_e3054 * _e3067) - (_e3052 * _e3069));
-                                    let _e3078 = ((_e3052 * _e3068) - (_e3053 * _e3067));
-                                    let _e3081 = local.member[0u];
-                                    let _e3087 = local.member_1[0u];
-                                    let _e3093 = local.member_2[0u];
-                                    let _e3097 = (_e3081[0] - _e3087[0]);
-                                    let _e3098 = (_e3081[1] - _e3087[1]);
-                                    let _e3099 = (_e3081[2] - _e3087[2]);
-                                    let _e3100 = (_e3097 - _e3093[0]);
-                                    let _e3101 = (_e3098 - _e3093[1]);
-                                    let _e3102 = (_e3099 - _e3093[2]);
-                                    let _e3103 = (_e3081[0] - _e3093[0]);
-                                    let _e3104 = (_e3081[1] - _e3093[1]);
-                                    let _e3105 = (_e3081[2] - _e3093[2]);
-                                    let _e3108 = local.member[1u];
-                                    let _e3114 = local.member_1[1u];
-                                    let _e3120 = local.member_2[1u];
-                                    let _e3124 = (_e3108[0] - _e3114[0]);
-                                    let _e3125 = (_e3108[1] - _e3114[1]);
-                                    let _e3126 = (_e3108[2] - _e3114[2]);
-                                    let _e3127 = (_e3124 - _e3120[0]);
-                                    let _e3128 = (_e3125 - _e3120[1]);
-                                    let _e3129 = (_e3126 - _e3120[2]);
-                                    let _e3130 = (_e3108[0] - _e3120[0]);
-                                    let _e3131 = (_e3108[1] - _e3120[1]);
-                                    let _e3132 = (_e3108[2] - _e3120[2]);
-                                    let _e3135 = local.member[0u];
-                                    if (_e3135[0] < 0f) {
-                                        phi_5518_ = -(_e3135[0]);
-                                    } else {
-                                        phi_5518_ = _e3135[0];
-                                    }
-                                    let _e3142 = phi_5518_;
-                                    if (_e3135[1] < 0f) {
-                                        phi_5525_ = -(_e3135[1]);
-                                    } else {
-                                        phi_5525_ = _e3135[1];
-                                    }
-                                    let _e3146 = phi_5525_;
-                                    if (_e3142 > _e3146) {
-                                        phi_5530_ = _e3142;
-                                    } else {
-                                        phi_5530_ = _e3146;
-                                    }
-                                    let _e3149 = phi_5530_;
-                                    if (_e3135[2] < 0f) {
-                                        phi_5537_ = -(_e3135[2]);
-                                    } else {
-                                        phi_5537_ = _e3135[2];
-                                    }
-                                    let _e3153 = phi_5537_;
-                                    if (_e3149 > _e3153) {
-                                        phi_5542_ = _e3149;
-                                    } else {
-                                        phi_5542_ = _e3153;
-                                    }
-                                    let _e3156 = phi_5542_;
-                                    let _e3159 = local.member[1u];
-                                    if (_e3159[0] < 0f) {
-                                        phi_5555_ = -(_e3159[0]);
+                                    let _e3002 = local.member_1[0u];
+                                    let _e3008 = local.member_1[1u];
+                                    let _e3012 = (_e3002[0] + _e3008[0]);
+                                    let _e3013 = (_e3002[1] + _e3008[1]);
+                                    let _e3014 = (_e3002[2] + _e3008[2]);
+                                    let _e3017 = local.member_2[0u];
+                                    let _e3023 = local.member_2[1u];
+                                    let _e3027 = (_e3017[0] + _e3023[0]);
+                                    let _e3028 = (_e3017[1] + _e3023[1]);
+                                    let _e3029 = (_e3017[2] + _e3023[2]);
+                                    let _e3032 = ((_e3013 * _e3029) - (_e3014 * _e3028));
+                                    let _e3035 = ((_e3014 * _e3027) - (_e3012 * _e3029));
+                                    let _e3038 = ((_e3012 * _e3028) - (_e3013 * _e3027));
+                                    let _e3041 = local.member[0u];
+                                    let _e3047 = local.member_1[0u];
+                                    let _e3053 = local.member_2[0u];
+                                    let _e3057 = (_e3041[0] - _e3047[0]);
+                                    let _e3058 = (_e3041[1] - _e3047[1]);
+                                    let _e3059 = (_e3041[2] - _e3047[2]);
+                                    let _e3060 = (_e3057 - _e3053[0]);
+                                    let _e3061 = (_e3058 - _e3053[1]);
+                                    let _e3062 = (_e3059 - _e3053[2]);
+                                    let _e3063 = (_e3041[0] - _e3053[0]);
+                                    let _e3064 = (_e3041[1] - _e3053[1]);
+                                    let _e3065 = (_e3041[2] - _e3053[2]);
+                                    let _e3068 = local.member[1u];
+                                    let _e3074 = local.member_1[1u];
+                                    let _e3080 = local.member_2[1u];
+                                    let _e3084 = (_e3068[0] - _e3074[0]);
+                                    let _e3085 = (_e3068[1] - _e3074[1]);
+                                    let _e3086 = (_e3068[2] - _e3074[2]);
+                                    let _e3087 = (_e3084 - _e3080[0]);
+                                    let _e3088 = (_e3085 - _e3080[1]);
+                                    let _e3089 = (_e3086 - _e3080[2]);
+                                    let _e3090 = (_e3068[0] - _e3080[0]);
+                                    let _e3091 = (_e3068[1] - _e3080[1]);
+                                    let _e3092 = (_e3068[2] - _e3080[2]);
+                                    let _e3095 = local.member[0u];
+                                    if (_e3095[0] < 0f) {
+                                        phi_5492_ = -(_e3095[0]);
+                                    } else {
+                                        phi_5492_ = _e3095[0];
+                                    }
+                                    let _e3102 = phi_5492_;
+                                    if (_e3095[1] < 0f) {
+                                        phi_5499_ = -(_e3095[1]);
+                                    } else {
+                                        phi_5499_ = _e3095[1];
+                                    }
+                                    let _e3106 = phi_5499_;
+                                    if (_e3102 > _e3106) {
+                                        phi_5504_ = _e3102;
+                                    } else {
+                                        phi_5504_ = _e3106;
+                                    }
+                                    let _e3109 = phi_5504_;
+                                    if (_e3095[2] < 0f) {
+                                        phi_5511_ = -(_e3095[2]);
+                                    } else {
+                                        phi_5511_ = _e3095[2];
+                                    }
+                                    let _e3113 = phi_5511_;
+                                    if (_e3109 > _e3113) {
+                                        phi_5516_ = _e3109;
+                                    } else {
+                                        phi_5516_ = _e3113;
+                                    }
+                                    let _e3116 = phi_5516_;
+                                    let _e3119 = local.member[1u];
+                                    if (_e3119[0] < 0f) {
+                                        phi_5529_ = -(_e3119[0]);
                                     } else {
-                                        phi_5555_ = _e3159[0];
+                                        phi_5529_ = _e3119[0];
                                     }
-                                    let _e3166 = phi_5555_;
-                                    if (_e3159[1] < 0f) {
-                                        phi_5562_ = -(_e3159[1]);
-                                    } else {
-                                        phi_5562_ = _e3159[1];
+                                    let _e3126 = phi_5529_;
+                                    if (_e3119[1] < 0f) {
+                                        phi_5536_ = -(_e3119[1]);
+                                    } else {
+                                        phi_5536_ = _e3119[1];
                                     }
-                                    let _e3170 = phi_5562_;
-                                    if (_e3166 > _e3170) {
-                                        phi_5567_ = _e3166;
+                                    let _e3130 = phi_5536_;
+                                    if (_e3126 > _e3130) {
+                                        phi_5541_ = _e3126;
                                     } else {
-                                        phi_5567_ = _e3170;
+                                        phi_5541_ = _e3130;
                                     }
-                                    let _e3173 = phi_5567_;
-                                    if (_e3159[2] < 0f) {
-                                        phi_5574_ = -(_e3159[2]);
+                                    let _e3133 = phi_5541_;
+                                    if (_e3119[2] < 0f) {
+                                        phi_5548_ = -(_e3119[2]);
                                     } else {
-                                        phi_5574_ = _e3159[2];
+                                        phi_5548_ = _e3119[2];
                                     }
-                                    let _e3177 = phi_5574_;
-                                    if (_e3173 > _e3177) {
-                                        phi_5579_ = _e3173;
+                                    let _e3137 = phi_5548_;
+                                    if (_e3133 > _e3137) {
+                                        phi_5553_ = _e3133;
                                     } else {
-                                        phi_5579_ = _e3177;
+                                        phi_5553_ = _e3137;
                                     }
-                                    let _e3180 = phi_5579_;
-                                    if (_e3156 > _e3180) {
-                                        phi_5584_ = _e3156;
+                                    let _e3140 = phi_5553_;
+                                    if (_e3116 > _e3140) {
+                                        phi_5558_ = _e3116;
                                     } else {
-                                        phi_5584_ = _e3180;
+                                        phi_5558_ = _e3140;
                                     }
-                                    let _e3183 = phi_5584_;
-                                    let _e3185 = local.member_3;
-                                    let _e3189 = local.member_1[0u];
-                                    if (_e3189[0] < 0f) {
-                                        phi_5601_ = -(_e3189[0]);
+                                    let _e3143 = phi_5558_;
+                                    let _e3145 = local.member_3;
+                                    let _e3149 = local.member_1[0u];
+                                    if (_e3149[0] < 0f) {
+                                        phi_5575_ = -(_e3149[0]);
                                     } else {
-                                        phi_5601_ = _e3189[0];
+                                        phi_5575_ = _e3149[0];
                                     }
-                                    let _e3196 = phi_5601_;
-                                    if (_e3189[1] < 0f) {
-                                        phi_5608_ = -(_e3189[1]);
+                                    let _e3156 = phi_5575_;
+                                    if (_e3149[1] < 0f) {
+                                        phi_5582_ = -(_e3149[1]);
                                     } else {
-                                        phi_5608_ = _e3189[1];
+                                        phi_5582_ = _e3149[1];
                                     }
-                                    let _e3200 = phi_5608_;
-                                    if (_e3196 > _e3200) {
-                                        phi_5613_ = _e3196;
+                                    let _e3160 = phi_5582_;
+                                    if (_e3156 > _e3160) {
+                                        phi_5587_ = _e3156;
                                     } else {
-                                        phi_5613_ = _e3200;
+                                        phi_5587_ = _e3160;
                                     }
-                                    let _e3203 = phi_5613_;
-                                    if (_e3189[2] < 0f) {
-                                        phi_5620_ = -(_e3189[2]);
+                                    let _e3163 = phi_5587_;
+                                    if (_e3149[2] < 0f) {
+                                        phi_5594_ = -(_e3149[2]);
                                     } else {
-                                        phi_5620_ = _e3189[2];
+                                        phi_5594_ = _e3149[2];
                                     }
-                                    let _e3207 = phi_5620_;
-                                    if (_e3203 > _e3207) {
-                                        phi_5625_ = _e3203;
+                                    let _e3167 = phi_5594_;
+                                    if (_e3163 > _e3167) {
+                                        phi_5599_ = _e3163;
                                     } else {
-                                        phi_5625_ = _e3207;
+                                        phi_5599_ = _e3167;
                                     }
-                                    let _e3210 = phi_5625_;
-                                    let _e3213 = local.member_1[1u];
-                                    if (_e3213[0] < 0f) {
-                                        phi_5639_ = -(_e3213[0]);
+                                    let _e3170 = phi_5599_;
+                                    let _e3173 = local.member_1[1u];
+                                    if (_e3173[0] < 0f) {
+                                        phi_5613_ = -(_e3173[0]);
                                     } else {
-                                        phi_5639_ = _e3213[0];
+                                        phi_5613_ = _e3173[0];
                                     }
-                                    let _e3220 = phi_5639_;
-                                    if (_e3213[1] < 0f) {
-                                        phi_5646_ = -(_e3213[1]);
+                                    let _e3180 = phi_5613_;
+                                    if (_e3173[1] < 0f) {
+                                        phi_5620_ = -(_e3173[1]);
                                     } else {
-                                        phi_5646_ = _e3213[1];
+                                        phi_5620_ = _e3173[1];
                                     }
-                                    let _e3224 = phi_5646_;
-                                    if (_e3220 > _e3224) {
-                                        phi_5651_ = _e3220;
+                                    let _e3184 = phi_5620_;
+                                    if (_e3180 > _e3184) {
+                                        phi_5625_ = _e3180;
                                     } else {
-                                        phi_5651_ = _e3224;
+                                        phi_5625_ = _e3184;
                                     }
-                                    let _e3227 = phi_5651_;
-                                    if (_e3213[2] < 0f) {
-                                        phi_5658_ = -(_e3213[2]);
+                                    let _e3187 = phi_5625_;
+                                    if (_e3173[2] < 0f) {
+                                        phi_5632_ = -(_e3173[2]);
                                     } else {
-                                        phi_5658_ = _e3213[2];
+                                        phi_5632_ = _e3173[2];
                                     }
-                                    let _e3231 = phi_5658_;
-                                    if (_e3227 > _e3231) {
-                                        phi_5663_ = _e3227;
+                                    let _e3191 = phi_5632_;
+                                    if (_e3187 > _e3191) {
+                                        phi_5637_ = _e3187;
                                     } else {
-                                        phi_5663_ = _e3231;
+                                        phi_5637_ = _e3191;
                                     }
-                                    let _e3234 = phi_5663_;
-                                    if (_e3210 > _e3234) {
-                                        phi_5668_ = _e3210;
+                                    let _e3194 = phi_5637_;
+                                    if (_e3170 > _e3194) {
+                                        phi_5642_ = _e3170;
                                     } else {
-                                        phi_5668_ = _e3234;
+                                        phi_5642_ = _e3194;
                                     }
-                                    let _e3237 = phi_5668_;
-                                    let _e3239 = local.member_3;
-                                    let _e3243 = local.member_2[0u];
-                                    if (_e3243[0] < 0f) {
-                                        phi_5685_ = -(_e3243[0]);
+                                    let _e3197 = phi_5642_;
+                                    let _e3199 = local.member_3;
+                                    let _e3203 = local.member_2[0u];
+                                    if (_e3203[0] < 0f) {
+                                        phi_5659_ = -(_e3203[0]);
                                     } else {
-                                        phi_5685_ = _e3243[0];
+                                        phi_5659_ = _e3203[0];
                                     }
-                                    let _e3250 = phi_5685_;
-                                    if (_e3243[1] < 0f) {
-                                        phi_5692_ = -(_e3243[1]);
+                                    let _e3210 = phi_5659_;
+                                    if (_e3203[1] < 0f) {
+                                        phi_5666_ = -(_e3203[1]);
                                     } else {
-                                        phi_5692_ = _e3243[1];
+                                        phi_5666_ = _e3203[1];
                                     }
-                                    let _e3254 = phi_5692_;
-                                    if (_e3250 > _e3254) {
-                                        phi_5697_ = _e3250;
+                                    let _e3214 = phi_5666_;
+                                    if (_e3210 > _e3214) {
+                                        phi_5671_ = _e3210;
                                     } else {
-                                        phi_5697_ = _e3254;
+                                        phi_5671_ = _e3214;
                                     }
-                                    let _e3257 = phi_5697_;
-                                    if (_e3243[2] < 0f) {
-                                        phi_5704_ = -(_e3243[2]);
+                                    let _e3217 = phi_5671_;
+                                    if (_e3203[2] < 0f) {
+                                        phi_5678_ = -(_e3203[2]);
                                     } else {
-                                        phi_5704_ = _e3243[2];
+                                        phi_5678_ = _e3203[2];
                                     }
-                                    let _e3261 = phi_5704_;
-                                    if (_e3257 > _e3261) {
-                                        phi_5709_ = _e3257;
+                                    let _e3221 = phi_5678_;
+                                    if (_e3217 > _e3221) {
+                                        phi_5683_ = _e3217;
                                     } else {
-                                        phi_5709_ = _e3261;
+                                        phi_5683_ = _e3221;
                                     }
-                                    let _e3264 = phi_5709_;
-                                    let _e3267 = local.member_2[1u];
-                                    if (_e3267[0] < 0f) {
-                                        phi_5723_ = -(_e3267[0]);
+                                    let _e3224 = phi_5683_;
+                                    let _e3227 = local.member_2[1u];
+                                    if (_e3227[0] < 0f) {
+                                        phi_5697_ = -(_e3227[0]);
                                     } else {
-                                        phi_5723_ = _e3267[0];
+                                        phi_5697_ = _e3227[0];
                                     }
-                                    let _e3274 = phi_5723_;
-                                    if (_e3267[1] < 0f) {
-                                        phi_5730_ = -(_e3267[1]);
+                                    let _e3234 = phi_5697_;
+                                    if (_e3227[1] < 0f) {
+                                        phi_5704_ = -(_e3227[1]);
                                     } else {
-                                        phi_5730_ = _e3267[1];
+                                        phi_5704_ = _e3227[1];
                                     }
-                                    let _e3278 = phi_5730_;
-                                    if (_e3274 > _e3278) {
-                                        phi_5735_ = _e3274;
+                                    let _e3238 = phi_5704_;
+                                    if (_e3234 > _e3238) {
+                                        phi_5709_ = _e3234;
                                     } else {
-                                        phi_5735_ = _e3278;
+                                        phi_5709_ = _e3238;
                                     }
-                                    let _e3281 = phi_5735_;
-                                    if (_e3267[2] < 0f) {
-                                        phi_5742_ = -(_e3267[2]);
+                                    let _e3241 = phi_5709_;
+                                    if (_e3227[2] < 0f) {
+                                        phi_5716_ = -(_e3227[2]);
                                     } else {
-                                        phi_5742_ = _e3267[2];
+                                        phi_5716_ = _e3227[2];
                                     }
-                                    let _e3285 = phi_5742_;
-                                    if (_e3281 > _e3285) {
-                                        phi_5747_ = _e3281;
+                                    let _e3245 = phi_5716_;
+                                    if (_e3241 > _e3245) {
+                                        phi_5721_ = _e3241;
                                     } else {
-                                        phi_5747_ = _e3285;
+                                        phi_5721_ = _e3245;
                                     }
-                                    let _e3288 = phi_5747_;
-                                    if (_e3264 > _e3288) {
-                                        phi_5752_ = _e3264;
+                                    let _e3248 = phi_5721_;
+                                    if (_e3224 > _e3248) {
+                                        phi_5726_ = _e3224;
                                     } else {
-                                        phi_5752_ = _e3288;
+                                        phi_5726_ = _e3248;
                                     }
-                                    let _e3291 = phi_5752_;
-                                    let _e3293 = local.member_3;
-                                    let _e3297 = ((((_e3183 + _e3185) + (_e3237 + _e3239)) + (_e3291 + _e3293)) * 2f);
-                                    let _e3300 = local.member_3;
-                                    let _e3304 = (((_e1494 * 1.0001f) + (_e3300 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3307 = ((_e3075 * _e3054) - (_e3078 * _e3053));
-                                    let _e3310 = ((_e3078 * _e3052) - (_e3072 * _e3054));
-                                    let _e3313 = ((_e3072 * _e3053) - (_e3075 * _e3052));
-                                    let _e3318 = (((_e3307 * _e3081[0]) + (_e3310 * _e3081[1])) + (_e3313 * _e3081[2]));
-                                    let _e3323 = (((_e3307 * _e3097) + (_e3310 * _e3098)) + (_e3313 * _e3099));
-                                    let _e3328 = (((_e3307 * _e3103) + (_e3310 * _e3104)) + (_e3313 * _e3105));
-                                    let _e3333 = (((_e3307 * _e3100) + (_e3310 * _e3101)) + (_e3313 * _e3102));
-                                    let _e3338 = (((_e3307 * _e3108[0]) + (_e3310 * _e3108[1])) + (_e3313 * _e3108[2]));
-                                    let _e3343 = (((_e3307 * _e3124) + (_e3310 * _e3125)) + (_e3313 * _e3126));
-                                    let _e3348 = (((_e3307 * _e3130) + (_e3310 * _e3131)) + (_e3313 * _e3132));
-                                    let _e3353 = (((_e3307 * _e3127) + (_e3310 * _e3128)) + (_e3313 * _e3129));
-                                    if (_e3318 < _e3323) {
-                                        phi_5831_ = _e3318;
+                                    let _e3251 = phi_5726_;
+                                    let _e3253 = local.member_3;
+                                    let _e3257 = ((((_e3143 + _e3145) + (_e3197 + _e3199)) + (_e3251 + _e3253)) * 2f);
+                                    let _e3260 = local.member_3;
+                                    let _e3264 = (((_e1454 * 1.0001f) + (_e3260 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3267 = ((_e3035 * _e3014) - (_e3038 * _e3013));
+                                    let _e3270 = ((_e3038 * _e3012) - (_e3032 * _e3014));
+                                    let _e3273 = ((_e3032 * _e3013) - (_e3035 * _e3012));
+                                    let _e3278 = (((_e3267 * _e3041[0]) + (_e3270 * _e3041[1])) + (_e3273 * _e3041[2]));
+                                    let _e3283 = (((_e3267 * _e3057) + (_e3270 * _e3058)) + (_e3273 * _e3059));
+                                    let _e3288 = (((_e3267 * _e3063) + (_e3270 * _e3064)) + (_e3273 * _e3065));
+                                    let _e3293 = (((_e3267 * _e3060) + (_e3270 * _e3061)) + (_e3273 * _e3062));
+                                    let _e3298 = (((_e3267 * _e3068[0]) + (_e3270 * _e3068[1])) + (_e3273 * _e3068[2]));
+                                    let _e3303 = (((_e3267 * _e3084) + (_e3270 * _e3085)) + (_e3273 * _e3086));
+                                    let _e3308 = (((_e3267 * _e3090) + (_e3270 * _e3091)) + (_e3273 * _e3092));
+                                    let _e3313 = (((_e3267 * _e3087) + (_e3270 * _e3088)) + (_e3273 * _e3089));
+                                    if (_e3278 < _e3283) {
+                                        phi_5805_ = _e3278;
                                     } else {
-                                        phi_5831_ = _e3323;
+                                        phi_5805_ = _e3283;
                                     }
-                                    let _e3356 = phi_5831_;
-                                    if (_e3328 < _e3333) {
-                                        phi_5836_ = _e3328;
+                                    let _e3316 = phi_5805_;
+                                    if (_e3288 < _e3293) {
+                                        phi_5810_ = _e3288;
                                     } else {
-                                        phi_5836_ = _e3333;
+                                        phi_5810_ = _e3293;
                                     }
-                                    let _e3359 = phi_5836_;
-                                    if (_e3356 < _e3359) {
-                                        phi_5841_ = _e3356;
+                                    let _e3319 = phi_5810_;
+                                    if (_e3316 < _e3319) {
+                                        phi_5815_ = _e3316;
                                     } else {
-                                        phi_5841_ = _e3359;
+                                        phi_5815_ = _e3319;
                                     }
-                                    let _e3362 = phi_5841_;
-                                    if (_e3338 < _e3343) {
-                                        phi_5846_ = _e3338;
+                                    let _e3322 = phi_5815_;
+                                    if (_e3298 < _e3303) {
+                                        phi_5820_ = _e3298;
                                     } else {
-                                        phi_5846_ = _e3343;
+                                        phi_5820_ = _e3303;
                                     }
-                                    let _e3365 = phi_5846_;
-                                    if (_e3348 < _e3353) {
-                                        phi_5851_ = _e3348;
+                                    let _e3325 = phi_5820_;
+                                    if (_e3308 < _e3313) {
+                                        phi_5825_ = _e3308;
                                     } else {
-                                        phi_5851_ = _e3353;
+                                        phi_5825_ = _e3313;
                                     }
-                                    let _e3368 = phi_5851_;
-                                    if (_e3365 < _e3368) {
-                                        phi_5856_ = _e3365;
+                                    let _e3328 = phi_5825_;
+                                    if (_e3325 < _e3328) {
+                                        phi_5830_ = _e3325;
                                     } else {
-                                        phi_5856_ = _e3368;
+                                        phi_5830_ = _e3328;
                                     }
-                                    let _e3371 = phi_5856_;
-                                    if (_e3362 < _e3371) {
-                                        phi_5861_ = _e3362;
+                                    let _e3331 = phi_5830_;
+                                    if (_e3322 < _e3331) {
+                                        phi_5835_ = _e3322;
                                     } else {
-                                        phi_5861_ = _e3371;
+                                        phi_5835_ = _e3331;
                                     }
-                                    let _e3374 = phi_5861_;
-                                    if (_e3318 > _e3323) {
-                                        phi_5866_ = _e3318;
+                                    let _e3334 = phi_5835_;
+                                    if (_e3278 > _e3283) {
+                                        phi_5840_ = _e3278;
                                     } else {
-                                        phi_5866_ = _e3323;
+                                        phi_5840_ = _e3283;
                                     }
-                                    let _e3377 = phi_5866_;
-                                    if (_e3328 > _e3333) {
-                                        phi_5871_ = _e3328;
+                                    let _e3337 = phi_5840_;
+                                    if (_e3288 > _e3293) {
+                                        phi_5845_ = _e3288;
                                     } else {
-                                        phi_5871_ = _e3333;
+                                        phi_5845_ = _e3293;
                                     }
-                                    let _e3380 = phi_5871_;
-                                    if (_e3377 > _e3380) {
-                                        phi_5876_ = _e3377;
+                                    let _e3340 = phi_5845_;
+                                    if (_e3337 > _e3340) {
+                                        phi_5850_ = _e3337;
                                     } else {
-                                        phi_5876_ = _e3380;
+                                        phi_5850_ = _e3340;
                                     }
-                                    let _e3383 = phi_5876_;
-                                    if (_e3338 > _e3343) {
-                                        phi_5881_ = _e3338;
+                                    let _e3343 = phi_5850_;
+                                    if (_e3298 > _e3303) {
+                                        phi_5855_ = _e3298;
                                     } else {
-                                        phi_5881_ = _e3343;
+                                        phi_5855_ = _e3303;
                                     }
-                                    let _e3386 = phi_5881_;
-                                    if (_e3348 > _e3353) {
-                                        phi_5886_ = _e3348;
+                                    let _e3346 = phi_5855_;
+                                    if (_e3308 > _e3313) {
+                                        phi_5860_ = _e3308;
                                     } else {
-                                        phi_5886_ = _e3353;
+                                        phi_5860_ = _e3313;
                                     }
-                                    let _e3389 = phi_5886_;
-                                    if (_e3386 > _e3389) {
-                                        phi_5891_ = _e3386;
+                                    let _e3349 = phi_5860_;
+                                    if (_e3346 > _e3349) {
+                                        phi_5865_ = _e3346;
                                     } else {
-                                        phi_5891_ = _e3389;
+                                        phi_5865_ = _e3349;
                                     }
-                                    let _e3392 = phi_5891_;
-                                    if (_e3383 > _e3392) {
-                                        phi_5896_ = _e3383;
+                                    let _e3352 = phi_5865_;
+                                    if (_e3343 > _e3352) {
+                                        phi_5870_ = _e3343;
                                     } else {
-                                        phi_5896_ = _e3392;
+                                        phi_5870_ = _e3352;
                                     }
-                                    let _e3395 = phi_5896_;
-                                    if (_e3307 < 0f) {
-                                        phi_5902_ = -(_e3307);
+                                    let _e3355 = phi_5870_;
+                                    if (_e3267 < 0f) {
+                                        phi_5876_ = -(_e3267);
                                     } else {
-                                        phi_5902_ = _e3307;
+                                        phi_5876_ = _e3267;
                                     }
-                                    let _e3399 = phi_5902_;
-                                    if (_e3310 < 0f) {
-                                        phi_5908_ = -(_e3310);
+                                    let _e3359 = phi_5876_;
+                                    if (_e3270 < 0f) {
+                                        phi_5882_ = -(_e3270);
                                     } else {
-                                        phi_5908_ = _e3310;
+                                        phi_5882_ = _e3270;
                                     }
-                                    let _e3403 = phi_5908_;
-                                    if (_e3313 < 0f) {
-                                        phi_5915_ = -(_e3313);
+                                    let _e3363 = phi_5882_;
+                                    if (_e3273 < 0f) {
+                                        phi_5889_ = -(_e3273);
                                     } else {
-                                        phi_5915_ = _e3313;
+                                        phi_5889_ = _e3273;
                                     }
-                                    let _e3408 = phi_5915_;
-                                    let _e3409 = ((_e3399 + _e3403) + _e3408);
-                                    let _e3414 = -(_e3395);
-                                    if (_e3374 > _e3414) {
-                                        phi_5926_ = _e3374;
+                                    let _e3368 = phi_5889_;
+                                    let _e3369 = ((_e3359 + _e3363) + _e3368);
+                                    let _e3374 = -(_e3355);
+                                    if (_e3334 > _e3374) {
+                                        phi_5900_ = _e3334;
                                     } else {
-                                        phi_5926_ = _e3414;
+                                        phi_5900_ = _e3374;
                                     }
-                                    let _e3417 = phi_5926_;
-                                    let _e3422 = (((_e3417 - ((_e3409 * _e3297) * (0.000000059604645f * (17f / 2f)))) - (_e3409 * _e3304)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3425 = ((_e3075 * _e3069) - (_e3078 * _e3068));
-                                    let _e3428 = ((_e3078 * _e3067) - (_e3072 * _e3069));
-                                    let _e3431 = ((_e3072 * _e3068) - (_e3075 * _e3067));
-                                    let _e3436 = (((_e3425 * _e3081[0]) + (_e3428 * _e3081[1])) + (_e3431 * _e3081[2]));
-                                    let _e3441 = (((_e3425 * _e3097) + (_e3428 * _e3098)) + (_e3431 * _e3099));
-                                    let _e3446 = (((_e3425 * _e3103) + (_e3428 * _e3104)) + (_e3431 * _e3105));
-                                    let _e3451 = (((_e3425 * _e3100) + (_e3428 * _e3101)) + (_e3431 * _e3102));
-                                    let _e3456 = (((_e3425 * _e3108[0]) + (_e3428 * _e3108[1])) + (_e3431 * _e3108[2]));
-                                    let _e3461 = (((_e3425 * _e3124) + (_e3428 * _e3125)) + (_e3431 * _e3126));
-                                    let _e3466 = (((_e3425 * _e3130) + (_e3428 * _e3131)) + (_e3431 * _e3132));
-                                    let _e3471 = (((_e3425 * _e3127) + (_e3428 * _e3128)) + (_e3431 * _e3129));
-                                    if (_e3436 < _e3441) {
-                                        phi_5997_ = _e3436;
+                                    let _e3377 = phi_5900_;
+                                    let _e3382 = (((_e3377 - ((_e3369 * _e3257) * (0.000000059604645f * (17f / 2f)))) - (_e3369 * _e3264)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3385 = ((_e3035 * _e3029) - (_e3038 * _e3028));
+                                    let _e3388 = ((_e3038 * _e3027) - (_e3032 * _e3029));
+                                    let _e3391 = ((_e3032 * _e3028) - (_e3035 * _e3027));
+                                    let _e3396 = (((_e3385 * _e3041[0]) + (_e3388 * _e3041[1])) + (_e3391 * _e3041[2]));
+                                    let _e3401 = (((_e3385 * _e3057) + (_e3388 * _e3058)) + (_e3391 * _e3059));
+                                    let _e3406 = (((_e3385 * _e3063) + (_e3388 * _e3064)) + (_e3391 * _e3065));
+                                    let _e3411 = (((_e3385 * _e3060) + (_e3388 * _e3061)) + (_e3391 * _e3062));
+                                    let _e3416 = (((_e3385 * _e3068[0]) + (_e3388 * _e3068[1])) + (_e3391 * _e3068[2]));
+                                    let _e3421 = (((_e3385 * _e3084) + (_e3388 * _e3085)) + (_e3391 * _e3086));
+                                    let _e3426 = (((_e3385 * _e3090) + (_e3388 * _e3091)) + (_e3391 * _e3092));
+                                    let _e3431 = (((_e3385 * _e3087) + (_e3388 * _e3088)) + (_e3391 * _e3089));
+                                    if (_e3396 < _e3401) {
+                                        phi_5971_ = _e3396;
                                     } else {
-                                        phi_5997_ = _e3441;
+                                        phi_5971_ = _e3401;
                                     }
-                                    let _e3474 = phi_5997_;
-                                    if (_e3446 < _e3451) {
-                                        phi_6002_ = _e3446;
+                                    let _e3434 = phi_5971_;
+                                    if (_e3406 < _e3411) {
+                                        phi_5976_ = _e3406;
                                     } else {
-                                        phi_6002_ = _e3451;
+                                        phi_5976_ = _e3411;
                                     }
-                                    let _e3477 = phi_6002_;
-                                    if (_e3474 < _e3477) {
-                                        phi_6007_ = _e3474;
+                                    let _e3437 = phi_5976_;
+                                    if (_e3434 < _e3437) {
+                                        phi_5981_ = _e3434;
                                     } else {
-                                        phi_6007_ = _e3477;
+                                        phi_5981_ = _e3437;
                                     }
-                                    let _e3480 = phi_6007_;
-                                    if (_e3456 < _e3461) {
-                                        phi_6012_ = _e3456;
+                                    let _e3440 = phi_5981_;
+                                    if (_e3416 < _e3421) {
+                                        phi_5986_ = _e3416;
                                     } else {
-                                        phi_6012_ = _e3461;
+                                        phi_5986_ = _e3421;
                                     }
-                                    let _e3483 = phi_6012_;
-                                    if (_e3466 < _e3471) {
-                                        phi_6017_ = _e3466;
+                                    let _e3443 = phi_5986_;
+                                    if (_e3426 < _e3431) {
+                                        phi_5991_ = _e3426;
                                     } else {
-                                        phi_6017_ = _e3471;
+                                        phi_5991_ = _e3431;
                                     }
-                                    let _e3486 = phi_6017_;
-                                    if (_e3483 < _e3486) {
-                                        phi_6022_ = _e3483;
+                                    let _e3446 = phi_5991_;
+                                    if (_e3443 < _e3446) {
+                                        phi_5996_ = _e3443;
                                     } else {
-                                        phi_6022_ = _e3486;
+                                        phi_5996_ = _e3446;
                                     }
-                                    let _e3489 = phi_6022_;
-                                    if (_e3480 < _e3489) {
-                                        phi_6027_ = _e3480;
+                                    let _e3449 = phi_5996_;
+                                    if (_e3440 < _e3449) {
+                                        phi_6001_ = _e3440;
                                     } else {
-                                        phi_6027_ = _e3489;
+                                        phi_6001_ = _e3449;
                                     }
-                                    let _e3492 = phi_6027_;
-                                    if (_e3436 > _e3441) {
-                                        phi_6032_ = _e3436;
+                                    let _e3452 = phi_6001_;
+                                    if (_e3396 > _e3401) {
+                                        phi_6006_ = _e3396;
                                     } else {
-                                        phi_6032_ = _e3441;
+                                        phi_6006_ = _e3401;
                                     }
-                                    let _e3495 = phi_6032_;
-                                    if (_e3446 > _e3451) {
-                                        phi_6037_ = _e3446;
+                                    let _e3455 = phi_6006_;
+                                    if (_e3406 > _e3411) {
+                                        phi_6011_ = _e3406;
                                     } else {
-                                        phi_6037_ = _e3451;
+                                        phi_6011_ = _e3411;
                                     }
-                                    let _e3498 = phi_6037_;
-                                    if (_e3495 > _e3498) {
-                                        phi_6042_ = _e3495;
+                                    let _e3458 = phi_6011_;
+                                    if (_e3455 > _e3458) {
+                                        phi_6016_ = _e3455;
                                     } else {
-                                        phi_6042_ = _e3498;
+                                        phi_6016_ = _e3458;
                                     }
-                                    let _e3501 = phi_6042_;
-                                    if (_e3456 > _e3461) {
-                                        phi_6047_ = _e3456;
+                                    let _e3461 = phi_6016_;
+                                    if (_e3416 > _e3421) {
+                                        phi_6021_ = _e3416;
                                     } else {
-                                        phi_6047_ = _e3461;
+                                        phi_6021_ = _e3421;
                                     }
-                                    let _e3504 = phi_6047_;
-                                    if (_e3466 > _e3471) {
-                                        phi_6052_ = _e3466;
+                                    let _e3464 = phi_6021_;
+                                    if (_e3426 > _e3431) {
+                                        phi_6026_ = _e3426;
                                     } else {
-                                        phi_6052_ = _e3471;
+                                        phi_6026_ = _e3431;
                                     }
-                                    let _e3507 = phi_6052_;
-                                    if (_e3504 > _e3507) {
-                                        phi_6057_ = _e3504;
+                                    let _e3467 = phi_6026_;
+                                    if (_e3464 > _e3467) {
+                                        phi_6031_ = _e3464;
                                     } else {
-                                        phi_6057_ = _e3507;
+                                        phi_6031_ = _e3467;
                                     }
-                                    let _e3510 = phi_6057_;
-                                    if (_e3501 > _e3510) {
-                                        phi_6062_ = _e3501;
+                                    let _e3470 = phi_6031_;
+                                    if (_e3461 > _e3470) {
+                                        phi_6036_ = _e3461;
                                     } else {
-                                        phi_6062_ = _e3510;
+                                        phi_6036_ = _e3470;
                                     }
-                                    let _e3513 = phi_6062_;
-                                    if (_e3425 < 0f) {
-                                        phi_6068_ = -(_e3425);
+                                    let _e3473 = phi_6036_;
+                                    if (_e3385 < 0f) {
+                                        phi_6042_ = -(_e3385);
                                     } else {
-                                        phi_6068_ = _e3425;
+                                        phi_6042_ = _e3385;
                                     }
-                                    let _e3517 = phi_6068_;
-                                    if (_e3428 < 0f) {
-                                        phi_6074_ = -(_e3428);
+                                    let _e3477 = phi_6042_;
+                                    if (_e3388 < 0f) {
+                                        phi_6048_ = -(_e3388);
                                     } else {
-                                        phi_6074_ = _e3428;
+                                        phi_6048_ = _e3388;
                                     }
-                                    let _e3521 = phi_6074_;
-                                    if (_e3431 < 0f) {
-                                        phi_6081_ = -(_e3431);
+                                    let _e3481 = phi_6048_;
+                                    if (_e3391 < 0f) {
+                                        phi_6055_ = -(_e3391);
                                     } else {
-                                        phi_6081_ = _e3431;
+                                        phi_6055_ = _e3391;
                                     }
-                                    let _e3526 = phi_6081_;
-                                    let _e3527 = ((_e3517 + _e3521) + _e3526);
-                                    let _e3532 = -(_e3513);
-                                    if (_e3492 > _e3532) {
-                                        phi_6092_ = _e3492;
+                                    let _e3486 = phi_6055_;
+                                    let _e3487 = ((_e3477 + _e3481) + _e3486);
+                                    let _e3492 = -(_e3473);
+                                    if (_e3452 > _e3492) {
+                                        phi_6066_ = _e3452;
                                     } else {
-                                        phi_6092_ = _e3532;
+                                        phi_6066_ = _e3492;
                                     }
-                                    let _e3535 = phi_6092_;
-                                    let _e3540 = (((_e3535 - ((_e3527 * _e3297) * (0.000000059604645f * (17f / 2f)))) - (_e3527 * _e3304)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3422 > _e3540) {
-                                        phi_6102_ = _e3422;
+                                    let _e3495 = phi_6066_;
+                                    let _e3500 = (((_e3495 - ((_e3487 * _e3257) * (0.000000059604645f * (17f / 2f)))) - (_e3487 * _e3264)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3382 > _e3500) {
+                                        phi_6076_ = _e3382;
                                     } else {
-                                        phi_6102_ = _e3540;
+                                        phi_6076_ = _e3500;
                                     }
-                                    let _e3543 = phi_6102_;
-                                    phi_6284_ = (_e3039 || (_e3543 > 0f));
+                                    let _e3503 = phi_6076_;
+                                    phi_6258_ = (_e2999 || (_e3503 > 0f));
                                 }
-                                let _e3547 = phi_6284_;
-                                if _e3547 {
-                                    let _e3550 = local_1.member_1[0u];
-                                    let _e3556 = local_1.member_2[0u];
-                                    let _e3562 = ((_e3550[1] * _e3556[2]) - (_e3550[2] * _e3556[1]));
-                                    let _e3565 = ((_e3550[2] * _e3556[0]) - (_e3550[0] * _e3556[2]));
-                                    let _e3568 = ((_e3550[0] * _e3556[1]) - (_e3550[1] * _e3556[0]));
-                                    let _e3571 = local_1.member_1[1u];
-                                    let _e3577 = local_1.member_2[1u];
-                                    let _e3583 = ((_e3571[1] * _e3577[2]) - (_e3571[2] * _e3577[1]));
-                                    let _e3586 = ((_e3571[2] * _e3577[0]) - (_e3571[0] * _e3577[2]));
-                                    let _e3589 = ((_e3571[0] * _e3577[1]) - (_e3571[1] * _e3577[0]));
-                                    let _e3592 = local_1.member_1[0u];
-                                    let _e3598 = local_1.member_2[1u];
-                                    let _e3613 = local_1.member_1[1u];
-                                    let _e3619 = local_1.member_2[0u];
-                                    let _e3632 = (((_e3592[1] * _e3598[2]) - (_e3592[2] * _e3598[1])) + ((_e3613[1] * _e3619[2]) - (_e3613[2] * _e3619[1])));
-                                    let _e3633 = (((_e3592[2] * _e3598[0]) - (_e3592[0] * _e3598[2])) + ((_e3613[2] * _e3619[0]) - (_e3613[0] * _e3619[2])));
-                                    let _e3634 = (((_e3592[0] * _e3598[1]) - (_e3592[1] * _e3598[0])) + ((_e3613[0] * _e3619[1]) - (_e3613[1] * _e3619[0])));
-                                    let _e3637 = local_1.member[0u];
-                                    let _e3648 = local_1.member[1u];
-                                    let _e3659 = local_1.member[0u];
-                                    let _e3668 = ((((_e3648[0] * _e3562) + (_e3648[1] * _e3565)) + (_e3648[2] * _e3568)) + (((_e3659[0] * _e3632) + (_e3659[1] * _e3633)) + (_e3659[2] * _e3634)));
-                                    let _e3671 = local_1.member[0u];
-                                    let _e3682 = local_1.member[1u];
-                                    let _e3691 = ((((_e3671[0] * _e3583) + (_e3671[1] * _e3586)) + (_e3671[2] * _e3589)) + (((_e3682[0] * _e3632) + (_e3682[1] * _e3633)) + (_e3682[2] * _e3634)));
-                                    let _e3694 = local_1.member[1u];
-                                    let _e3705 = local_1.member[0u];
-                                    if (_e3705[0] < 0f) {
-                                        phi_6529_ = -(_e3705[0]);
+                                let _e3507 = phi_6258_;
+                                if _e3507 {
+                                    let _e3510 = local_1.member_1[0u];
+                                    let _e3516 = local_1.member_2[0u];
+                                    let _e3522 = ((_e3510[1] * _e3516[2]) - (_e3510[2] * _e3516[1]));
+                                    let _e3525 = ((_e3510[2] * _e3516[0]) - (_e3510[0] * _e3516[2]));
+                                    let _e3528 = ((_e3510[0] * _e3516[1]) - (_e3510[1] * _e3516[0]));
+                                    let _e3531 = local_1.member_1[1u];
+                                    let _e3537 = local_1.member_2[1u];
+                                    let _e3543 = ((_e3531[1] * _e3537[2]) - (_e3531[2] * _e3537[1]));
+                                    let _e3546 = ((_e3531[2] * _e3537[0]) - (_e3531[0] * _e3537[2]));
+                                    let _e3549 = ((_e3531[0] * _e3537[1]) - (_e3531[1] * _e3537[0]));
+                                    let _e3552 = local_1.member_1[0u];
+                                    let _e3558 = local_1.member_2[1u];
+                                    let _e3573 = local_1.member_1[1u];
+                                    let _e3579 = local_1.member_2[0u];
+                                    let _e3592 = (((_e3552[1] * _e3558[2]) - (_e3552[2] * _e3558[1])) + ((_e3573[1] * _e3579[2]) - (_e3573[2] * _e3579[1])));
+                                    let _e3593 = (((_e3552[2] * _e3558[0]) - (_e3552[0] * _e3558[2])) + ((_e3573[2] * _e3579[0]) - (_e3573[0] * _e3579[2])));
+                                    let _e3594 = (((_e3552[0] * _e3558[1]) - (_e3552[1] * _e3558[0])) + ((_e3573[0] * _e3579[1]) - (_e3573[1] * _e3579[0])));
+                                    let _e3597 = local_1.member[0u];
+                                    let _e3608 = local_1.member[1u];
+                                    let _e3619 = local_1.member[0u];
+                                    let _e3628 = ((((_e3608[0] * _e3522) + (_e3608[1] * _e3525)) + (_e3608[2] * _e3528)) + (((_e3619[0] * _e3592) + (_e3619[1] * _e3593)) + (_e3619[2] * _e3594)));
+                                    let _e3631 = local_1.member[0u];
+                                    let _e3642 = local_1.member[1u];
+                                    let _e3651 = ((((_e3631[0] * _e3543) + (_e3631[1] * _e3546)) + (_e3631[2] * _e3549)) + (((_e3642[0] * _e3592) + (_e3642[1] * _e3593)) + (_e3642[2] * _e3594)));
+                                    let _e3654 = local_1.member[1u];
+                                    let _e3665 = local_1.member[0u];
+                                    if (_e3665[0] < 0f) {
+                                        phi_6503_ = -(_e3665[0]);
                                     } else {
-                                        phi_6529_ = _e3705[0];
+                                        phi_6503_ = _e3665[0];
                                     }
-                                    let _e3712 = phi_6529_;
-                                    if (_e3705[1] < 0f) {
-                                        phi_6536_ = -(_e3705[1]);
+                                    let _e3672 = phi_6503_;
+                                    if (_e3665[1] < 0f) {
+                                        phi_6510_ = -(_e3665[1]);
                                     } else {
-                                        phi_6536_ = _e3705[1];
+                                        phi_6510_ = _e3665[1];
                                     }
-                                    let _e3716 = phi_6536_;
-                                    if (_e3712 > _e3716) {
-                                        phi_6541_ = _e3712;
+                                    let _e3676 = phi_6510_;
+                                    if (_e3672 > _e3676) {
+                                        phi_6515_ = _e3672;
                                     } else {
-                                        phi_6541_ = _e3716;
+                                        phi_6515_ = _e3676;
                                     }
-                                    let _e3719 = phi_6541_;
-                                    if (_e3705[2] < 0f) {
-                                        phi_6548_ = -(_e3705[2]);
+                                    let _e3679 = phi_6515_;
+                                    if (_e3665[2] < 0f) {
+                                        phi_6522_ = -(_e3665[2]);
                                     } else {
-                                        phi_6548_ = _e3705[2];
+                                        phi_6522_ = _e3665[2];
                                     }
-                                    let _e3723 = phi_6548_;
-                                    if (_e3719 > _e3723) {
-                                        phi_6553_ = _e3719;
+                                    let _e3683 = phi_6522_;
+                                    if (_e3679 > _e3683) {
+                                        phi_6527_ = _e3679;
                                     } else {
-                                        phi_6553_ = _e3723;
+                                        phi_6527_ = _e3683;
                                     }
-                                    let _e3726 = phi_6553_;
-                                    let _e3729 = local_1.member[1u];
-                                    if (_e3729[0] < 0f) {
-                                        phi_6566_ = -(_e3729[0]);
+                                    let _e3686 = phi_6527_;
+                                    let _e3689 = local_1.member[1u];
+                                    if (_e3689[0] < 0f) {
+                                        phi_6540_ = -(_e3689[0]);
                                     } else {
-                                        phi_6566_ = _e3729[0];
+                                        phi_6540_ = _e3689[0];
                                     }
-                                    let _e3736 = phi_6566_;
-                                    if (_e3729[1] < 0f) {
-                                        phi_6573_ = -(_e3729[1]);
+                                    let _e3696 = phi_6540_;
+                                    if (_e3689[1] < 0f) {
+                                        phi_6547_ = -(_e3689[1]);
                                     } else {
-                                        phi_6573_ = _e3729[1];
+                                        phi_6547_ = _e3689[1];
                                     }
-                                    let _e3740 = phi_6573_;
-                                    if (_e3736 > _e3740) {
-                                        phi_6578_ = _e3736;
+                                    let _e3700 = phi_6547_;
+                                    if (_e3696 > _e3700) {
+                                        phi_6552_ = _e3696;
                                     } else {
-                                        phi_6578_ = _e3740;
+                                        phi_6552_ = _e3700;
                                     }
-                                    let _e3743 = phi_6578_;
-                                    if (_e3729[2] < 0f) {
-                                        phi_6585_ = -(_e3729[2]);
+                                    let _e3703 = phi_6552_;
+                                    if (_e3689[2] < 0f) {
+                                        phi_6559_ = -(_e3689[2]);
                                     } else {
-                                        phi_6585_ = _e3729[2];
+                                        phi_6559_ = _e3689[2];
                                     }
-                                    let _e3747 = phi_6585_;
-                                    if (_e3743 > _e3747) {
-                                        phi_6590_ = _e3743;
+                                    let _e3707 = phi_6559_;
+                                    if (_e3703 > _e3707) {
+                                        phi_6564_ = _e3703;
                                     } else {
-                                        phi_6590_ = _e3747;
+                                        phi_6564_ = _e3707;
                                     }
-                                    let _e3750 = phi_6590_;
-                                    if (_e3726 > _e3750) {
-                                        phi_6595_ = _e3726;
+                                    let _e3710 = phi_6564_;
+                                    if (_e3686 > _e3710) {
+                                        phi_6569_ = _e3686;
                                     } else {
-                                        phi_6595_ = _e3750;
+                                        phi_6569_ = _e3710;
                                     }
-                                    let _e3753 = phi_6595_;
-                                    let _e3755 = local_1.member_3;
-                                    let _e3756 = (_e3753 + _e3755);
-                                    let _e3759 = local_1.member_1[0u];
-                                    if (_e3759[0] < 0f) {
-                                        phi_6612_ = -(_e3759[0]);
+                                    let _e3713 = phi_6569_;
+                                    let _e3715 = local_1.member_3;
+                                    let _e3716 = (_e3713 + _e3715);
+                                    let _e3719 = local_1.member_1[0u];
+                                    if (_e3719[0] < 0f) {
+                                        phi_6586_ = -(_e3719[0]);
                                     } else {
-                                        phi_6612_ = _e3759[0];
+                                        phi_6586_ = _e3719[0];
                                     }
-                                    let _e3766 = phi_6612_;
-                                    if (_e3759[1] < 0f) {
-                                        phi_6619_ = -(_e3759[1]);
+                                    let _e3726 = phi_6586_;
+                                    if (_e3719[1] < 0f) {
+                                        phi_6593_ = -(_e3719[1]);
                                     } else {
-                                        phi_6619_ = _e3759[1];
+                                        phi_6593_ = _e3719[1];
                                     }
-                                    let _e3770 = phi_6619_;
-                                    if (_e3766 > _e3770) {
-                                        phi_6624_ = _e3766;
+                                    let _e3730 = phi_6593_;
+                                    if (_e3726 > _e3730) {
+                                        phi_6598_ = _e3726;
                                     } else {
-                                        phi_6624_ = _e3770;
+                                        phi_6598_ = _e3730;
                                     }
-                                    let _e3773 = phi_6624_;
-                                    if (_e3759[2] < 0f) {
-                                        phi_6631_ = -(_e3759[2]);
+                                    let _e3733 = phi_6598_;
+                                    if (_e3719[2] < 0f) {
+                                        phi_6605_ = -(_e3719[2]);
                                     } else {
-                                        phi_6631_ = _e3759[2];
+                                        phi_6605_ = _e3719[2];
                                     }
-                                    let _e3777 = phi_6631_;
-                                    if (_e3773 > _e3777) {
-                                        phi_6636_ = _e3773;
+                                    let _e3737 = phi_6605_;
+                                    if (_e3733 > _e3737) {
+                                        phi_6610_ = _e3733;
                                     } else {
-                                        phi_6636_ = _e3777;
+                                        phi_6610_ = _e3737;
                                     }
-                                    let _e3780 = phi_6636_;
-                                    let _e3783 = local_1.member_1[1u];
-                                    if (_e3783[0] < 0f) {
-                                        phi_6650_ = -(_e3783[0]);
+                                    let _e3740 = phi_6610_;
+                                    let _e3743 = local_1.member_1[1u];
+                                    if (_e3743[0] < 0f) {
+                                        phi_6624_ = -(_e3743[0]);
                                     } else {
-                                        phi_6650_ = _e3783[0];
+                                        phi_6624_ = _e3743[0];
                                     }
-                                    let _e3790 = phi_6650_;
-                                    if (_e3783[1] < 0f) {
-                                        phi_6657_ = -(_e3783[1]);
+                                    let _e3750 = phi_6624_;
+                                    if (_e3743[1] < 0f) {
+                                        phi_6631_ = -(_e3743[1]);
                                     } else {
-                                        phi_6657_ = _e3783[1];
+                                        phi_6631_ = _e3743[1];
                                     }
-                                    let _e3794 = phi_6657_;
-                                    if (_e3790 > _e3794) {
-                                        phi_6662_ = _e3790;
+                                    let _e3754 = phi_6631_;
+                                    if (_e3750 > _e3754) {
+                                        phi_6636_ = _e3750;
                                     } else {
-                                        phi_6662_ = _e3794;
+                                        phi_6636_ = _e3754;
                                     }
-                                    let _e3797 = phi_6662_;
-                                    if (_e3783[2] < 0f) {
-                                        phi_6669_ = -(_e3783[2]);
+                                    let _e3757 = phi_6636_;
+                                    if (_e3743[2] < 0f) {
+                                        phi_6643_ = -(_e3743[2]);
                                     } else {
-                                        phi_6669_ = _e3783[2];
+                                        phi_6643_ = _e3743[2];
                                     }
-                                    let _e3801 = phi_6669_;
-                                    if (_e3797 > _e3801) {
-                                        phi_6674_ = _e3797;
+                                    let _e3761 = phi_6643_;
+                                    if (_e3757 > _e3761) {
+                                        phi_6648_ = _e3757;
                                     } else {
-                                        phi_6674_ = _e3801;
+                                        phi_6648_ = _e3761;
                                     }
-                                    let _e3804 = phi_6674_;
-                                    if (_e3780 > _e3804) {
-                                        phi_6679_ = _e3780;
+                                    let _e3764 = phi_6648_;
+                                    if (_e3740 > _e3764) {
+                                        phi_6653_ = _e3740;
                                     } else {
-                                        phi_6679_ = _e3804;
+                                        phi_6653_ = _e3764;
                                     }
-                                    let _e3807 = phi_6679_;
-                                    let _e3809 = local_1.member_3;
-                                    let _e3810 = (_e3807 + _e3809);
-                                    let _e3813 = local_1.member_2[0u];
-                                    if (_e3813[0] < 0f) {
-                                        phi_6696_ = -(_e3813[0]);
+                                    let _e3767 = phi_6653_;
+                                    let _e3769 = local_1.member_3;
+                                    let _e3770 = (_e3767 + _e3769);
+                                    let _e3773 = local_1.member_2[0u];
+                                    if (_e3773[0] < 0f) {
+                                        phi_6670_ = -(_e3773[0]);
                                     } else {
-                                        phi_6696_ = _e3813[0];
+                                        phi_6670_ = _e3773[0];
                                     }
-                                    let _e3820 = phi_6696_;
-                                    if (_e3813[1] < 0f) {
-                                        phi_6703_ = -(_e3813[1]);
+                                    let _e3780 = phi_6670_;
+                                    if (_e3773[1] < 0f) {
+                                        phi_6677_ = -(_e3773[1]);
                                     } else {
-                                        phi_6703_ = _e3813[1];
+                                        phi_6677_ = _e3773[1];
                                     }
-                                    let _e3824 = phi_6703_;
-                                    if (_e3820 > _e3824) {
-                                        phi_6708_ = _e3820;
+                                    let _e3784 = phi_6677_;
+                                    if (_e3780 > _e3784) {
+                                        phi_6682_ = _e3780;
                                     } else {
-                                        phi_6708_ = _e3824;
+                                        phi_6682_ = _e3784;
                                     }
-                                    let _e3827 = phi_6708_;
-                                    if (_e3813[2] < 0f) {
-                                        phi_6715_ = -(_e3813[2]);
+                                    let _e3787 = phi_6682_;
+                                    if (_e3773[2] < 0f) {
+                                        phi_6689_ = -(_e3773[2]);
                                     } else {
-                                        phi_6715_ = _e3813[2];
+                                        phi_6689_ = _e3773[2];
                                     }
-                                    let _e3831 = phi_6715_;
-                                    if (_e3827 > _e3831) {
-                                        phi_6720_ = _e3827;
+                                    let _e3791 = phi_6689_;
+                                    if (_e3787 > _e3791) {
+                                        phi_6694_ = _e3787;
                                     } else {
-                                        phi_6720_ = _e3831;
+                                        phi_6694_ = _e3791;
                                     }
-                                    let _e3834 = phi_6720_;
-                                    let _e3837 = local_1.member_2[1u];
-                                    if (_e3837[0] < 0f) {
-                                        phi_6734_ = -(_e3837[0]);
+                                    let _e3794 = phi_6694_;
+                                    let _e3797 = local_1.member_2[1u];
+                                    if (_e3797[0] < 0f) {
+                                        phi_6708_ = -(_e3797[0]);
                                     } else {
-                                        phi_6734_ = _e3837[0];
+                                        phi_6708_ = _e3797[0];
                                     }
-                                    let _e3844 = phi_6734_;
-                                    if (_e3837[1] < 0f) {
-                                        phi_6741_ = -(_e3837[1]);
+                                    let _e3804 = phi_6708_;
+                                    if (_e3797[1] < 0f) {
+                                        phi_6715_ = -(_e3797[1]);
                                     } else {
-                                        phi_6741_ = _e3837[1];
+                                        phi_6715_ = _e3797[1];
                                     }
-                                    let _e3848 = phi_6741_;
-                                    if (_e3844 > _e3848) {
-                                        phi_6746_ = _e3844;
+                                    let _e3808 = phi_6715_;
+                                    if (_e3804 > _e3808) {
+                                        phi_6720_ = _e3804;
                                     } else {
-                                        phi_6746_ = _e3848;
+                                        phi_6720_ = _e3808;
                                     }
-                                    let _e3851 = phi_6746_;
-                                    if (_e3837[2] < 0f) {
-                                        phi_6753_ = -(_e3837[2]);
+                                    let _e3811 = phi_6720_;
+                                    if (_e3797[2] < 0f) {
+                                        phi_6727_ = -(_e3797[2]);
                                     } else {
-                                        phi_6753_ = _e3837[2];
+                                        phi_6727_ = _e3797[2];
                                     }
-                                    let _e3855 = phi_6753_;
-                                    if (_e3851 > _e3855) {
-                                        phi_6758_ = _e3851;
+                                    let _e3815 = phi_6727_;
+                                    if (_e3811 > _e3815) {
+                                        phi_6732_ = _e3811;
                                     } else {
-                                        phi_6758_ = _e3855;
+                                        phi_6732_ = _e3815;
                                     }
-                                    let _e3858 = phi_6758_;
-                                    if (_e3834 > _e3858) {
-                                        phi_6763_ = _e3834;
+                                    let _e3818 = phi_6732_;
+                                    if (_e3794 > _e3818) {
+                                        phi_6737_ = _e3794;
                                     } else {
-                                        phi_6763_ = _e3858;
+                                        phi_6737_ = _e3818;
                                     }
-                                    let _e3861 = phi_6763_;
-                                    let _e3863 = local_1.member_3;
-                                    let _e3864 = (_e3861 + _e3863);
-                                    let _e3866 = ((_e3810 * 8f) * _e3864);
-                                    let _e3873 = local_1.member_3;
-                                    if (_e3562 < 0f) {
-                                        phi_6794_ = -(_e3562);
+                                    let _e3821 = phi_6737_;
+                                    let _e3823 = local_1.member_3;
+                                    let _e3824 = (_e3821 + _e3823);
+                                    let _e3826 = ((_e3770 * 8f) * _e3824);
+                                    let _e3833 = local_1.member_3;
+                                    if (_e3522 < 0f) {
+                                        phi_6768_ = -(_e3522);
                                     } else {
-                                        phi_6794_ = _e3562;
+                                        phi_6768_ = _e3522;
                                     }
-                                    let _e3890 = phi_6794_;
-                                    if (_e3565 < 0f) {
-                                        phi_6800_ = -(_e3565);
+                                    let _e3850 = phi_6768_;
+                                    if (_e3525 < 0f) {
+                                        phi_6774_ = -(_e3525);
                                     } else {
-                                        phi_6800_ = _e3565;
+                                        phi_6774_ = _e3525;
                                     }
-                                    let _e3894 = phi_6800_;
-                                    if (_e3568 < 0f) {
-                                        phi_6807_ = -(_e3568);
+                                    let _e3854 = phi_6774_;
+                                    if (_e3528 < 0f) {
+                                        phi_6781_ = -(_e3528);
                                     } else {
-                                        phi_6807_ = _e3568;
+                                        phi_6781_ = _e3528;
                                     }
-                                    let _e3899 = phi_6807_;
-                                    let _e3900 = ((_e3890 + _e3894) + _e3899);
-                                    if (_e3583 < 0f) {
-                                        phi_6814_ = -(_e3583);
+                                    let _e3859 = phi_6781_;
+                                    let _e3860 = ((_e3850 + _e3854) + _e3859);
+                                    if (_e3543 < 0f) {
+                                        phi_6788_ = -(_e3543);
                                     } else {
-                                        phi_6814_ = _e3583;
+                                        phi_6788_ = _e3543;
                                     }
-                                    let _e3904 = phi_6814_;
-                                    if (_e3586 < 0f) {
-                                        phi_6820_ = -(_e3586);
+                                    let _e3864 = phi_6788_;
+                                    if (_e3546 < 0f) {
+                                        phi_6794_ = -(_e3546);
                                     } else {
-                                        phi_6820_ = _e3586;
+                                        phi_6794_ = _e3546;
                                     }
-                                    let _e3908 = phi_6820_;
-                                    if (_e3589 < 0f) {
-                                        phi_6827_ = -(_e3589);
+                                    let _e3868 = phi_6794_;
+                                    if (_e3549 < 0f) {
+                                        phi_6801_ = -(_e3549);
                                     } else {
-                                        phi_6827_ = _e3589;
+                                        phi_6801_ = _e3549;
                                     }
-                                    let _e3913 = phi_6827_;
-                                    let _e3914 = ((_e3904 + _e3908) + _e3913);
-                                    if (_e3900 > _e3914) {
-                                        phi_6833_ = _e3900;
+                                    let _e3873 = phi_6801_;
+                                    let _e3874 = ((_e3864 + _e3868) + _e3873);
+                                    if (_e3860 > _e3874) {
+                                        phi_6807_ = _e3860;
                                     } else {
-                                        phi_6833_ = _e3914;
+                                        phi_6807_ = _e3874;
                                     }
-                                    let _e3917 = phi_6833_;
-                                    if (_e3632 < 0f) {
-                                        phi_6839_ = -(_e3632);
+                                    let _e3877 = phi_6807_;
+                                    if (_e3592 < 0f) {
+                                        phi_6813_ = -(_e3592);
                                     } else {
-                                        phi_6839_ = _e3632;
+                                        phi_6813_ = _e3592;
                                     }
-                                    let _e3921 = phi_6839_;
-                                    if (_e3633 < 0f) {
-                                        phi_6845_ = -(_e3633);
+                                    let _e3881 = phi_6813_;
+                                    if (_e3593 < 0f) {
+                                        phi_6819_ = -(_e3593);
                                     } else {
-                                        phi_6845_ = _e3633;
+                                        phi_6819_ = _e3593;
                                     }
-                                    let _e3925 = phi_6845_;
-                                    if (_e3634 < 0f) {
-                                        phi_6852_ = -(_e3634);
+                                    let _e3885 = phi_6819_;
+                                    if (_e3594 < 0f) {
+                                        phi_6826_ = -(_e3594);
                                     } else {
-                                        phi_6852_ = _e3634;
+                                        phi_6826_ = _e3594;
                                     }
-                                    let _e3930 = phi_6852_;
-                                    let _e3932 = (((_e3921 + _e3925) + _e3930) * 0.5f);
-                                    if (_e3917 > _e3932) {
-                                        phi_6859_ = _e3917;
+                                    let _e3890 = phi_6826_;
+                                    let _e3892 = (((_e3881 + _e3885) + _e3890) * 0.5f);
+                                    if (_e3877 > _e3892) {
+                                        phi_6833_ = _e3877;
                                     } else {
-                                        phi_6859_ = _e3932;
+                                        phi_6833_ = _e3892;
                                     }
-                                    let _e3935 = phi_6859_;
-                                    let _e3940 = local_1.member_3;
-                                    let _e3953 = ((((_e3637[0] * _e3562) + (_e3637[1] * _e3565)) + (_e3637[2] * _e3568)) * 3f);
-                                    let _e3954 = ((((_e3694[0] * _e3583) + (_e3694[1] * _e3586)) + (_e3694[2] * _e3589)) * 3f);
-                                    if (_e3953 < _e3954) {
-                                        phi_6883_ = _e3953;
+                                    let _e3895 = phi_6833_;
+                                    let _e3900 = local_1.member_3;
+                                    let _e3913 = ((((_e3597[0] * _e3522) + (_e3597[1] * _e3525)) + (_e3597[2] * _e3528)) * 3f);
+                                    let _e3914 = ((((_e3654[0] * _e3543) + (_e3654[1] * _e3546)) + (_e3654[2] * _e3549)) * 3f);
+                                    if (_e3913 < _e3914) {
+                                        phi_6857_ = _e3913;
                                     } else {
-                                        phi_6883_ = _e3954;
+                                        phi_6857_ = _e3914;
                                     }
-                                    let _e3957 = phi_6883_;
-                                    if (_e3668 < _e3691) {
-                                        phi_6888_ = _e3668;
+                                    let _e3917 = phi_6857_;
+                                    if (_e3628 < _e3651) {
+                                        phi_6862_ = _e3628;
                                     } else {
-                                        phi_6888_ = _e3691;
+                                        phi_6862_ = _e3651;
                                     }
-                                    let _e3960 = phi_6888_;
-                                    if (_e3957 < _e3960) {
-                                        phi_6893_ = _e3957;
+                                    let _e3920 = phi_6862_;
+                                    if (_e3917 < _e3920) {
+                                        phi_6867_ = _e3917;
                                     } else {
-                                        phi_6893_ = _e3960;
+                                        phi_6867_ = _e3920;
                                     }
-                                    let _e3963 = phi_6893_;
-                                    if (_e3953 > _e3954) {
-                                        phi_6898_ = _e3953;
+                                    let _e3923 = phi_6867_;
+                                    if (_e3913 > _e3914) {
+                                        phi_6872_ = _e3913;
                                     } else {
-                                        phi_6898_ = _e3954;
+                                        phi_6872_ = _e3914;
                                     }
-                                    let _e3966 = phi_6898_;
-                                    if (_e3668 > _e3691) {
-                                        phi_6903_ = _e3668;
+                                    let _e3926 = phi_6872_;
+                                    if (_e3628 > _e3651) {
+                                        phi_6877_ = _e3628;
                                     } else {
-                                        phi_6903_ = _e3691;
+                                        phi_6877_ = _e3651;
                                     }
-                                    let _e3969 = phi_6903_;
-                                    if (_e3966 > _e3969) {
-                                        phi_6908_ = _e3966;
+                                    let _e3929 = phi_6877_;
+                                    if (_e3926 > _e3929) {
+                                        phi_6882_ = _e3926;
                                     } else {
-                                        phi_6908_ = _e3969;
+                                        phi_6882_ = _e3929;
                                     }
-                                    let _e3972 = phi_6908_;
-                                    let _e3977 = -(_e3972);
-                                    if (_e3963 > _e3977) {
-                                        phi_6918_ = _e3963;
+                                    let _e3932 = phi_6882_;
+                                    let _e3937 = -(_e3932);
+                                    if (_e3923 > _e3937) {
+                                        phi_6892_ = _e3923;
                                     } else {
-                                        phi_6918_ = _e3977;
+                                        phi_6892_ = _e3937;
                                     }
-                                    let _e3980 = phi_6918_;
-                                    let _e3982 = ((_e3980 - ((((((_e3756 * 8f) * _e3866) * (0.000000059604645f * (524f / 64f))) + ((_e3873 * 19f) * ((_e3756 * (_e3810 + _e3864)) + (_e3810 * _e3864)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3756) * ((1f + _e3810) * (1f + _e3864))))) + ((_e1494 * (((_e3935 + (_e3866 * (0.000000059604645f * 8f))) + ((_e3940 * 6f) * (_e3810 + _e3864))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3810) * (1f + _e3864))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e3982 {
-                                        phi_7887_ = _e3982;
+                                    let _e3940 = phi_6892_;
+                                    let _e3942 = ((_e3940 - ((((((_e3716 * 8f) * _e3826) * (0.000000059604645f * (524f / 64f))) + ((_e3833 * 19f) * ((_e3716 * (_e3770 + _e3824)) + (_e3770 * _e3824)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3716) * ((1f + _e3770) * (1f + _e3824))))) + ((_e1454 * (((_e3895 + (_e3826 * (0.000000059604645f * 8f))) + ((_e3900 * 6f) * (_e3770 + _e3824))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3770) * (1f + _e3824))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e3942 {
+                                        phi_7861_ = _e3942;
                                     } else {
-                                        let _e3985 = local_1.member_1[0u];
-                                        let _e3991 = local_1.member_1[1u];
-                                        let _e3995 = (_e3985[0] + _e3991[0]);
-                                        let _e3996 = (_e3985[1] + _e3991[1]);
-                                        let _e3997 = (_e3985[2] + _e3991[2]);
-                                        let _e4000 = local_1.member_2[0u];
-                                        let _e4006 = local_1.member_2[1u];
-                                        let _e4010 = (_e4000[0] + _e4006[0]);
-                                        let _e4011 = (_e4000[1] + _e4006[1]);
-                                        let _e4012 = (_e4000[2] + _e4006[2]);
-                                        let _e4015 = ((_e3996 * _e4012) - (_e3997 * _e4011));
-                                        let _e4018 = ((_e3997 * _e4010) - (_e3995 * _e4012));
-                                        let _e4021 = ((_e3995 * _e4011) - (_e3996 * _e4010));
-                                        let _e4024 = local_1.member[0u];
-                                        let _e4030 = local_1.member_1[0u];
-                                        let _e4036 = local_1.member_2[0u];
-                                        let _e4040 = (_e4024[0] - _e4030[0]);
-                                        let _e4041 = (_e4024[1] - _e4030[1]);
-                                        let _e4042 = (_e4024[2] - _e4030[2]);
-                                        let _e4043 = (_e4040 - _e4036[0]);
-                                        let _e4044 = (_e4041 - _e4036[1]);
-                                        let _e4045 = (_e4042 - _e4036[2]);
-                                        let _e4046 = (_e4024[0] - _e4036[0]);
-                                        let _e4047 = (_e4024[1] - _e4036[1]);
-                                        let _e4048 = (_e4024[2] - _e4036[2]);
-                                        let _e4051 = local_1.member[1u];
-                                        let _e4057 = local_1.member_1[1u];
-                                        let _e4063 = local_1.member_2[1u];
-                                        let _e4067 = (_e4051[0] - _e4057[0]);
-                                        let _e4068 = (_e4051[1] - _e4057[1]);
-                                        let _e4069 = (_e4051[2] - _e4057[2]);
-                                        let _e4070 = (_e4067 - _e4063[0]);
-                                        let _e4071 = (_e4068 - _e4063[1]);
-                                        let _e4072 = (_e4069 - _e4063[2]);
-                                        let _e4073 = (_e4051[0] - _e4063[0]);
-                                        let _e4074 = (_e4051[1] - _e4063[1]);
-                                        let _e4075 = (_e4051[2] - _e4063[2]);
-                                        let _e4078 = local_1.member[0u];
-                                        if (_e4078[0] < 0f) {
-                                            phi_7121_ = -(_e4078[0]);
-                                        } else {
-                                            phi_7121_ = _e4078[0];
-                                        }
-                                        let _e4085 = phi_7121_;
-                                        if (_e4078[1] < 0f) {
-                                            phi_7128_ = -(_e4078[1]);
-                                        } else {
-                                            phi_7128_ = _e4078[1];
-                                        }
-                                        let _e4089 = phi_7128_;
-                                        if (_e4085 > _e4089) {
-                                            phi_7133_ = _e4085;
-                                        } else {
-                                            phi_7133_ = _e4089;
-                                        }
-                                        let _e4092 = phi_7133_;
-                                        if (_e4078[2] < 0f) {
-                                            phi_7140_ = -(_e4078[2]);
-                                        } else {
-                                            phi_7140_ = _e4078[2];
-                                        }
-                                        let _e4096 = phi_7140_;
-                                        if (_e4092 > _e4096) {
-                                            phi_7145_ = _e4092;
-                                        } else {
-                                            phi_7145_ = _e4096;
-                                        }
-                                        let _e4099 = phi_7145_;
-                                        let _e4102 = local_1.member[1u];
-                                        if (_e4102[0] < 0f) {
-                                            phi_7158_ = -(_e4102[0]);
+                                        let _e3945 = local_1.member_1[0u];
+                                        let _e3951 = local_1.member_1[1u];
+                                        let _e3955 = (_e3945[0] + _e3951[0]);
+                                        let _e3956 = (_e3945[1] + _e3951[1]);
+                                        let _e3957 = (_e3945[2] + _e3951[2]);
+                                        let _e3960 = local_1.member_2[0u];
+                                        let _e3966 = local_1.member_2[1u];
+                                        let _e3970 = (_e3960[0] + _e3966[0]);
+                                        let _e3971 = (_e3960[1] + _e3966[1]);
+                                        let _e3972 = (_e3960[2] + _e3966[2]);
+                                        let _e3975 = ((_e3956 * _e3972) - (_e3957 * _e3971));
+                                        let _e3978 = ((_e3957 * _e3970) - (_e3955 * _e3972));
+                                        let _e3981 = ((_e3955 * _e3971) - (_e3956 * _e3970));
+                                        let _e3984 = local_1.member[0u];
+                                        let _e3990 = local_1.member_1[0u];
+                                        let _e3996 = local_1.member_2[0u];
+                                        let _e4000 = (_e3984[0] - _e3990[0]);
+                                        let _e4001 = (_e3984[1] - _e3990[1]);
+                                        let _e4002 = (_e3984[2] - _e3990[2]);
+                                        let _e4003 = (_e4000 - _e3996[0]);
+                                        let _e4004 = (_e4001 - _e3996[1]);
+                                        let _e4005 = (_e4002 - _e3996[2]);
+                                        let _e4006 = (_e3984[0] - _e3996[0]);
+                                        let _e4007 = (_e3984[1] - _e3996[1]);
+                                        let _e4008 = (_e3984[2] - _e3996[2]);
+                                        let _e4011 = local_1.member[1u];
+                                        let _e4017 = local_1.member_1[1u];
+                                        let _e4023 = local_1.member_2[1u];
+                                        let _e4027 = (_e4011[0] - _e4017[0]);
+                                        let _e4028 = (_e4011[1] - _e4017[1]);
+                                        let _e4029 = (_e4011[2] - _e4017[2]);
+                                        let _e4030 = (_e4027 - _e4023[0]);
+                                        let _e4031 = (_e4028 - _e4023[1]);
+                                        let _e4032 = (_e4029 - _e4023[2]);
+                                        let _e4033 = (_e4011[0] - _e4023[0]);
+                                        let _e4034 = (_e4011[1] - _e4023[1]);
+                                        let _e4035 = (_e4011[2] - _e4023[2]);
+                                        let _e4038 = local_1.member[0u];
+                                        if (_e4038[0] < 0f) {
+                                            phi_7095_ = -(_e4038[0]);
+                                        } else {
+                                            phi_7095_ = _e4038[0];
+                                        }
+                                        let _e4045 = phi_7095_;
+                                        if (_e4038[1] < 0f) {
+                                            phi_7102_ = -(_e4038[1]);
+                                        } else {
+                                            phi_7102_ = _e4038[1];
+                                        }
+                                        let _e4049 = phi_7102_;
+                                        if (_e4045 > _e4049) {
+                                            phi_7107_ = _e4045;
+                                        } else {
+                                            phi_7107_ = _e4049;
+                                        }
+                                        let _e4052 = phi_7107_;
+                                        if (_e4038[2] < 0f) {
+                                            phi_7114_ = -(_e4038[2]);
+                                        } else {
+                                            phi_7114_ = _e4038[2];
+                                        }
+                                        let _e4056 = phi_7114_;
+                                        if (_e4052 > _e4056) {
+                                            phi_7119_ = _e4052;
+                                        } else {
+                                            phi_7119_ = _e4056;
+                                        }
+                                        let _e4059 = phi_7119_;
+                                        let _e4062 = local_1.member[1u];
+                                        if (_e4062[0] < 0f) {
+                                            phi_7132_ = -(_e4062[0]);
                                         } else {
-                                            phi_7158_ = _e4102[0];
+                                            phi_7132_ = _e4062[0];
                                         }
-                                        let _e4109 = phi_7158_;
-                                        if (_e4102[1] < 0f) {
-                                            phi_7165_ = -(_e4102[1]);
-                                        } else {
-                                            phi_7165_ = _e4102[1];
+                                        let _e4069 = phi_7132_;
+                                        if (_e4062[1] < 0f) {
+                                            phi_7139_ = -(_e4062[1]);
+                                        } else {
+                                            phi_7139_ = _e4062[1];
                                         }
-                                        let _e4113 = phi_7165_;
-                                        if (_e4109 > _e4113) {
-                                            phi_7170_ = _e4109;
+                                        let _e4073 = phi_7139_;
+                                        if (_e4069 > _e4073) {
+                                            phi_7144_ = _e4069;
                                         } else {
-                                            phi_7170_ = _e4113;
+                                            phi_7144_ = _e4073;
                                         }
-                                        let _e4116 = phi_7170_;
-                                        if (_e4102[2] < 0f) {
-                                            phi_7177_ = -(_e4102[2]);
+                                        let _e4076 = phi_7144_;
+                                        if (_e4062[2] < 0f) {
+                                            phi_7151_ = -(_e4062[2]);
                                         } else {
-                                            phi_7177_ = _e4102[2];
+                                            phi_7151_ = _e4062[2];
                                         }
-                                        let _e4120 = phi_7177_;
-                                        if (_e4116 > _e4120) {
-                                            phi_7182_ = _e4116;
+                                        let _e4080 = phi_7151_;
+                                        if (_e4076 > _e4080) {
+                                            phi_7156_ = _e4076;
                                         } else {
-                                            phi_7182_ = _e4120;
+                                            phi_7156_ = _e4080;
                                         }
-                                        let _e4123 = phi_7182_;
-                                        if (_e4099 > _e4123) {
-                                            phi_7187_ = _e4099;
+                                        let _e4083 = phi_7156_;
+                                        if (_e4059 > _e4083) {
+                                            phi_7161_ = _e4059;
                                         } else {
-                                            phi_7187_ = _e4123;
+                                            phi_7161_ = _e4083;
                                         }
-                                        let _e4126 = phi_7187_;
-                                        let _e4128 = local_1.member_3;
-                                        let _e4132 = local_1.member_1[0u];
-                                        if (_e4132[0] < 0f) {
-                                            phi_7204_ = -(_e4132[0]);
+                                        let _e4086 = phi_7161_;
+                                        let _e4088 = local_1.member_3;
+                                        let _e4092 = local_1.member_1[0u];
+                                        if (_e4092[0] < 0f) {
+                                            phi_7178_ = -(_e4092[0]);
                                         } else {
-                                            phi_7204_ = _e4132[0];
+                                            phi_7178_ = _e4092[0];
                                         }
-                                        let _e4139 = phi_7204_;
-                                        if (_e4132[1] < 0f) {
-                                            phi_7211_ = -(_e4132[1]);
+                                        let _e4099 = phi_7178_;
+                                        if (_e4092[1] < 0f) {
+                                            phi_7185_ = -(_e4092[1]);
                                         } else {
-                                            phi_7211_ = _e4132[1];
+                                            phi_7185_ = _e4092[1];
                                         }
-                                        let _e4143 = phi_7211_;
-                                        if (_e4139 > _e4143) {
-                                            phi_7216_ = _e4139;
+                                        let _e4103 = phi_7185_;
+                                        if (_e4099 > _e4103) {
+                                            phi_7190_ = _e4099;
                                         } else {
-                                            phi_7216_ = _e4143;
+                                            phi_7190_ = _e4103;
                                         }
-                                        let _e4146 = phi_7216_;
-                                        if (_e4132[2] < 0f) {
-                                            phi_7223_ = -(_e4132[2]);
+                                        let _e4106 = phi_7190_;
+                                        if (_e4092[2] < 0f) {
+                                            phi_7197_ = -(_e4092[2]);
                                         } else {
-                                            phi_7223_ = _e4132[2];
+                                            phi_7197_ = _e4092[2];
                                         }
-                                        let _e4150 = phi_7223_;
-                                        if (_e4146 > _e4150) {
-                                            phi_7228_ = _e4146;
+                                        let _e4110 = phi_7197_;
+                                        if (_e4106 > _e4110) {
+                                            phi_7202_ = _e4106;
                                         } else {
-                                            phi_7228_ = _e4150;
+                                            phi_7202_ = _e4110;
                                         }
-                                        let _e4153 = phi_7228_;
-                                        let _e4156 = local_1.member_1[1u];
-                                        if (_e4156[0] < 0f) {
-                                            phi_7242_ = -(_e4156[0]);
+                                        let _e4113 = phi_7202_;
+                                        let _e4116 = local_1.member_1[1u];
+                                        if (_e4116[0] < 0f) {
+                                            phi_7216_ = -(_e4116[0]);
                                         } else {
-                                            phi_7242_ = _e4156[0];
+                                            phi_7216_ = _e4116[0];
                                         }
-                                        let _e4163 = phi_7242_;
-                                        if (_e4156[1] < 0f) {
-                                            phi_7249_ = -(_e4156[1]);
+                                        let _e4123 = phi_7216_;
+                                        if (_e4116[1] < 0f) {
+                                            phi_7223_ = -(_e4116[1]);
                                         } else {
-                                            phi_7249_ = _e4156[1];
+                                            phi_7223_ = _e4116[1];
                                         }
-                                        let _e4167 = phi_7249_;
-                                        if (_e4163 > _e4167) {
-                                            phi_7254_ = _e4163;
+                                        let _e4127 = phi_7223_;
+                                        if (_e4123 > _e4127) {
+                                            phi_7228_ = _e4123;
                                         } else {
-                                            phi_7254_ = _e4167;
+                                            phi_7228_ = _e4127;
                                         }
-                                        let _e4170 = phi_7254_;
-                                        if (_e4156[2] < 0f) {
-                                            phi_7261_ = -(_e4156[2]);
+                                        let _e4130 = phi_7228_;
+                                        if (_e4116[2] < 0f) {
+                                            phi_7235_ = -(_e4116[2]);
                                         } else {
-                                            phi_7261_ = _e4156[2];
+                                            phi_7235_ = _e4116[2];
                                         }
-                                        let _e4174 = phi_7261_;
-                                        if (_e4170 > _e4174) {
-                                            phi_7266_ = _e4170;
+                                        let _e4134 = phi_7235_;
+                                        if (_e4130 > _e4134) {
+                                            phi_7240_ = _e4130;
                                         } else {
-                                            phi_7266_ = _e4174;
+                                            phi_7240_ = _e4134;
                                         }
-                                        let _e4177 = phi_7266_;
-                                        if (_e4153 > _e4177) {
-                                            phi_7271_ = _e4153;
+                                        let _e4137 = phi_7240_;
+                                        if (_e4113 > _e4137) {
+                                            phi_7245_ = _e4113;
                                         } else {
-                                            phi_7271_ = _e4177;
+                                            phi_7245_ = _e4137;
                                         }
-                                        let _e4180 = phi_7271_;
-                                        let _e4182 = local_1.member_3;
-                                        let _e4186 = local_1.member_2[0u];
-                                        if (_e4186[0] < 0f) {
-                                            phi_7288_ = -(_e4186[0]);
+                                        let _e4140 = phi_7245_;
+                                        let _e4142 = local_1.member_3;
+                                        let _e4146 = local_1.member_2[0u];
+                                        if (_e4146[0] < 0f) {
+                                            phi_7262_ = -(_e4146[0]);
                                         } else {
-                                            phi_7288_ = _e4186[0];
+                                            phi_7262_ = _e4146[0];
                                         }
-                                        let _e4193 = phi_7288_;
-                                        if (_e4186[1] < 0f) {
-                                            phi_7295_ = -(_e4186[1]);
+                                        let _e4153 = phi_7262_;
+                                        if (_e4146[1] < 0f) {
+                                            phi_7269_ = -(_e4146[1]);
                                         } else {
-                                            phi_7295_ = _e4186[1];
+                                            phi_7269_ = _e4146[1];
                                         }
-                                        let _e4197 = phi_7295_;
-                                        if (_e4193 > _e4197) {
-                                            phi_7300_ = _e4193;
+                                        let _e4157 = phi_7269_;
+                                        if (_e4153 > _e4157) {
+                                            phi_7274_ = _e4153;
                                         } else {
-                                            phi_7300_ = _e4197;
+                                            phi_7274_ = _e4157;
                                         }
-                                        let _e4200 = phi_7300_;
-                                        if (_e4186[2] < 0f) {
-                                            phi_7307_ = -(_e4186[2]);
+                                        let _e4160 = phi_7274_;
+                                        if (_e4146[2] < 0f) {
+                                            phi_7281_ = -(_e4146[2]);
                                         } else {
-                                            phi_7307_ = _e4186[2];
+                                            phi_7281_ = _e4146[2];
                                         }
-                                        let _e4204 = phi_7307_;
-                                        if (_e4200 > _e4204) {
-                                            phi_7312_ = _e4200;
+                                        let _e4164 = phi_7281_;
+                                        if (_e4160 > _e4164) {
+                                            phi_7286_ = _e4160;
                                         } else {
-                                            phi_7312_ = _e4204;
+                                            phi_7286_ = _e4164;
                                         }
-                                        let _e4207 = phi_7312_;
-                                        let _e4210 = local_1.member_2[1u];
-                                        if (_e4210[0] < 0f) {
-                                            phi_7326_ = -(_e4210[0]);
+                                        let _e4167 = phi_7286_;
+                                        let _e4170 = local_1.member_2[1u];
+                                        if (_e4170[0] < 0f) {
+                                            phi_7300_ = -(_e4170[0]);
                                         } else {
-                                            phi_7326_ = _e4210[0];
+                                            phi_7300_ = _e4170[0];
                                         }
-                                        let _e4217 = phi_7326_;
-                                        if (_e4210[1] < 0f) {
-                                            phi_7333_ = -(_e4210[1]);
+                                        let _e4177 = phi_7300_;
+                                        if (_e4170[1] < 0f) {
+                                            phi_7307_ = -(_e4170[1]);
                                         } else {
-                                            phi_7333_ = _e4210[1];
+                                            phi_7307_ = _e4170[1];
                                         }
-                                        let _e4221 = phi_7333_;
-                                        if (_e4217 > _e4221) {
-                                            phi_7338_ = _e4217;
+                                        let _e4181 = phi_7307_;
+                                        if (_e4177 > _e4181) {
+                                            phi_7312_ = _e4177;
                                         } else {
-                                            phi_7338_ = _e4221;
+                                            phi_7312_ = _e4181;
                                         }
-                                        let _e4224 = phi_7338_;
-                                        if (_e4210[2] < 0f) {
-                                            phi_7345_ = -(_e4210[2]);
+                                        let _e4184 = phi_7312_;
+                                        if (_e4170[2] < 0f) {
+                                            phi_7319_ = -(_e4170[2]);
                                         } else {
-                                            phi_7345_ = _e4210[2];
+                                            phi_7319_ = _e4170[2];
                                         }
-                                        let _e4228 = phi_7345_;
-                                        if (_e4224 > _e4228) {
-                                            phi_7350_ = _e4224;
+                                        let _e4188 = phi_7319_;
+                                        if (_e4184 > _e4188) {
+                                            phi_7324_ = _e4184;
                                         } else {
-                                            phi_7350_ = _e4228;
+                                            phi_7324_ = _e4188;
                                         }
-                                        let _e4231 = phi_7350_;
-                                        if (_e4207 > _e4231) {
-                                            phi_7355_ = _e4207;
+                                        let _e4191 = phi_7324_;
+                                        if (_e4167 > _e4191) {
+                                            phi_7329_ = _e4167;
                                         } else {
-                                            phi_7355_ = _e4231;
+                                            phi_7329_ = _e4191;
                                         }
-                                        let _e4234 = phi_7355_;
-                                        let _e4236 = local_1.member_3;
-                                        let _e4240 = ((((_e4126 + _e4128) + (_e4180 + _e4182)) + (_e4234 + _e4236)) * 2f);
-                                        let _e4243 = local_1.member_3;
-                                        let _e4247 = (((_e1494 * 1.0001f) + (_e4243 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4250 = ((_e4018 * _e3997) - (_e4021 * _e3996));
-                                        let _e4253 = ((_e4021 * _e3995) - (_e4015 * _e3997));
-                                        let _e4256 = ((_e4015 * _e3996) - (_e4018 * _e3995));
-                                        let _e4261 = (((_e4250 * _e4024[0]) + (_e4253 * _e4024[1])) + (_e4256 * _e4024[2]));
-                                        let _e4266 = (((_e4250 * _e4040) + (_e4253 * _e4041)) + (_e4256 * _e4042));
-                                        let _e4271 = (((_e4250 * _e4046) + (_e4253 * _e4047)) + (_e4256 * _e4048));
-                                        let _e4276 = (((_e4250 * _e4043) + (_e4253 * _e4044)) + (_e4256 * _e4045));
-                                        let _e4281 = (((_e4250 * _e4051[0]) + (_e4253 * _e4051[1])) + (_e4256 * _e4051[2]));
-                                        let _e4286 = (((_e4250 * _e4067) + (_e4253 * _e4068)) + (_e4256 * _e4069));
-                                        let _e4291 = (((_e4250 * _e4073) + (_e4253 * _e4074)) + (_e4256 * _e4075));
-                                        let _e4296 = (((_e4250 * _e4070) + (_e4253 * _e4071)) + (_e4256 * _e4072));
-                                        if (_e4261 < _e4266) {
-                                            phi_7434_ = _e4261;
+                                        let _e4194 = phi_7329_;
+                                        let _e4196 = local_1.member_3;
+                                        let _e4200 = ((((_e4086 + _e4088) + (_e4140 + _e4142)) + (_e4194 + _e4196)) * 2f);
+                                        let _e4203 = local_1.member_3;
+                                        let _e4207 = (((_e1454 * 1.0001f) + (_e4203 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4210 = ((_e3978 * _e3957) - (_e3981 * _e3956));
+                                        let _e4213 = ((_e3981 * _e3955) - (_e3975 * _e3957));
+                                        let _e4216 = ((_e3975 * _e3956) - (_e3978 * _e3955));
+                                        let _e4221 = (((_e4210 * _e3984[0]) + (_e4213 * _e3984[1])) + (_e4216 * _e3984[2]));
+                                        let _e4226 = (((_e4210 * _e4000) + (_e4213 * _e4001)) + (_e4216 * _e4002));
+                                        let _e4231 = (((_e4210 * _e4006) + (_e4213 * _e4007)) + (_e4216 * _e4008));
+                                        let _e4236 = (((_e4210 * _e4003) + (_e4213 * _e4004)) + (_e4216 * _e4005));
+                                        let _e4241 = (((_e4210 * _e4011[0]) + (_e4213 * _e4011[1])) + (_e4216 * _e4011[2]));
+                                        let _e4246 = (((_e4210 * _e4027) + (_e4213 * _e4028)) + (_e4216 * _e4029));
+                                        let _e4251 = (((_e4210 * _e4033) + (_e4213 * _e4034)) + (_e4216 * _e4035));
+                                        let _e4256 = (((_e4210 * _e4030) + (_e4213 * _e4031)) + (_e4216 * _e4032));
+                                        if (_e4221 < _e4226) {
+                                            phi_7408_ = _e4221;
                                         } else {
-                                            phi_7434_ = _e4266;
+                                            phi_7408_ = _e4226;
                                         }
-                                        let _e4299 = phi_7434_;
-                                        if (_e4271 < _e4276) {
-                                            phi_7439_ = _e4271;
+                                        let _e4259 = phi_7408_;
+                                        if (_e4231 < _e4236) {
+                                            phi_7413_ = _e4231;
                                         } else {
-                                            phi_7439_ = _e4276;
+                                            phi_7413_ = _e4236;
                                         }
-                                        let _e4302 = phi_7439_;
-                                        if (_e4299 < _e4302) {
-                                            phi_7444_ = _e4299;
+                                        let _e4262 = phi_7413_;
+                                        if (_e4259 < _e4262) {
+                                            phi_7418_ = _e4259;
                                         } else {
-                                            phi_7444_ = _e4302;
+                                            phi_7418_ = _e4262;
                                         }
-                                        let _e4305 = phi_7444_;
-                                        if (_e4281 < _e4286) {
-                                            phi_7449_ = _e4281;
+                                        let _e4265 = phi_7418_;
+                                        if (_e4241 < _e4246) {
+                                            phi_7423_ = _e4241;
                                         } else {
-                                            phi_7449_ = _e4286;
+                                            phi_7423_ = _e4246;
                                         }
-                                        let _e4308 = phi_7449_;
-                                        if (_e4291 < _e4296) {
-                                            phi_7454_ = _e4291;
+                                        let _e4268 = phi_7423_;
+                                        if (_e4251 < _e4256) {
+                                            phi_7428_ = _e4251;
                                         } else {
-                                            phi_7454_ = _e4296;
+                                            phi_7428_ = _e4256;
                                         }
-                                        let _e4311 = phi_7454_;
-                                        if (_e4308 < _e4311) {
-                                            phi_7459_ = _e4308;
+                                        let _e4271 = phi_7428_;
+                                        if (_e4268 < _e4271) {
+                                            phi_7433_ = _e4268;
                                         } else {
-                                            phi_7459_ = _e4311;
+                                            phi_7433_ = _e4271;
                                         }
-                                        let _e4314 = phi_7459_;
-                                        if (_e4305 < _e4314) {
-                                            phi_7464_ = _e4305;
+                                        let _e4274 = phi_7433_;
+                                        if (_e4265 < _e4274) {
+                                            phi_7438_ = _e4265;
                                         } else {
-                                            phi_7464_ = _e4314;
+                                            phi_7438_ = _e4274;
                                         }
-                                        let _e4317 = phi_7464_;
-                                        if (_e4261 > _e4266) {
-                                            phi_7469_ = _e4261;
+                                        let _e4277 = phi_7438_;
+                                        if (_e4221 > _e4226) {
+                                            phi_7443_ = _e4221;
                                         } else {
-                                            phi_7469_ = _e4266;
+                                            phi_7443_ = _e4226;
                                         }
-                                        let _e4320 = phi_7469_;
-                                        if (_e4271 > _e4276) {
-                                            phi_7474_ = _e4271;
+                                        let _e4280 = phi_7443_;
+                                        if (_e4231 > _e4236) {
+                                            phi_7448_ = _e4231;
                                         } else {
-                                            phi_7474_ = _e4276;
+                                            phi_7448_ = _e4236;
                                         }
-                                        let _e4323 = phi_7474_;
-                                        if (_e4320 > _e4323) {
-                                            phi_7479_ = _e4320;
+                                        let _e4283 = phi_7448_;
+                                        if (_e4280 > _e4283) {
+                                            phi_7453_ = _e4280;
                                         } else {
-                                            phi_7479_ = _e4323;
+                                            phi_7453_ = _e4283;
                                         }
-                                        let _e4326 = phi_7479_;
-                                        if (_e4281 > _e4286) {
-                                            phi_7484_ = _e4281;
+                                        let _e4286 = phi_7453_;
+                                        if (_e4241 > _e4246) {
+                                            phi_7458_ = _e4241;
                                         } else {
-                                            phi_7484_ = _e4286;
+                                            phi_7458_ = _e4246;
                                         }
-                                        let _e4329 = phi_7484_;
-                                        if (_e4291 > _e4296) {
-                                            phi_7489_ = _e4291;
+                                        let _e4289 = phi_7458_;
+                                        if (_e4251 > _e4256) {
+                                            phi_7463_ = _e4251;
                                         } else {
-                                            phi_7489_ = _e4296;
+                                            phi_7463_ = _e4256;
                                         }
-                                        let _e4332 = phi_7489_;
-                                        if (_e4329 > _e4332) {
-                                            phi_7494_ = _e4329;
+                                        let _e4292 = phi_7463_;
+                                        if (_e4289 > _e4292) {
+                                            phi_7468_ = _e4289;
                                         } else {
-                                            phi_7494_ = _e4332;
+                                            phi_7468_ = _e4292;
                                         }
-                                        let _e4335 = phi_7494_;
-                                        if (_e4326 > _e4335) {
-                                            phi_7499_ = _e4326;
+                                        let _e4295 = phi_7468_;
+                                        if (_e4286 > _e4295) {
+                                            phi_7473_ = _e4286;
                                         } else {
-                                            phi_7499_ = _e4335;
+                                            phi_7473_ = _e4295;
                                         }
-                                        let _e4338 = phi_7499_;
-                                        if (_e4250 < 0f) {
-                                            phi_7505_ = -(_e4250);
+                                        let _e4298 = phi_7473_;
+                                        if (_e4210 < 0f) {
+                                            phi_7479_ = -(_e4210);
                                         } else {
-                                            phi_7505_ = _e4250;
+                                            phi_7479_ = _e4210;
                                         }
-                                        let _e4342 = phi_7505_;
-                                        if (_e4253 < 0f) {
-                                            phi_7511_ = -(_e4253);
+                                        let _e4302 = phi_7479_;
+                                        if (_e4213 < 0f) {
+                                            phi_7485_ = -(_e4213);
                                         } else {
-                                            phi_7511_ = _e4253;
+                                            phi_7485_ = _e4213;
                                         }
-                                        let _e4346 = phi_7511_;
-                                        if (_e4256 < 0f) {
-                                            phi_7518_ = -(_e4256);
+                                        let _e4306 = phi_7485_;
+                                        if (_e4216 < 0f) {
+                                            phi_7492_ = -(_e4216);
                                         } else {
-                                            phi_7518_ = _e4256;
+                                            phi_7492_ = _e4216;
                                         }
-                                        let _e4351 = phi_7518_;
-                                        let _e4352 = ((_e4342 + _e4346) + _e4351);
-                                        let _e4357 = -(_e4338);
-                                        if (_e4317 > _e4357) {
-                                            phi_7529_ = _e4317;
+                                        let _e4311 = phi_7492_;
+                                        let _e4312 = ((_e4302 + _e4306) + _e4311);
+                                        let _e4317 = -(_e4298);
+                                        if (_e4277 > _e4317) {
+                                            phi_7503_ = _e4277;
                                         } else {
-                                            phi_7529_ = _e4357;
+                                            phi_7503_ = _e4317;
                                         }
-                                        let _e4360 = phi_7529_;
-                                        let _e4365 = (((_e4360 - ((_e4352 * _e4240) * (0.000000059604645f * (17f / 2f)))) - (_e4352 * _e4247)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4368 = ((_e4018 * _e4012) - (_e4021 * _e4011));
-                                        let _e4371 = ((_e4021 * _e4010) - (_e4015 * _e4012));
-                                        let _e4374 = ((_e4015 * _e4011) - (_e4018 * _e4010));
-                                        let _e4379 = (((_e4368 * _e4024[0]) + (_e4371 * _e4024[1])) + (_e4374 * _e4024[2]));
-                                        let _e4384 = (((_e4368 * _e4040) + (_e4371 * _e4041)) + (_e4374 * _e4042));
-                                        let _e4389 = (((_e4368 * _e4046) + (_e4371 * _e4047)) + (_e4374 * _e4048));
-                                        let _e4394 = (((_e4368 * _e4043) + (_e4371 * _e4044)) + (_e4374 * _e4045));
-                                        let _e4399 = (((_e4368 * _e4051[0]) + (_e4371 * _e4051[1])) + (_e4374 * _e4051[2]));
-                                        let _e4404 = (((_e4368 * _e4067) + (_e4371 * _e4068)) + (_e4374 * _e4069));
-                                        let _e4409 = (((_e4368 * _e4073) + (_e4371 * _e4074)) + (_e4374 * _e4075));
-                                        let _e4414 = (((_e4368 * _e4070) + (_e4371 * _e4071)) + (_e4374 * _e4072));
-                                        if (_e4379 < _e4384) {
-                                            phi_7600_ = _e4379;
+                                        let _e4320 = phi_7503_;
+                                        let _e4325 = (((_e4320 - ((_e4312 * _e4200) * (0.000000059604645f * (17f / 2f)))) - (_e4312 * _e4207)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4328 = ((_e3978 * _e3972) - (_e3981 * _e3971));
+                                        let _e4331 = ((_e3981 * _e3970) - (_e3975 * _e3972));
+                                        let _e4334 = ((_e3975 * _e3971) - (_e3978 * _e3970));
+                                        let _e4339 = (((_e4328 * _e3984[0]) + (_e4331 * _e3984[1])) + (_e4334 * _e3984[2]));
+                                        let _e4344 = (((_e4328 * _e4000) + (_e4331 * _e4001)) + (_e4334 * _e4002));
+                                        let _e4349 = (((_e4328 * _e4006) + (_e4331 * _e4007)) + (_e4334 * _e4008));
+                                        let _e4354 = (((_e4328 * _e4003) + (_e4331 * _e4004)) + (_e4334 * _e4005));
+                                        let _e4359 = (((_e4328 * _e4011[0]) + (_e4331 * _e4011[1])) + (_e4334 * _e4011[2]));
+                                        let _e4364 = (((_e4328 * _e4027) + (_e4331 * _e4028)) + (_e4334 * _e4029));
+                                        let _e4369 = (((_e4328 * _e4033) + (_e4331 * _e4034)) + (_e4334 * _e4035));
+                                        let _e4374 = (((_e4328 * _e4030) + (_e4331 * _e4031)) + (_e4334 * _e4032));
+                                        if (_e4339 < _e4344) {
+                                            phi_7574_ = _e4339;
                                         } else {
-                                            phi_7600_ = _e4384;
+                                            phi_7574_ = _e4344;
                                         }
-                                        let _e4417 = phi_7600_;
-                                        if (_e4389 < _e4394) {
-                                            phi_7605_ = _e4389;
+                                        let _e4377 = phi_7574_;
+                                        if (_e4349 < _e4354) {
+                                            phi_7579_ = _e4349;
                                         } else {
-                                            phi_7605_ = _e4394;
+                                            phi_7579_ = _e4354;
                                         }
-                                        let _e4420 = phi_7605_;
-                                        if (_e4417 < _e4420) {
-                                            phi_7610_ = _e4417;
+                                        let _e4380 = phi_7579_;
+                                        if (_e4377 < _e4380) {
+                                            phi_7584_ = _e4377;
                                         } else {
-                                            phi_7610_ = _e4420;
+                                            phi_7584_ = _e4380;
                                         }
-                                        let _e4423 = phi_7610_;
-                                        if (_e4399 < _e4404) {
-                                            phi_7615_ = _e4399;
+                                        let _e4383 = phi_7584_;
+                                        if (_e4359 < _e4364) {
+                                            phi_7589_ = _e4359;
                                         } else {
-                                            phi_7615_ = _e4404;
+                                            phi_7589_ = _e4364;
                                         }
-                                        let _e4426 = phi_7615_;
-                                        if (_e4409 < _e4414) {
-                                            phi_7620_ = _e4409;
+                                        let _e4386 = phi_7589_;
+                                        if (_e4369 < _e4374) {
+                                            phi_7594_ = _e4369;
                                         } else {
-                                            phi_7620_ = _e4414;
+                                            phi_7594_ = _e4374;
                                         }
-                                        let _e4429 = phi_7620_;
-                                        if (_e4426 < _e4429) {
-                                            phi_7625_ = _e4426;
+                                        let _e4389 = phi_7594_;
+                                        if (_e4386 < _e4389) {
+                                            phi_7599_ = _e4386;
                                         } else {
-                                            phi_7625_ = _e4429;
+                                            phi_7599_ = _e4389;
                                         }
-                                        let _e4432 = phi_7625_;
-                                        if (_e4423 < _e4432) {
-                                            phi_7630_ = _e4423;
+                                        let _e4392 = phi_7599_;
+                                        if (_e4383 < _e4392) {
+                                            phi_7604_ = _e4383;
                                         } else {
-                                            phi_7630_ = _e4432;
+                                            phi_7604_ = _e4392;
                                         }
-                                        let _e4435 = phi_7630_;
-                                        if (_e4379 > _e4384) {
-                                            phi_7635_ = _e4379;
+                                        let _e4395 = phi_7604_;
+                                        if (_e4339 > _e4344) {
+                                            phi_7609_ = _e4339;
                                         } else {
-                                            phi_7635_ = _e4384;
+                                            phi_7609_ = _e4344;
                                         }
-                                        let _e4438 = phi_7635_;
-                                        if (_e4389 > _e4394) {
-                                            phi_7640_ = _e4389;
+                                        let _e4398 = phi_7609_;
+                                        if (_e4349 > _e4354) {
+                                            phi_7614_ = _e4349;
                                         } else {
-                                            phi_7640_ = _e4394;
+                                            phi_7614_ = _e4354;
                                         }
-                                        let _e4441 = phi_7640_;
-                                        if (_e4438 > _e4441) {
-                                            phi_7645_ = _e4438;
+                                        let _e4401 = phi_7614_;
+                                        if (_e4398 > _e4401) {
+                                            phi_7619_ = _e4398;
                                         } else {
-                                            phi_7645_ = _e4441;
+                                            phi_7619_ = _e4401;
                                         }
-                                        let _e4444 = phi_7645_;
-                                        if (_e4399 > _e4404) {
-                                            phi_7650_ = _e4399;
+                                        let _e4404 = phi_7619_;
+                                        if (_e4359 > _e4364) {
+                                            phi_7624_ = _e4359;
                                         } else {
-                                            phi_7650_ = _e4404;
+                                            phi_7624_ = _e4364;
                                         }
-                                        let _e4447 = phi_7650_;
-                                        if (_e4409 > _e4414) {
-                                            phi_7655_ = _e4409;
+                                        let _e4407 = phi_7624_;
+                                        if (_e4369 > _e4374) {
+                                            phi_7629_ = _e4369;
                                         } else {
-                                            phi_7655_ = _e4414;
+                                            phi_7629_ = _e4374;
                                         }
-                                        let _e4450 = phi_7655_;
-                                        if (_e4447 > _e4450) {
-                                            phi_7660_ = _e4447;
+                                        let _e4410 = phi_7629_;
+                                        if (_e4407 > _e4410) {
+                                            phi_7634_ = _e4407;
                                         } else {
-                                            phi_7660_ = _e4450;
+                                            phi_7634_ = _e4410;
                                         }
-                                        let _e4453 = phi_7660_;
-                                        if (_e4444 > _e4453) {
-                                            phi_7665_ = _e4444;
+                                        let _e4413 = phi_7634_;
+                                        if (_e4404 > _e4413) {
+                                            phi_7639_ = _e4404;
                                         } else {
-                                            phi_7665_ = _e4453;
+                                            phi_7639_ = _e4413;
                                         }
-                                        let _e4456 = phi_7665_;
-                                        if (_e4368 < 0f) {
-                                            phi_7671_ = -(_e4368);
+                                        let _e4416 = phi_7639_;
+                                        if (_e4328 < 0f) {
+                                            phi_7645_ = -(_e4328);
                                         } else {
-                                            phi_7671_ = _e4368;
+                                            phi_7645_ = _e4328;
                                         }
-                                        let _e4460 = phi_7671_;
-                                        if (_e4371 < 0f) {
-                                            phi_7677_ = -(_e4371);
+                                        let _e4420 = phi_7645_;
+                                        if (_e4331 < 0f) {
+                                            phi_7651_ = -(_e4331);
                                         } else {
-                                            phi_7677_ = _e4371;
+                                            phi_7651_ = _e4331;
                                         }
-                                        let _e4464 = phi_7677_;
-                                        if (_e4374 < 0f) {
-                                            phi_7684_ = -(_e4374);
+                                        let _e4424 = phi_7651_;
+                                        if (_e4334 < 0f) {
+                                            phi_7658_ = -(_e4334);
                                         } else {
-                                            phi_7684_ = _e4374;
+                                            phi_7658_ = _e4334;
                                         }
-                                        let _e4469 = phi_7684_;
-                                        let _e4470 = ((_e4460 + _e4464) + _e4469);
-                                        let _e4475 = -(_e4456);
-                                        if (_e4435 > _e4475) {
-                                            phi_7695_ = _e4435;
+                                        let _e4429 = phi_7658_;
+                                        let _e4430 = ((_e4420 + _e4424) + _e4429);
+                                        let _e4435 = -(_e4416);
+                                        if (_e4395 > _e4435) {
+                                            phi_7669_ = _e4395;
                                         } else {
-                                            phi_7695_ = _e4475;
+                                            phi_7669_ = _e4435;
                                         }
-                                        let _e4478 = phi_7695_;
-                                        let _e4483 = (((_e4478 - ((_e4470 * _e4240) * (0.000000059604645f * (17f / 2f)))) - (_e4470 * _e4247)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4365 > _e4483) {
-                                            phi_7705_ = _e4365;
+                                        let _e4438 = phi_7669_;
+                                        let _e4443 = (((_e4438 - ((_e4430 * _e4200) * (0.000000059604645f * (17f / 2f)))) - (_e4430 * _e4207)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4325 > _e4443) {
+                                            phi_7679_ = _e4325;
                                         } else {
-                                            phi_7705_ = _e4483;
+                                            phi_7679_ = _e4443;
                                         }
-                                        let _e4486 = phi_7705_;
-                                        phi_7887_ = (_e3982 || (_e4486 > 0f));
+                                        let _e4446 = phi_7679_;
+                                        phi_7861_ = (_e3942 || (_e4446 > 0f));
                                     }
-                                    let _e4490 = phi_7887_;
-                                    phi_7889_ = (_e3547 && _e4490);
+                                    let _e4450 = phi_7861_;
+                                    phi_7863_ = (_e3507 && _e4450);
                                 } else {
-                                    phi_7889_ = _e3547;
+                                    phi_7863_ = _e3507;
                                 }
-                                let _e4493 = phi_7889_;
-                                phi_7891_ = (_e2514 || _e4493);
+                                let _e4453 = phi_7863_;
+                                phi_7865_ = (_e2474 || _e4453);
                             }
-                            let _e4496 = phi_7891_;
-                            if !(_e4496) {
-                                let _e4499 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1021] = ((2147483648u | (_e4499 << bitcast<u32>(12i))) | _e1024);
+                            let _e4456 = phi_7865_;
+                            if !(_e4456) {
+                                let _e4459 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e1001] = ((2147483648u | (_e4459 << bitcast<u32>(12i))) | _e1004);
                             }
                         }
-                        phi_7902_ = true;
+                        phi_7876_ = true;
                     }
-                    let _e4506 = phi_7902_;
-                    phi_7903_ = _e4506;
+                    let _e4466 = phi_7876_;
+                    phi_7877_ = _e4466;
                 } else {
-                    phi_7903_ = false;
+                    phi_7877_ = false;
                 }
-                let _e4508 = phi_7903_;
+                let _e4468 = phi_7877_;
                 continue;
                 continuing {
-                    phi_1862_ = _e1013;
-                    break if !(_e4508);
+                    phi_1849_ = _e993;
+                    break if !(_e4468);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4512 = atomicLoad((&counters[5u]));
-                if (_e4512 > 0u) {
-                    let _e4515 = atomicAdd((&output.member[0u]), _e4512);
-                    if ((_e4515 + _e4512) < _e4515) {
-                        let _e4519 = atomicAdd((&output.member[2u]), 1u);
+                let _e4472 = atomicLoad((&counters[5u]));
+                if (_e4472 > 0u) {
+                    let _e4475 = atomicAdd((&output.member[0u]), _e4472);
+                    if ((_e4475 + _e4472) < _e4475) {
+                        let _e4479 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4515);
+                    atomicStore((&counters[6u]), _e4475);
                 }
             }
             workgroupBarrier();
-            let _e4522 = atomicLoad((&counters[6u]));
+            let _e4482 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4525 = atomicLoad((&counters[7u]));
-                if (_e4525 > 0u) {
-                    let _e4528 = atomicAdd((&output.member[1u]), _e4525);
-                    if ((_e4528 + _e4525) < _e4528) {
-                        let _e4532 = atomicAdd((&output.member[3u]), 1u);
+                let _e4485 = atomicLoad((&counters[7u]));
+                if (_e4485 > 0u) {
+                    let _e4488 = atomicAdd((&output.member[1u]), _e4485);
+                    if ((_e4488 + _e4485) < _e4488) {
+                        let _e4492 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7953_ = type_9(0u, 16u);
+            phi_7927_ = type_9(0u, 16u);
             loop {
-                let _e4534 = phi_7953_;
-                if (_e4534.member < _e4534.member_1) {
-                    phi_7954_ = type_9((_e4534.member + 1u), _e4534.member_1);
-                    phi_7977_ = type_9(1u, _e4534.member);
+                let _e4494 = phi_7927_;
+                if (_e4494.member < _e4494.member_1) {
+                    phi_7928_ = type_9((_e4494.member + 1u), _e4494.member_1);
+                    phi_7951_ = type_9(1u, _e4494.member);
                 } else {
-                    phi_7954_ = _e4534;
-                    phi_7977_ = type_9(0u, type_9().member_1);
+                    phi_7928_ = _e4494;
+                    phi_7951_ = type_9(0u, type_9().member_1);
                 }
-                let _e4546 = phi_7954_;
-                let _e4548 = phi_7977_;
-                if (bitcast<i32>(_e4548.member) != 0i) {
-                    let _e4554 = (_e67 + (_e4548.member_1 * 128u));
-                    if (_e4554 >= _e999) {
-                        phi_8074_ = false;
+                let _e4506 = phi_7928_;
+                let _e4508 = phi_7951_;
+                if (bitcast<i32>(_e4508.member) != 0i) {
+                    let _e4514 = (_e67 + (_e4508.member_1 * 128u));
+                    if (_e4514 >= _e979) {
+                        phi_8048_ = false;
                     } else {
-                        let _e4557 = hits[_e4554];
-                        if ((_e4557 & 2147483648u) == 0u) {
-                            phi_8000_ = 4294967295u;
+                        let _e4517 = hits[_e4514];
+                        if ((_e4517 & 2147483648u) == 0u) {
+                            phi_7974_ = 4294967295u;
                         } else {
-                            phi_8000_ = ((_e4557 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7974_ = ((_e4517 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4564 = phi_8000_;
-                        if (_e4564 != 4294967295u) {
-                            let _e4568 = ((_e4557 >> bitcast<u32>(10i)) & 3u);
-                            let _e4575 = firsts[(2u * _e4568)];
-                            let _e4578 = leaves.member[(_e4575 + ((_e4557 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4582 = firsts[((2u * _e4568) + 1u)];
-                            let _e4585 = leaves.member[(_e4582 + (_e4557 & 31u))];
-                            let _e4590 = params.member.member_1.member_3;
-                            let _e4591 = (_e4522 + _e4564);
-                            if (_e4578.member_1 < _e4585.member_1) {
-                                phi_8055_ = type_9(_e4578.member_1, _e4585.member_1);
+                        let _e4524 = phi_7974_;
+                        if (_e4524 != 4294967295u) {
+                            let _e4528 = ((_e4517 >> bitcast<u32>(10i)) & 3u);
+                            let _e4535 = firsts[(2u * _e4528)];
+                            let _e4538 = leaves.member[(_e4535 + ((_e4517 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4542 = firsts[((2u * _e4528) + 1u)];
+                            let _e4545 = leaves.member[(_e4542 + (_e4517 & 31u))];
+                            let _e4550 = params.member.member_1.member_3;
+                            let _e4551 = (_e4482 + _e4524);
+                            if (_e4538.member_1 < _e4545.member_1) {
+                                phi_8029_ = type_9(_e4538.member_1, _e4545.member_1);
                             } else {
-                                phi_8055_ = type_9(_e4585.member_1, _e4578.member_1);
+                                phi_8029_ = type_9(_e4545.member_1, _e4538.member_1);
                             }
-                            let _e4596 = phi_8055_;
-                            if (_e4591 < _e4590) {
-                                let _e4600 = (2u * _e4591);
-                                atomicStore((&output.member[(4u + _e4600)]), _e4596.member);
-                                atomicStore((&output.member[(_e4600 + 5u)]), _e4596.member_1);
+                            let _e4556 = phi_8029_;
+                            if (_e4551 < _e4550) {
+                                let _e4560 = (2u * _e4551);
+                                atomicStore((&output.member[(4u + _e4560)]), _e4556.member);
+                                atomicStore((&output.member[(_e4560 + 5u)]), _e4556.member_1);
                             }
                         }
-                        phi_8074_ = true;
+                        phi_8048_ = true;
                     }
-                    let _e4606 = phi_8074_;
-                    phi_8075_ = _e4606;
+                    let _e4566 = phi_8048_;
+                    phi_8049_ = _e4566;
                 } else {
-                    phi_8075_ = false;
+                    phi_8049_ = false;
                 }
-                let _e4608 = phi_8075_;
+                let _e4568 = phi_8049_;
                 continue;
                 continuing {
-                    phi_7953_ = _e4546;
-                    break if !(_e4608);
+                    phi_7927_ = _e4506;
+                    break if !(_e4568);
                 }
             }
             workgroupBarrier();

@@ -299,511 +299,505 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_946_: u32;
     var phi_944_: type_9;
     var phi_969_: type_9;
+    var phi_1051_: bool;
     var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1064_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1144_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1485_: bool;
-    var phi_1486_: bool;
-    var phi_1579_: bool;
-    var phi_1580_: bool;
-    var phi_1675_: bool;
-    var phi_1676_: bool;
+    var phi_1066_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1136_: bool;
+    var phi_1143_: bool;
+    var phi_1147_: bool;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
+    var phi_1472_: bool;
+    var phi_1473_: bool;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1662_: bool;
+    var phi_1663_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1770_: bool;
-    var phi_1774_: bool;
+    var phi_1771_: bool;
     var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1780_: bool;
-    var phi_1781_: bool;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
-    var phi_1784_: bool;
-    var phi_1788_: bool;
-    var phi_1850_: u32;
-    var phi_1851_: bool;
+    var phi_1837_: u32;
+    var phi_1838_: bool;
     var phi_947_: u32;
-    var phi_1852_: bool;
-    var phi_1859_: u32;
-    var phi_1862_: type_9;
-    var phi_1863_: type_9;
-    var phi_1886_: type_9;
-    var phi_1983_: bool;
-    var phi_1984_: bool;
-    var phi_1985_: bool;
-    var phi_1989_: bool;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2069_: bool;
-    var phi_2079_: bool;
-    var phi_2080_: bool;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var phi_2221_: bool;
-    var phi_2222_: bool;
-    var phi_2315_: bool;
-    var phi_2316_: bool;
-    var phi_2410_: bool;
-    var phi_2411_: bool;
-    var phi_2504_: bool;
-    var phi_2505_: bool;
-    var phi_2600_: bool;
-    var phi_2601_: bool;
-    var phi_2694_: bool;
-    var phi_2695_: bool;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2701_: bool;
-    var phi_2705_: bool;
-    var phi_2706_: bool;
-    var phi_2707_: bool;
-    var phi_2708_: bool;
-    var phi_2709_: bool;
-    var phi_2713_: bool;
-    var phi_3108_: f32;
-    var phi_3115_: f32;
-    var phi_3120_: f32;
-    var phi_3127_: f32;
-    var phi_3132_: f32;
-    var phi_3145_: f32;
-    var phi_3152_: f32;
-    var phi_3157_: f32;
-    var phi_3164_: f32;
-    var phi_3169_: f32;
-    var phi_3174_: f32;
-    var phi_3191_: f32;
-    var phi_3198_: f32;
+    var phi_1839_: bool;
+    var phi_1846_: u32;
+    var phi_1849_: type_9;
+    var phi_1850_: type_9;
+    var phi_1873_: type_9;
+    var phi_1963_: bool;
+    var phi_1970_: bool;
+    var phi_1978_: bool;
+    var phi_2001_: bool;
+    var phi_2002_: bool;
+    var phi_2048_: bool;
+    var phi_2055_: bool;
+    var phi_2059_: bool;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
+    var phi_2289_: bool;
+    var phi_2290_: bool;
+    var phi_2384_: bool;
+    var phi_2385_: bool;
+    var phi_2478_: bool;
+    var phi_2479_: bool;
+    var phi_2574_: bool;
+    var phi_2575_: bool;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
+    var phi_2675_: bool;
+    var phi_2679_: bool;
+    var phi_2680_: bool;
+    var phi_2681_: bool;
+    var phi_2682_: bool;
+    var phi_2683_: bool;
+    var phi_2687_: bool;
+    var phi_3082_: f32;
+    var phi_3089_: f32;
+    var phi_3094_: f32;
+    var phi_3101_: f32;
+    var phi_3106_: f32;
+    var phi_3119_: f32;
+    var phi_3126_: f32;
+    var phi_3131_: f32;
+    var phi_3138_: f32;
+    var phi_3143_: f32;
+    var phi_3148_: f32;
+    var phi_3165_: f32;
+    var phi_3172_: f32;
+    var phi_3177_: f32;
+    var phi_3184_: f32;
+    var phi_3189_: f32;
     var phi_3203_: f32;
     var phi_3210_: f32;
     var phi_3215_: f32;
-    var phi_3229_: f32;
-    var phi_3236_: f32;
-    var phi_3241_: f32;
-    var phi_3248_: f32;
-    var phi_3253_: f32;
-    var phi_3258_: f32;
-    var phi_3275_: f32;
-    var phi_3282_: f32;
+    var phi_3222_: f32;
+    var phi_3227_: f32;
+    var phi_3232_: f32;
+    var phi_3249_: f32;
+    var phi_3256_: f32;
+    var phi_3261_: f32;
+    var phi_3268_: f32;
+    var phi_3273_: f32;
     var phi_3287_: f32;
     var phi_3294_: f32;
     var phi_3299_: f32;
-    var phi_3313_: f32;
-    var phi_3320_: f32;
-    var phi_3325_: f32;
-    var phi_3332_: f32;
-    var phi_3337_: f32;
-    var phi_3342_: f32;
+    var phi_3306_: f32;
+    var phi_3311_: f32;
+    var phi_3316_: f32;
+    var phi_3347_: f32;
+    var phi_3353_: f32;
+    var phi_3360_: f32;
+    var phi_3367_: f32;
     var phi_3373_: f32;
-    var phi_3379_: f32;
+    var phi_3380_: f32;
     var phi_3386_: f32;
-    var phi_3393_: f32;
-    var phi_3399_: f32;
-    var phi_3406_: f32;
+    var phi_3392_: f32;
+    var phi_3398_: f32;
+    var phi_3405_: f32;
     var phi_3412_: f32;
-    var phi_3418_: f32;
-    var phi_3424_: f32;
-    var phi_3431_: f32;
-    var phi_3438_: f32;
-    var phi_3462_: f32;
-    var phi_3467_: f32;
-    var phi_3472_: f32;
-    var phi_3477_: f32;
-    var phi_3482_: f32;
-    var phi_3487_: f32;
-    var phi_3497_: f32;
-    var phi_3700_: f32;
-    var phi_3707_: f32;
-    var phi_3712_: f32;
-    var phi_3719_: f32;
-    var phi_3724_: f32;
-    var phi_3737_: f32;
-    var phi_3744_: f32;
-    var phi_3749_: f32;
-    var phi_3756_: f32;
-    var phi_3761_: f32;
-    var phi_3766_: f32;
-    var phi_3783_: f32;
-    var phi_3790_: f32;
+    var phi_3436_: f32;
+    var phi_3441_: f32;
+    var phi_3446_: f32;
+    var phi_3451_: f32;
+    var phi_3456_: f32;
+    var phi_3461_: f32;
+    var phi_3471_: f32;
+    var phi_3674_: f32;
+    var phi_3681_: f32;
+    var phi_3686_: f32;
+    var phi_3693_: f32;
+    var phi_3698_: f32;
+    var phi_3711_: f32;
+    var phi_3718_: f32;
+    var phi_3723_: f32;
+    var phi_3730_: f32;
+    var phi_3735_: f32;
+    var phi_3740_: f32;
+    var phi_3757_: f32;
+    var phi_3764_: f32;
+    var phi_3769_: f32;
+    var phi_3776_: f32;
+    var phi_3781_: f32;
     var phi_3795_: f32;
     var phi_3802_: f32;
     var phi_3807_: f32;
-    var phi_3821_: f32;
-    var phi_3828_: f32;
-    var phi_3833_: f32;
-    var phi_3840_: f32;
-    var phi_3845_: f32;
-    var phi_3850_: f32;
-    var phi_3867_: f32;
-    var phi_3874_: f32;
+    var phi_3814_: f32;
+    var phi_3819_: f32;
+    var phi_3824_: f32;
+    var phi_3841_: f32;
+    var phi_3848_: f32;
+    var phi_3853_: f32;
+    var phi_3860_: f32;
+    var phi_3865_: f32;
     var phi_3879_: f32;
     var phi_3886_: f32;
     var phi_3891_: f32;
-    var phi_3905_: f32;
-    var phi_3912_: f32;
-    var phi_3917_: f32;
-    var phi_3924_: f32;
-    var phi_3929_: f32;
-    var phi_3934_: f32;
-    var phi_4013_: f32;
-    var phi_4018_: f32;
-    var phi_4023_: f32;
-    var phi_4028_: f32;
-    var phi_4033_: f32;
-    var phi_4038_: f32;
-    var phi_4043_: f32;
-    var phi_4048_: f32;
-    var phi_4053_: f32;
+    var phi_3898_: f32;
+    var phi_3903_: f32;
+    var phi_3908_: f32;
+    var phi_3987_: f32;
+    var phi_3992_: f32;
+    var phi_3997_: f32;
+    var phi_4002_: f32;
+    var phi_4007_: f32;
+    var phi_4012_: f32;
+    var phi_4017_: f32;
+    var phi_4022_: f32;
+    var phi_4027_: f32;
+    var phi_4032_: f32;
+    var phi_4037_: f32;
+    var phi_4042_: f32;
+    var phi_4047_: f32;
+    var phi_4052_: f32;
     var phi_4058_: f32;
-    var phi_4063_: f32;
-    var phi_4068_: f32;
-    var phi_4073_: f32;
-    var phi_4078_: f32;
-    var phi_4084_: f32;
-    var phi_4090_: f32;
-    var phi_4097_: f32;
-    var phi_4108_: f32;
-    var phi_4179_: f32;
-    var phi_4184_: f32;
-    var phi_4189_: f32;
-    var phi_4194_: f32;
-    var phi_4199_: f32;
-    var phi_4204_: f32;
-    var phi_4209_: f32;
-    var phi_4214_: f32;
-    var phi_4219_: f32;
+    var phi_4064_: f32;
+    var phi_4071_: f32;
+    var phi_4082_: f32;
+    var phi_4153_: f32;
+    var phi_4158_: f32;
+    var phi_4163_: f32;
+    var phi_4168_: f32;
+    var phi_4173_: f32;
+    var phi_4178_: f32;
+    var phi_4183_: f32;
+    var phi_4188_: f32;
+    var phi_4193_: f32;
+    var phi_4198_: f32;
+    var phi_4203_: f32;
+    var phi_4208_: f32;
+    var phi_4213_: f32;
+    var phi_4218_: f32;
     var phi_4224_: f32;
-    var phi_4229_: f32;
-    var phi_4234_: f32;
-    var phi_4239_: f32;
-    var phi_4244_: f32;
-    var phi_4250_: f32;
-    var phi_4256_: f32;
-    var phi_4263_: f32;
-    var phi_4274_: f32;
-    var phi_4284_: f32;
-    var phi_4357_: f32;
-    var phi_4362_: f32;
-    var phi_4367_: f32;
-    var phi_4372_: f32;
-    var phi_4377_: f32;
-    var phi_4382_: f32;
-    var phi_4387_: f32;
-    var phi_4392_: f32;
-    var phi_4397_: f32;
+    var phi_4230_: f32;
+    var phi_4237_: f32;
+    var phi_4248_: f32;
+    var phi_4258_: f32;
+    var phi_4331_: f32;
+    var phi_4336_: f32;
+    var phi_4341_: f32;
+    var phi_4346_: f32;
+    var phi_4351_: f32;
+    var phi_4356_: f32;
+    var phi_4361_: f32;
+    var phi_4366_: f32;
+    var phi_4371_: f32;
+    var phi_4376_: f32;
+    var phi_4381_: f32;
+    var phi_4386_: f32;
+    var phi_4391_: f32;
+    var phi_4396_: f32;
     var phi_4402_: f32;
-    var phi_4407_: f32;
-    var phi_4412_: f32;
-    var phi_4417_: f32;
-    var phi_4422_: f32;
-    var phi_4428_: f32;
-    var phi_4434_: f32;
-    var phi_4441_: f32;
-    var phi_4452_: f32;
-    var phi_4462_: f32;
-    var phi_4466_: bool;
-    var phi_4918_: f32;
-    var phi_4925_: f32;
-    var phi_4930_: f32;
-    var phi_4937_: f32;
-    var phi_4942_: f32;
-    var phi_4955_: f32;
-    var phi_4962_: f32;
-    var phi_4967_: f32;
-    var phi_4974_: f32;
-    var phi_4979_: f32;
-    var phi_4984_: f32;
-    var phi_5001_: f32;
-    var phi_5008_: f32;
+    var phi_4408_: f32;
+    var phi_4415_: f32;
+    var phi_4426_: f32;
+    var phi_4436_: f32;
+    var phi_4440_: bool;
+    var phi_4892_: f32;
+    var phi_4899_: f32;
+    var phi_4904_: f32;
+    var phi_4911_: f32;
+    var phi_4916_: f32;
+    var phi_4929_: f32;
+    var phi_4936_: f32;
+    var phi_4941_: f32;
+    var phi_4948_: f32;
+    var phi_4953_: f32;
+    var phi_4958_: f32;
+    var phi_4975_: f32;
+    var phi_4982_: f32;
+    var phi_4987_: f32;
+    var phi_4994_: f32;
+    var phi_4999_: f32;
     var phi_5013_: f32;
     var phi_5020_: f32;
     var phi_5025_: f32;
-    var phi_5039_: f32;
-    var phi_5046_: f32;
-    var phi_5051_: f32;
-    var phi_5058_: f32;
-    var phi_5063_: f32;
-    var phi_5068_: f32;
-    var phi_5085_: f32;
-    var phi_5092_: f32;
+    var phi_5032_: f32;
+    var phi_5037_: f32;
+    var phi_5042_: f32;
+    var phi_5059_: f32;
+    var phi_5066_: f32;
+    var phi_5071_: f32;
+    var phi_5078_: f32;
+    var phi_5083_: f32;
     var phi_5097_: f32;
     var phi_5104_: f32;
     var phi_5109_: f32;
-    var phi_5123_: f32;
-    var phi_5130_: f32;
-    var phi_5135_: f32;
-    var phi_5142_: f32;
-    var phi_5147_: f32;
-    var phi_5152_: f32;
+    var phi_5116_: f32;
+    var phi_5121_: f32;
+    var phi_5126_: f32;
+    var phi_5157_: f32;
+    var phi_5163_: f32;
+    var phi_5170_: f32;
+    var phi_5177_: f32;
     var phi_5183_: f32;
-    var phi_5189_: f32;
+    var phi_5190_: f32;
     var phi_5196_: f32;
-    var phi_5203_: f32;
-    var phi_5209_: f32;
-    var phi_5216_: f32;
+    var phi_5202_: f32;
+    var phi_5208_: f32;
+    var phi_5215_: f32;
     var phi_5222_: f32;
-    var phi_5228_: f32;
-    var phi_5234_: f32;
-    var phi_5241_: f32;
-    var phi_5248_: f32;
-    var phi_5272_: f32;
-    var phi_5277_: f32;
-    var phi_5282_: f32;
-    var phi_5287_: f32;
-    var phi_5292_: f32;
-    var phi_5297_: f32;
-    var phi_5307_: f32;
-    var phi_5510_: f32;
-    var phi_5517_: f32;
-    var phi_5522_: f32;
-    var phi_5529_: f32;
-    var phi_5534_: f32;
-    var phi_5547_: f32;
-    var phi_5554_: f32;
-    var phi_5559_: f32;
-    var phi_5566_: f32;
-    var phi_5571_: f32;
-    var phi_5576_: f32;
-    var phi_5593_: f32;
-    var phi_5600_: f32;
+    var phi_5246_: f32;
+    var phi_5251_: f32;
+    var phi_5256_: f32;
+    var phi_5261_: f32;
+    var phi_5266_: f32;
+    var phi_5271_: f32;
+    var phi_5281_: f32;
+    var phi_5484_: f32;
+    var phi_5491_: f32;
+    var phi_5496_: f32;
+    var phi_5503_: f32;
+    var phi_5508_: f32;
+    var phi_5521_: f32;
+    var phi_5528_: f32;
+    var phi_5533_: f32;
+    var phi_5540_: f32;
+    var phi_5545_: f32;
+    var phi_5550_: f32;
+    var phi_5567_: f32;
+    var phi_5574_: f32;
+    var phi_5579_: f32;
+    var phi_5586_: f32;
+    var phi_5591_: f32;
     var phi_5605_: f32;
     var phi_5612_: f32;
     var phi_5617_: f32;
-    var phi_5631_: f32;
-    var phi_5638_: f32;
-    var phi_5643_: f32;
-    var phi_5650_: f32;
-    var phi_5655_: f32;
-    var phi_5660_: f32;
-    var phi_5677_: f32;
-    var phi_5684_: f32;
+    var phi_5624_: f32;
+    var phi_5629_: f32;
+    var phi_5634_: f32;
+    var phi_5651_: f32;
+    var phi_5658_: f32;
+    var phi_5663_: f32;
+    var phi_5670_: f32;
+    var phi_5675_: f32;
     var phi_5689_: f32;
     var phi_5696_: f32;
     var phi_5701_: f32;
-    var phi_5715_: f32;
-    var phi_5722_: f32;
-    var phi_5727_: f32;
-    var phi_5734_: f32;
-    var phi_5739_: f32;
-    var phi_5744_: f32;
-    var phi_5823_: f32;
-    var phi_5828_: f32;
-    var phi_5833_: f32;
-    var phi_5838_: f32;
-    var phi_5843_: f32;
-    var phi_5848_: f32;
-    var phi_5853_: f32;
-    var phi_5858_: f32;
-    var phi_5863_: f32;
+    var phi_5708_: f32;
+    var phi_5713_: f32;
+    var phi_5718_: f32;
+    var phi_5797_: f32;
+    var phi_5802_: f32;
+    var phi_5807_: f32;
+    var phi_5812_: f32;
+    var phi_5817_: f32;
+    var phi_5822_: f32;
+    var phi_5827_: f32;
+    var phi_5832_: f32;
+    var phi_5837_: f32;
+    var phi_5842_: f32;
+    var phi_5847_: f32;
+    var phi_5852_: f32;
+    var phi_5857_: f32;
+    var phi_5862_: f32;
     var phi_5868_: f32;
-    var phi_5873_: f32;
-    var phi_5878_: f32;
-    var phi_5883_: f32;
-    var phi_5888_: f32;
-    var phi_5894_: f32;
-    var phi_5900_: f32;
-    var phi_5907_: f32;
-    var phi_5918_: f32;
-    var phi_5989_: f32;
-    var phi_5994_: f32;
-    var phi_5999_: f32;
-    var phi_6004_: f32;
-    var phi_6009_: f32;
-    var phi_6014_: f32;
-    var phi_6019_: f32;
-    var phi_6024_: f32;
-    var phi_6029_: f32;
+    var phi_5874_: f32;
+    var phi_5881_: f32;
+    var phi_5892_: f32;
+    var phi_5963_: f32;
+    var phi_5968_: f32;
+    var phi_5973_: f32;
+    var phi_5978_: f32;
+    var phi_5983_: f32;
+    var phi_5988_: f32;
+    var phi_5993_: f32;
+    var phi_5998_: f32;
+    var phi_6003_: f32;
+    var phi_6008_: f32;
+    var phi_6013_: f32;
+    var phi_6018_: f32;
+    var phi_6023_: f32;
+    var phi_6028_: f32;
     var phi_6034_: f32;
-    var phi_6039_: f32;
-    var phi_6044_: f32;
-    var phi_6049_: f32;
-    var phi_6054_: f32;
-    var phi_6060_: f32;
-    var phi_6066_: f32;
-    var phi_6073_: f32;
-    var phi_6084_: f32;
-    var phi_6094_: f32;
-    var phi_6167_: f32;
-    var phi_6172_: f32;
-    var phi_6177_: f32;
-    var phi_6182_: f32;
-    var phi_6187_: f32;
-    var phi_6192_: f32;
-    var phi_6197_: f32;
-    var phi_6202_: f32;
-    var phi_6207_: f32;
+    var phi_6040_: f32;
+    var phi_6047_: f32;
+    var phi_6058_: f32;
+    var phi_6068_: f32;
+    var phi_6141_: f32;
+    var phi_6146_: f32;
+    var phi_6151_: f32;
+    var phi_6156_: f32;
+    var phi_6161_: f32;
+    var phi_6166_: f32;
+    var phi_6171_: f32;
+    var phi_6176_: f32;
+    var phi_6181_: f32;
+    var phi_6186_: f32;
+    var phi_6191_: f32;
+    var phi_6196_: f32;
+    var phi_6201_: f32;
+    var phi_6206_: f32;
     var phi_6212_: f32;
-    var phi_6217_: f32;
-    var phi_6222_: f32;
-    var phi_6227_: f32;
-    var phi_6232_: f32;
-    var phi_6238_: f32;
-    var phi_6244_: f32;
-    var phi_6251_: f32;
-    var phi_6262_: f32;
-    var phi_6272_: f32;
-    var phi_6276_: bool;
-    var phi_6521_: f32;
-    var phi_6528_: f32;
-    var phi_6533_: f32;
-    var phi_6540_: f32;
-    var phi_6545_: f32;
-    var phi_6558_: f32;
-    var phi_6565_: f32;
-    var phi_6570_: f32;
-    var phi_6577_: f32;
-    var phi_6582_: f32;
-    var phi_6587_: f32;
-    var phi_6604_: f32;
-    var phi_6611_: f32;
+    var phi_6218_: f32;
+    var phi_6225_: f32;
+    var phi_6236_: f32;
+    var phi_6246_: f32;
+    var phi_6250_: bool;
+    var phi_6495_: f32;
+    var phi_6502_: f32;
+    var phi_6507_: f32;
+    var phi_6514_: f32;
+    var phi_6519_: f32;
+    var phi_6532_: f32;
+    var phi_6539_: f32;
+    var phi_6544_: f32;
+    var phi_6551_: f32;
+    var phi_6556_: f32;
+    var phi_6561_: f32;
+    var phi_6578_: f32;
+    var phi_6585_: f32;
+    var phi_6590_: f32;
+    var phi_6597_: f32;
+    var phi_6602_: f32;
     var phi_6616_: f32;
     var phi_6623_: f32;
     var phi_6628_: f32;
-    var phi_6642_: f32;
-    var phi_6649_: f32;
-    var phi_6654_: f32;
-    var phi_6661_: f32;
-    var phi_6666_: f32;
-    var phi_6671_: f32;
-    var phi_6688_: f32;
-    var phi_6695_: f32;
+    var phi_6635_: f32;
+    var phi_6640_: f32;
+    var phi_6645_: f32;
+    var phi_6662_: f32;
+    var phi_6669_: f32;
+    var phi_6674_: f32;
+    var phi_6681_: f32;
+    var phi_6686_: f32;
     var phi_6700_: f32;
     var phi_6707_: f32;
     var phi_6712_: f32;
-    var phi_6726_: f32;
-    var phi_6733_: f32;
-    var phi_6738_: f32;
-    var phi_6745_: f32;
-    var phi_6750_: f32;
-    var phi_6755_: f32;
+    var phi_6719_: f32;
+    var phi_6724_: f32;
+    var phi_6729_: f32;
+    var phi_6760_: f32;
+    var phi_6766_: f32;
+    var phi_6773_: f32;
+    var phi_6780_: f32;
     var phi_6786_: f32;
-    var phi_6792_: f32;
+    var phi_6793_: f32;
     var phi_6799_: f32;
-    var phi_6806_: f32;
-    var phi_6812_: f32;
-    var phi_6819_: f32;
+    var phi_6805_: f32;
+    var phi_6811_: f32;
+    var phi_6818_: f32;
     var phi_6825_: f32;
-    var phi_6831_: f32;
-    var phi_6837_: f32;
-    var phi_6844_: f32;
-    var phi_6851_: f32;
-    var phi_6875_: f32;
-    var phi_6880_: f32;
-    var phi_6885_: f32;
-    var phi_6890_: f32;
-    var phi_6895_: f32;
-    var phi_6900_: f32;
-    var phi_6910_: f32;
-    var phi_7113_: f32;
-    var phi_7120_: f32;
-    var phi_7125_: f32;
-    var phi_7132_: f32;
-    var phi_7137_: f32;
-    var phi_7150_: f32;
-    var phi_7157_: f32;
-    var phi_7162_: f32;
-    var phi_7169_: f32;
-    var phi_7174_: f32;
-    var phi_7179_: f32;
-    var phi_7196_: f32;
-    var phi_7203_: f32;
+    var phi_6849_: f32;
+    var phi_6854_: f32;
+    var phi_6859_: f32;
+    var phi_6864_: f32;
+    var phi_6869_: f32;
+    var phi_6874_: f32;
+    var phi_6884_: f32;
+    var phi_7087_: f32;
+    var phi_7094_: f32;
+    var phi_7099_: f32;
+    var phi_7106_: f32;
+    var phi_7111_: f32;
+    var phi_7124_: f32;
+    var phi_7131_: f32;
+    var phi_7136_: f32;
+    var phi_7143_: f32;
+    var phi_7148_: f32;
+    var phi_7153_: f32;
+    var phi_7170_: f32;
+    var phi_7177_: f32;
+    var phi_7182_: f32;
+    var phi_7189_: f32;
+    var phi_7194_: f32;
     var phi_7208_: f32;
     var phi_7215_: f32;
     var phi_7220_: f32;
-    var phi_7234_: f32;
-    var phi_7241_: f32;
-    var phi_7246_: f32;
-    var phi_7253_: f32;
-    var phi_7258_: f32;
-    var phi_7263_: f32;
-    var phi_7280_: f32;
-    var phi_7287_: f32;
+    var phi_7227_: f32;
+    var phi_7232_: f32;
+    var phi_7237_: f32;
+    var phi_7254_: f32;
+    var phi_7261_: f32;
+    var phi_7266_: f32;
+    var phi_7273_: f32;
+    var phi_7278_: f32;
     var phi_7292_: f32;
     var phi_7299_: f32;
     var phi_7304_: f32;
-    var phi_7318_: f32;
-    var phi_7325_: f32;
-    var phi_7330_: f32;
-    var phi_7337_: f32;
-    var phi_7342_: f32;
-    var phi_7347_: f32;
-    var phi_7426_: f32;
-    var phi_7431_: f32;
-    var phi_7436_: f32;
-    var phi_7441_: f32;
-    var phi_7446_: f32;
-    var phi_7451_: f32;
-    var phi_7456_: f32;
-    var phi_7461_: f32;
-    var phi_7466_: f32;
+    var phi_7311_: f32;
+    var phi_7316_: f32;
+    var phi_7321_: f32;
+    var phi_7400_: f32;
+    var phi_7405_: f32;
+    var phi_7410_: f32;
+    var phi_7415_: f32;
+    var phi_7420_: f32;
+    var phi_7425_: f32;
+    var phi_7430_: f32;
+    var phi_7435_: f32;
+    var phi_7440_: f32;
+    var phi_7445_: f32;
+    var phi_7450_: f32;
+    var phi_7455_: f32;
+    var phi_7460_: f32;
+    var phi_7465_: f32;
     var phi_7471_: f32;
-    var phi_7476_: f32;
-    var phi_7481_: f32;
-    var phi_7486_: f32;
-    var phi_7491_: f32;
-    var phi_7497_: f32;
-    var phi_7503_: f32;
-    var phi_7510_: f32;
-    var phi_7521_: f32;
-    var phi_7592_: f32;
-    var phi_7597_: f32;
-    var phi_7602_: f32;
-    var phi_7607_: f32;
-    var phi_7612_: f32;
-    var phi_7617_: f32;
-    var phi_7622_: f32;
-    var phi_7627_: f32;
-    var phi_7632_: f32;
+    var phi_7477_: f32;
+    var phi_7484_: f32;
+    var phi_7495_: f32;
+    var phi_7566_: f32;
+    var phi_7571_: f32;
+    var phi_7576_: f32;
+    var phi_7581_: f32;
+    var phi_7586_: f32;
+    var phi_7591_: f32;
+    var phi_7596_: f32;
+    var phi_7601_: f32;
+    var phi_7606_: f32;
+    var phi_7611_: f32;
+    var phi_7616_: f32;
+    var phi_7621_: f32;
+    var phi_7626_: f32;
+    var phi_7631_: f32;
     var phi_7637_: f32;
-    var phi_7642_: f32;
-    var phi_7647_: f32;
-    var phi_7652_: f32;
-    var phi_7657_: f32;
-    var phi_7663_: f32;
-    var phi_7669_: f32;
-    var phi_7676_: f32;
-    var phi_7687_: f32;
-    var phi_7697_: f32;
-    var phi_7770_: f32;
-    var phi_7775_: f32;
-    var phi_7780_: f32;
-    var phi_7785_: f32;
-    var phi_7790_: f32;
-    var phi_7795_: f32;
-    var phi_7800_: f32;
-    var phi_7805_: f32;
-    var phi_7810_: f32;
+    var phi_7643_: f32;
+    var phi_7650_: f32;
+    var phi_7661_: f32;
+    var phi_7671_: f32;
+    var phi_7744_: f32;
+    var phi_7749_: f32;
+    var phi_7754_: f32;
+    var phi_7759_: f32;
+    var phi_7764_: f32;
+    var phi_7769_: f32;
+    var phi_7774_: f32;
+    var phi_7779_: f32;
+    var phi_7784_: f32;
+    var phi_7789_: f32;
+    var phi_7794_: f32;
+    var phi_7799_: f32;
+    var phi_7804_: f32;
+    var phi_7809_: f32;
     var phi_7815_: f32;
-    var phi_7820_: f32;
-    var phi_7825_: f32;
-    var phi_7830_: f32;
-    var phi_7835_: f32;
-    var phi_7841_: f32;
-    var phi_7847_: f32;
-    var phi_7854_: f32;
-    var phi_7865_: f32;
-    var phi_7875_: f32;
-    var phi_7879_: bool;
-    var phi_7881_: bool;
-    var phi_7883_: bool;
-    var phi_7894_: bool;
-    var phi_7895_: bool;
-    var phi_7945_: type_9;
-    var phi_7946_: type_9;
-    var phi_7969_: type_9;
-    var phi_7992_: u32;
-    var phi_8066_: bool;
-    var phi_8067_: bool;
+    var phi_7821_: f32;
+    var phi_7828_: f32;
+    var phi_7839_: f32;
+    var phi_7849_: f32;
+    var phi_7853_: bool;
+    var phi_7855_: bool;
+    var phi_7857_: bool;
+    var phi_7868_: bool;
+    var phi_7869_: bool;
+    var phi_7919_: type_9;
+    var phi_7920_: type_9;
+    var phi_7943_: type_9;
+    var phi_7966_: u32;
+    var phi_8040_: bool;
+    var phi_8041_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -1049,8 +1043,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_943_ = type_9(0u, 32u);
-            let _e4942 = local_3;
-            phi_946_ = _e4942;
+            let _e4926 = local_3;
+            phi_946_ = _e4926;
             loop {
                 let _e472 = phi_943_;
                 let _e474 = phi_946_;
@@ -1065,8 +1059,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e488 = phi_969_;
                 if (bitcast<i32>(_e488.member) != 0i) {
                     if (_e474 == 0u) {
-                        phi_1850_ = u32();
-                        phi_1851_ = false;
+                        phi_1837_ = u32();
+                        phi_1838_ = false;
                     } else {
                         let _e499 = names[((_e92 * 32u) + select(firstTrailingBit(_e474), 32u, (_e474 == 0u)))];
                         let _e502 = (_e217 + _e93);
@@ -1077,3653 +1071,3621 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e511 = nodes.member[_e503];
                         let _e514 = params.member.member.member_1;
                         if ((_e514 & 1u) != 0u) {
-                            if (_e505.member[0] == _e507.member[0]) {
-                                phi_1059_ = bool();
-                                phi_1060_ = true;
+                            if (_e507.member[0] == _e505.member[0]) {
+                                phi_1051_ = true;
                             } else {
-                                let _e526 = (_e505.member[0] == _e507.member[1]);
-                                if _e526 {
-                                    phi_1058_ = bool();
-                                } else {
-                                    phi_1058_ = (_e505.member[0] == _e507.member[2]);
-                                }
-                                let _e533 = phi_1058_;
-                                phi_1059_ = _e533;
-                                phi_1060_ = _e526;
+                                phi_1051_ = (_e507.member[0] == _e505.member[0]);
                             }
-                            let _e535 = phi_1059_;
-                            let _e537 = phi_1060_;
-                            if _e537 {
-                                phi_1064_ = true;
+                            let _e524 = phi_1051_;
+                            if (_e507.member[1] == _e505.member[0]) {
+                                phi_1058_ = true;
                             } else {
-                                phi_1064_ = _e535;
+                                phi_1058_ = (_e507.member[1] == _e505.member[0]);
                             }
-                            let _e539 = phi_1064_;
-                            if _e539 {
-                                phi_1099_ = false;
+                            let _e529 = phi_1058_;
+                            if (_e507.member[2] == _e505.member[0]) {
+                                phi_1066_ = true;
                             } else {
-                                phi_1099_ = true;
+                                phi_1066_ = (_e507.member[2] == _e505.member[0]);
                             }
-                            let _e541 = phi_1099_;
-                            phi_1100_ = _e541;
+                            let _e535 = phi_1066_;
+                            if ((_e524 || _e529) || _e535) {
+                                phi_1089_ = false;
+                            } else {
+                                phi_1089_ = true;
+                            }
+                            let _e538 = phi_1089_;
+                            phi_1090_ = _e538;
                         } else {
-                            phi_1100_ = true;
+                            phi_1090_ = true;
                         }
-                        let _e543 = phi_1100_;
-                        if _e543 {
-                            let _e545 = params.member.member.member_1;
-                            if ((_e545 & 2u) != 0u) {
-                                let _e551 = bodies.member[_e505.member[0]];
-                                let _e555 = bodies.member[_e507.member[0]];
-                                if ((_e551 / 2u) == (_e555 / 2u)) {
-                                    let _e560 = params.member.member.member_1;
-                                    phi_1144_ = !(((_e560 & 4u) != 0u));
+                        let _e540 = phi_1090_;
+                        if _e540 {
+                            let _e542 = params.member.member.member_1;
+                            if ((_e542 & 2u) != 0u) {
+                                let _e546 = params.member.member.member_1;
+                                let _e552 = bodies.member[_e505.member[0]];
+                                let _e556 = bodies.member[_e507.member[0]];
+                                if ((_e552 / 2u) != (_e556 / 2u)) {
+                                    phi_1136_ = true;
                                 } else {
-                                    phi_1144_ = false;
+                                    phi_1136_ = ((_e546 & 4u) != 0u);
                                 }
-                                let _e565 = phi_1144_;
-                                if _e565 {
-                                    phi_1155_ = true;
+                                let _e561 = phi_1136_;
+                                if _e561 {
+                                    phi_1143_ = (((_e552 & _e556) & 1u) == 0u);
                                 } else {
-                                    if (((_e551 & _e555) & 1u) == 0u) {
-                                        phi_1154_ = false;
+                                    phi_1143_ = false;
+                                }
+                                let _e566 = phi_1143_;
+                                phi_1147_ = _e566;
+                            } else {
+                                phi_1147_ = true;
+                            }
+                            let _e568 = phi_1147_;
+                            if _e568 {
+                                let _e570 = params.member.member.member_1;
+                                if ((_e570 & 32u) != 0u) {
+                                    let _e574 = params.member.member.member_6;
+                                    let _e615 = (((((_e509.member_1[0] - _e511.member[0]) > _e574) && ((_e511.member_1[0] - _e509.member[0]) > _e574)) && (((_e509.member_1[1] - _e511.member[1]) > _e574) && ((_e511.member_1[1] - _e509.member[1]) > _e574))) && (((_e509.member_1[2] - _e511.member[2]) > _e574) && ((_e511.member_1[2] - _e509.member[2]) > _e574)));
+                                    if _e615 {
+                                        phi_1761_ = bool();
                                     } else {
-                                        phi_1154_ = true;
+                                        let _e619 = keys.member[_e505.member[0]];
+                                        let _e624 = keys.member[_e505.member[1]];
+                                        let _e626 = function_(_e619[0], _e624[0]);
+                                        let _e630 = keys.member[_e505.member[2]];
+                                        let _e632 = function_(_e626, _e630[0]);
+                                        let _e636 = keys.member[_e507.member[0]];
+                                        let _e641 = keys.member[_e507.member[1]];
+                                        let _e643 = function_1(_e636[3], _e641[3]);
+                                        let _e647 = keys.member[_e507.member[2]];
+                                        let _e649 = function_1(_e643, _e647[3]);
+                                        if (_e632[1] > _e649[1]) {
+                                            phi_1284_ = true;
+                                        } else {
+                                            if (_e632[1] == _e649[1]) {
+                                                phi_1283_ = (_e632[0] > _e649[0]);
+                                            } else {
+                                                phi_1283_ = false;
+                                            }
+                                            let _e660 = phi_1283_;
+                                            phi_1284_ = _e660;
+                                        }
+                                        let _e662 = phi_1284_;
+                                        let _e667 = keys.member[_e507.member[0]];
+                                        let _e672 = keys.member[_e507.member[1]];
+                                        let _e674 = function_(_e667[0], _e672[0]);
+                                        let _e678 = keys.member[_e507.member[2]];
+                                        let _e680 = function_(_e674, _e678[0]);
+                                        let _e684 = keys.member[_e505.member[0]];
+                                        let _e689 = keys.member[_e505.member[1]];
+                                        let _e691 = function_1(_e684[3], _e689[3]);
+                                        let _e695 = keys.member[_e505.member[2]];
+                                        let _e697 = function_1(_e691, _e695[3]);
+                                        if (_e680[1] > _e697[1]) {
+                                            phi_1378_ = true;
+                                        } else {
+                                            if (_e680[1] == _e697[1]) {
+                                                phi_1377_ = (_e680[0] > _e697[0]);
+                                            } else {
+                                                phi_1377_ = false;
+                                            }
+                                            let _e708 = phi_1377_;
+                                            phi_1378_ = _e708;
+                                        }
+                                        let _e710 = phi_1378_;
+                                        let _e716 = keys.member[_e505.member[0]];
+                                        let _e721 = keys.member[_e505.member[1]];
+                                        let _e723 = function_2(_e716[1], _e721[1]);
+                                        let _e727 = keys.member[_e505.member[2]];
+                                        let _e729 = function_2(_e723, _e727[1]);
+                                        let _e733 = keys.member[_e507.member[0]];
+                                        let _e738 = keys.member[_e507.member[1]];
+                                        let _e740 = function_3(_e733[4], _e738[4]);
+                                        let _e744 = keys.member[_e507.member[2]];
+                                        let _e746 = function_3(_e740, _e744[4]);
+                                        if (_e729[1] > _e746[1]) {
+                                            phi_1473_ = true;
+                                        } else {
+                                            if (_e729[1] == _e746[1]) {
+                                                phi_1472_ = (_e729[0] > _e746[0]);
+                                            } else {
+                                                phi_1472_ = false;
+                                            }
+                                            let _e757 = phi_1472_;
+                                            phi_1473_ = _e757;
+                                        }
+                                        let _e759 = phi_1473_;
+                                        let _e764 = keys.member[_e507.member[0]];
+                                        let _e769 = keys.member[_e507.member[1]];
+                                        let _e771 = function_2(_e764[1], _e769[1]);
+                                        let _e775 = keys.member[_e507.member[2]];
+                                        let _e777 = function_2(_e771, _e775[1]);
+                                        let _e781 = keys.member[_e505.member[0]];
+                                        let _e786 = keys.member[_e505.member[1]];
+                                        let _e788 = function_3(_e781[4], _e786[4]);
+                                        let _e792 = keys.member[_e505.member[2]];
+                                        let _e794 = function_3(_e788, _e792[4]);
+                                        if (_e777[1] > _e794[1]) {
+                                            phi_1567_ = true;
+                                        } else {
+                                            if (_e777[1] == _e794[1]) {
+                                                phi_1566_ = (_e777[0] > _e794[0]);
+                                            } else {
+                                                phi_1566_ = false;
+                                            }
+                                            let _e805 = phi_1566_;
+                                            phi_1567_ = _e805;
+                                        }
+                                        let _e807 = phi_1567_;
+                                        let _e814 = keys.member[_e505.member[0]];
+                                        let _e819 = keys.member[_e505.member[1]];
+                                        let _e821 = function_4(_e814[2], _e819[2]);
+                                        let _e825 = keys.member[_e505.member[2]];
+                                        let _e827 = function_4(_e821, _e825[2]);
+                                        let _e831 = keys.member[_e507.member[0]];
+                                        let _e836 = keys.member[_e507.member[1]];
+                                        let _e838 = function_5(_e831[5], _e836[5]);
+                                        let _e842 = keys.member[_e507.member[2]];
+                                        let _e844 = function_5(_e838, _e842[5]);
+                                        if (_e827[1] > _e844[1]) {
+                                            phi_1663_ = true;
+                                        } else {
+                                            if (_e827[1] == _e844[1]) {
+                                                phi_1662_ = (_e827[0] > _e844[0]);
+                                            } else {
+                                                phi_1662_ = false;
+                                            }
+                                            let _e855 = phi_1662_;
+                                            phi_1663_ = _e855;
+                                        }
+                                        let _e857 = phi_1663_;
+                                        let _e862 = keys.member[_e507.member[0]];
+                                        let _e867 = keys.member[_e507.member[1]];
+                                        let _e869 = function_4(_e862[2], _e867[2]);
+                                        let _e873 = keys.member[_e507.member[2]];
+                                        let _e875 = function_4(_e869, _e873[2]);
+                                        let _e879 = keys.member[_e505.member[0]];
+                                        let _e884 = keys.member[_e505.member[1]];
+                                        let _e886 = function_5(_e879[5], _e884[5]);
+                                        let _e890 = keys.member[_e505.member[2]];
+                                        let _e892 = function_5(_e886, _e890[5]);
+                                        if (_e875[1] > _e892[1]) {
+                                            phi_1757_ = true;
+                                        } else {
+                                            if (_e875[1] == _e892[1]) {
+                                                phi_1756_ = (_e875[0] > _e892[0]);
+                                            } else {
+                                                phi_1756_ = false;
+                                            }
+                                            let _e903 = phi_1756_;
+                                            phi_1757_ = _e903;
+                                        }
+                                        let _e905 = phi_1757_;
+                                        phi_1761_ = (((!(_e662) && !(_e710)) && (!(_e759) && !(_e807))) && (!(_e857) && !(_e905)));
                                     }
-                                    let _e570 = phi_1154_;
-                                    phi_1155_ = _e570;
-                                }
-                                let _e572 = phi_1155_;
-                                if _e572 {
-                                    phi_1159_ = false;
+                                    let _e910 = phi_1761_;
+                                    phi_1762_ = _e910;
+                                    phi_1763_ = _e615;
                                 } else {
-                                    phi_1159_ = true;
+                                    phi_1762_ = bool();
+                                    phi_1763_ = true;
                                 }
-                                let _e574 = phi_1159_;
-                                phi_1160_ = _e574;
+                                let _e912 = phi_1762_;
+                                let _e914 = phi_1763_;
+                                if _e914 {
+                                    phi_1767_ = false;
+                                } else {
+                                    phi_1767_ = true;
+                                }
+                                let _e916 = phi_1767_;
+                                phi_1768_ = _e912;
+                                phi_1769_ = _e916;
                             } else {
-                                phi_1160_ = true;
+                                phi_1768_ = false;
+                                phi_1769_ = true;
                             }
-                            let _e576 = phi_1160_;
-                            if _e576 {
-                                let _e578 = params.member.member.member_1;
-                                if ((_e578 & 32u) != 0u) {
-                                    let _e582 = params.member.member.member_6;
-                                    let _e623 = (((((((_e509.member_1[0] - _e511.member[0]) > _e582) && ((_e511.member_1[0] - _e509.member[0]) > _e582)) && ((_e509.member_1[1] - _e511.member[1]) > _e582)) && ((_e511.member_1[1] - _e509.member[1]) > _e582)) && ((_e509.member_1[2] - _e511.member[2]) > _e582)) && ((_e511.member_1[2] - _e509.member[2]) > _e582));
-                                    if _e623 {
-                                        phi_1774_ = bool();
-                                    } else {
-                                        let _e627 = keys.member[_e505.member[0]];
-                                        let _e632 = keys.member[_e505.member[1]];
-                                        let _e634 = function_(_e627[0], _e632[0]);
-                                        let _e638 = keys.member[_e505.member[2]];
-                                        let _e640 = function_(_e634, _e638[0]);
-                                        let _e644 = keys.member[_e507.member[0]];
-                                        let _e649 = keys.member[_e507.member[1]];
-                                        let _e651 = function_1(_e644[3], _e649[3]);
-                                        let _e655 = keys.member[_e507.member[2]];
-                                        let _e657 = function_1(_e651, _e655[3]);
-                                        if (_e640[1] > _e657[1]) {
-                                            phi_1297_ = true;
-                                        } else {
-                                            if (_e640[1] == _e657[1]) {
-                                                phi_1296_ = (_e640[0] > _e657[0]);
-                                            } else {
-                                                phi_1296_ = false;
-                                            }
-                                            let _e668 = phi_1296_;
-                                            phi_1297_ = _e668;
-                                        }
-                                        let _e670 = phi_1297_;
-                                        let _e675 = keys.member[_e507.member[0]];
-                                        let _e680 = keys.member[_e507.member[1]];
-                                        let _e682 = function_(_e675[0], _e680[0]);
-                                        let _e686 = keys.member[_e507.member[2]];
-                                        let _e688 = function_(_e682, _e686[0]);
-                                        let _e692 = keys.member[_e505.member[0]];
-                                        let _e697 = keys.member[_e505.member[1]];
-                                        let _e699 = function_1(_e692[3], _e697[3]);
-                                        let _e703 = keys.member[_e505.member[2]];
-                                        let _e705 = function_1(_e699, _e703[3]);
-                                        if (_e688[1] > _e705[1]) {
-                                            phi_1391_ = true;
-                                        } else {
-                                            if (_e688[1] == _e705[1]) {
-                                                phi_1390_ = (_e688[0] > _e705[0]);
-                                            } else {
-                                                phi_1390_ = false;
-                                            }
-                                            let _e716 = phi_1390_;
-                                            phi_1391_ = _e716;
-                                        }
-                                        let _e718 = phi_1391_;
-                                        let _e724 = keys.member[_e505.member[0]];
-                                        let _e729 = keys.member[_e505.member[1]];
-                                        let _e731 = function_2(_e724[1], _e729[1]);
-                                        let _e735 = keys.member[_e505.member[2]];
-                                        let _e737 = function_2(_e731, _e735[1]);
-                                        let _e741 = keys.member[_e507.member[0]];
-                                        let _e746 = keys.member[_e507.member[1]];
-                                        let _e748 = function_3(_e741[4], _e746[4]);
-                                        let _e752 = keys.member[_e507.member[2]];
-                                        let _e754 = function_3(_e748, _e752[4]);
-                                        if (_e737[1] > _e754[1]) {
-                                            phi_1486_ = true;
-                                        } else {
-                                            if (_e737[1] == _e754[1]) {
-                                                phi_1485_ = (_e737[0] > _e754[0]);
-                                            } else {
-                                                phi_1485_ = false;
-                                            }
-                                            let _e765 = phi_1485_;
-                                            phi_1486_ = _e765;
-                                        }
-                                        let _e767 = phi_1486_;
-                                        let _e772 = keys.member[_e507.member[0]];
-                                        let _e777 = keys.member[_e507.member[1]];
-                                        let _e779 = function_2(_e772[1], _e777[1]);
-                                        let _e783 = keys.member[_e507.member[2]];
-                                        let _e785 = function_2(_e779, _e783[1]);
-                                        let _e789 = keys.member[_e505.member[0]];
-                                        let _e794 = keys.member[_e505.member[1]];
-                                        let _e796 = function_3(_e789[4], _e794[4]);
-                                        let _e800 = keys.member[_e505.member[2]];
-                                        let _e802 = function_3(_e796, _e800[4]);
-                                        if (_e785[1] > _e802[1]) {
-                                            phi_1580_ = true;
-                                        } else {
-                                            if (_e785[1] == _e802[1]) {
-                                                phi_1579_ = (_e785[0] > _e802[0]);
-                                            } else {
-                                                phi_1579_ = false;
-                                            }
-                                            let _e813 = phi_1579_;
-                                            phi_1580_ = _e813;
-                                        }
-                                        let _e815 = phi_1580_;
-                                        let _e822 = keys.member[_e505.member[0]];
-                                        let _e827 = keys.member[_e505.member[1]];
-                                        let _e829 = function_4(_e822[2], _e827[2]);
-                                        let _e833 = keys.member[_e505.member[2]];
-                                        let _e835 = function_4(_e829, _e833[2]);
-                                        let _e839 = keys.member[_e507.member[0]];
-                                        let _e844 = keys.member[_e507.member[1]];
-                                        let _e846 = function_5(_e839[5], _e844[5]);
-                                        let _e850 = keys.member[_e507.member[2]];
-                                        let _e852 = function_5(_e846, _e850[5]);
-                                        if (_e835[1] > _e852[1]) {
-                                            phi_1676_ = true;
-                                        } else {
-                                            if (_e835[1] == _e852[1]) {
-                                                phi_1675_ = (_e835[0] > _e852[0]);
-                                            } else {
-                                                phi_1675_ = false;
-                                            }
-                                            let _e863 = phi_1675_;
-                                            phi_1676_ = _e863;
-                                        }
-                                        let _e865 = phi_1676_;
-                                        let _e870 = keys.member[_e507.member[0]];
-                                        let _e875 = keys.member[_e507.member[1]];
-                                        let _e877 = function_4(_e870[2], _e875[2]);
-                                        let _e881 = keys.member[_e507.member[2]];
-                                        let _e883 = function_4(_e877, _e881[2]);
-                                        let _e887 = keys.member[_e505.member[0]];
-                                        let _e892 = keys.member[_e505.member[1]];
-                                        let _e894 = function_5(_e887[5], _e892[5]);
-                                        let _e898 = keys.member[_e505.member[2]];
-                                        let _e900 = function_5(_e894, _e898[5]);
-                                        if (_e883[1] > _e900[1]) {
-                                            phi_1770_ = true;
-                                        } else {
-                                            if (_e883[1] == _e900[1]) {
-                                                phi_1769_ = (_e883[0] > _e900[0]);
-                                            } else {
-                                                phi_1769_ = false;
-                                            }
-                                            let _e911 = phi_1769_;
-                                            phi_1770_ = _e911;
-                                        }
-                                        let _e913 = phi_1770_;
-                                        phi_1774_ = (((!(_e670) && !(_e718)) && (!(_e767) && !(_e815))) && (!(_e865) && !(_e913)));
-                                    }
-                                    let _e918 = phi_1774_;
-                                    phi_1775_ = _e918;
-                                    phi_1776_ = _e623;
-                                } else {
-                                    phi_1775_ = bool();
-                                    phi_1776_ = true;
-                                }
-                                let _e920 = phi_1775_;
-                                let _e922 = phi_1776_;
-                                if _e922 {
-                                    phi_1780_ = false;
-                                } else {
-                                    phi_1780_ = true;
-                                }
-                                let _e924 = phi_1780_;
-                                phi_1781_ = _e920;
-                                phi_1782_ = _e924;
-                            } else {
-                                phi_1781_ = false;
-                                phi_1782_ = true;
-                            }
-                            let _e926 = phi_1781_;
-                            let _e928 = phi_1782_;
-                            phi_1783_ = _e926;
-                            phi_1784_ = _e928;
+                            let _e918 = phi_1768_;
+                            let _e920 = phi_1769_;
+                            phi_1770_ = _e918;
+                            phi_1771_ = _e920;
                         } else {
-                            phi_1783_ = false;
-                            phi_1784_ = true;
+                            phi_1770_ = false;
+                            phi_1771_ = true;
                         }
-                        let _e930 = phi_1783_;
-                        let _e932 = phi_1784_;
-                        if _e932 {
-                            phi_1788_ = _e930;
+                        let _e922 = phi_1770_;
+                        let _e924 = phi_1771_;
+                        if _e924 {
+                            phi_1775_ = _e922;
                         } else {
-                            phi_1788_ = true;
+                            phi_1775_ = true;
                         }
-                        let _e934 = phi_1788_;
-                        if _e934 {
-                            let _e937 = params.member.member_1.member_3;
-                            let _e941 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e941 + 1u) < _e941) {
-                                let _e945 = atomicAdd((&output.member[2u]), 1u);
+                        let _e926 = phi_1775_;
+                        if _e926 {
+                            let _e929 = params.member.member_1.member_3;
+                            let _e933 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e933 + 1u) < _e933) {
+                                let _e937 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e941 < _e937) {
-                                let _e947 = (2u * _e941);
-                                atomicStore((&output.member[(4u + _e947)]), _e505.member_1);
-                                atomicStore((&output.member[(_e947 + 5u)]), _e507.member_1);
+                            if (_e933 < _e929) {
+                                let _e939 = (2u * _e933);
+                                atomicStore((&output.member[(4u + _e939)]), _e505.member_1);
+                                atomicStore((&output.member[(_e939 + 5u)]), _e507.member_1);
                             }
-                            let _e953 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e953 + 1u) < _e953) {
-                                let _e957 = atomicAdd((&output.member[3u]), 1u);
+                            let _e945 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e945 + 1u) < _e945) {
+                                let _e949 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1850_ = (_e474 & (_e474 - 1u));
-                        phi_1851_ = true;
+                        phi_1837_ = (_e474 & (_e474 - 1u));
+                        phi_1838_ = true;
                     }
-                    let _e959 = phi_1850_;
-                    let _e961 = phi_1851_;
-                    phi_947_ = _e959;
-                    phi_1852_ = _e961;
+                    let _e951 = phi_1837_;
+                    let _e953 = phi_1838_;
+                    phi_947_ = _e951;
+                    phi_1839_ = _e953;
                 } else {
                     phi_947_ = u32();
-                    phi_1852_ = false;
+                    phi_1839_ = false;
                 }
-                let _e963 = phi_947_;
-                let _e965 = phi_1852_;
+                let _e955 = phi_947_;
+                let _e957 = phi_1839_;
                 continue;
                 continuing {
                     phi_943_ = _e486;
-                    phi_946_ = _e963;
-                    break if !(_e965);
+                    phi_946_ = _e955;
+                    break if !(_e957);
                 }
             }
             workgroupBarrier();
-            let _e968 = atomicLoad((&counters[4u]));
-            if (2048u < _e968) {
-                phi_1859_ = 2048u;
+            let _e960 = atomicLoad((&counters[4u]));
+            if (2048u < _e960) {
+                phi_1846_ = 2048u;
             } else {
-                phi_1859_ = _e968;
+                phi_1846_ = _e960;
             }
-            let _e971 = phi_1859_;
-            phi_1862_ = type_9(0u, 16u);
+            let _e963 = phi_1846_;
+            phi_1849_ = type_9(0u, 16u);
             loop {
-                let _e973 = phi_1862_;
-                if (_e973.member < _e973.member_1) {
-                    phi_1863_ = type_9((_e973.member + 1u), _e973.member_1);
-                    phi_1886_ = type_9(1u, _e973.member);
+                let _e965 = phi_1849_;
+                if (_e965.member < _e965.member_1) {
+                    phi_1850_ = type_9((_e965.member + 1u), _e965.member_1);
+                    phi_1873_ = type_9(1u, _e965.member);
                 } else {
-                    phi_1863_ = _e973;
-                    phi_1886_ = type_9(0u, type_9().member_1);
+                    phi_1850_ = _e965;
+                    phi_1873_ = type_9(0u, type_9().member_1);
                 }
-                let _e985 = phi_1863_;
-                let _e987 = phi_1886_;
-                if (bitcast<i32>(_e987.member) != 0i) {
-                    let _e993 = (_e67 + (_e987.member_1 * 128u));
-                    if (_e993 >= _e971) {
-                        phi_7894_ = false;
+                let _e977 = phi_1850_;
+                let _e979 = phi_1873_;
+                if (bitcast<i32>(_e979.member) != 0i) {
+                    let _e985 = (_e67 + (_e979.member_1 * 128u));
+                    if (_e985 >= _e963) {
+                        phi_7868_ = false;
                     } else {
-                        let _e996 = hits[_e993];
-                        let _e999 = ((_e996 >> bitcast<u32>(10i)) & 3u);
-                        let _e1006 = firsts[(2u * _e999)];
-                        let _e1007 = (_e1006 + ((_e996 >> bitcast<u32>(5i)) & 31u));
-                        let _e1011 = firsts[((2u * _e999) + 1u)];
-                        let _e1012 = (_e1011 + (_e996 & 31u));
-                        let _e1014 = leaves.member[_e1007];
-                        let _e1016 = leaves.member[_e1012];
-                        let _e1018 = nodes.member[_e1007];
-                        let _e1020 = nodes.member[_e1012];
-                        let _e1023 = params.member.member.member_1;
-                        if ((_e1023 & 1u) != 0u) {
-                            if (_e1014.member[0] == _e1016.member[0]) {
-                                phi_1984_ = bool();
-                                phi_1985_ = true;
+                        let _e988 = hits[_e985];
+                        let _e991 = ((_e988 >> bitcast<u32>(10i)) & 3u);
+                        let _e998 = firsts[(2u * _e991)];
+                        let _e999 = (_e998 + ((_e988 >> bitcast<u32>(5i)) & 31u));
+                        let _e1003 = firsts[((2u * _e991) + 1u)];
+                        let _e1004 = (_e1003 + (_e988 & 31u));
+                        let _e1006 = leaves.member[_e999];
+                        let _e1008 = leaves.member[_e1004];
+                        let _e1010 = nodes.member[_e999];
+                        let _e1012 = nodes.member[_e1004];
+                        let _e1015 = params.member.member.member_1;
+                        if ((_e1015 & 1u) != 0u) {
+                            if (_e1008.member[0] == _e1006.member[0]) {
+                                phi_1963_ = true;
                             } else {
-                                let _e1035 = (_e1014.member[0] == _e1016.member[1]);
-                                if _e1035 {
-                                    phi_1983_ = bool();
-                                } else {
-                                    phi_1983_ = (_e1014.member[0] == _e1016.member[2]);
-                                }
-                                let _e1042 = phi_1983_;
-                                phi_1984_ = _e1042;
-                                phi_1985_ = _e1035;
+                                phi_1963_ = (_e1008.member[0] == _e1006.member[0]);
                             }
-                            let _e1044 = phi_1984_;
-                            let _e1046 = phi_1985_;
-                            if _e1046 {
-                                phi_1989_ = true;
+                            let _e1025 = phi_1963_;
+                            if (_e1008.member[1] == _e1006.member[0]) {
+                                phi_1970_ = true;
                             } else {
-                                phi_1989_ = _e1044;
+                                phi_1970_ = (_e1008.member[1] == _e1006.member[0]);
                             }
-                            let _e1048 = phi_1989_;
-                            if _e1048 {
-                                phi_2024_ = false;
+                            let _e1030 = phi_1970_;
+                            if (_e1008.member[2] == _e1006.member[0]) {
+                                phi_1978_ = true;
                             } else {
-                                phi_2024_ = true;
+                                phi_1978_ = (_e1008.member[2] == _e1006.member[0]);
                             }
-                            let _e1050 = phi_2024_;
-                            phi_2025_ = _e1050;
+                            let _e1036 = phi_1978_;
+                            if ((_e1025 || _e1030) || _e1036) {
+                                phi_2001_ = false;
+                            } else {
+                                phi_2001_ = true;
+                            }
+                            let _e1039 = phi_2001_;
+                            phi_2002_ = _e1039;
                         } else {
-                            phi_2025_ = true;
+                            phi_2002_ = true;
                         }
-                        let _e1052 = phi_2025_;
-                        if _e1052 {
-                            let _e1054 = params.member.member.member_1;
-                            if ((_e1054 & 2u) != 0u) {
-                                let _e1060 = bodies.member[_e1014.member[0]];
-                                let _e1064 = bodies.member[_e1016.member[0]];
-                                if ((_e1060 / 2u) == (_e1064 / 2u)) {
-                                    let _e1069 = params.member.member.member_1;
-                                    phi_2069_ = !(((_e1069 & 4u) != 0u));
+                        let _e1041 = phi_2002_;
+                        if _e1041 {
+                            let _e1043 = params.member.member.member_1;
+                            if ((_e1043 & 2u) != 0u) {
+                                let _e1047 = params.member.member.member_1;
+                                let _e1053 = bodies.member[_e1006.member[0]];
+                                let _e1057 = bodies.member[_e1008.member[0]];
+                                if ((_e1053 / 2u) != (_e1057 / 2u)) {
+                                    phi_2048_ = true;
                                 } else {
-                                    phi_2069_ = false;
+                                    phi_2048_ = ((_e1047 & 4u) != 0u);
                                 }
-                                let _e1074 = phi_2069_;
-                                if _e1074 {
-                                    phi_2080_ = true;
+                                let _e1062 = phi_2048_;
+                                if _e1062 {
+                                    phi_2055_ = (((_e1053 & _e1057) & 1u) == 0u);
                                 } else {
-                                    if (((_e1060 & _e1064) & 1u) == 0u) {
-                                        phi_2079_ = false;
+                                    phi_2055_ = false;
+                                }
+                                let _e1067 = phi_2055_;
+                                phi_2059_ = _e1067;
+                            } else {
+                                phi_2059_ = true;
+                            }
+                            let _e1069 = phi_2059_;
+                            if _e1069 {
+                                let _e1071 = params.member.member.member_1;
+                                if ((_e1071 & 32u) != 0u) {
+                                    let _e1075 = params.member.member.member_6;
+                                    let _e1116 = (((((_e1010.member_1[0] - _e1012.member[0]) > _e1075) && ((_e1012.member_1[0] - _e1010.member[0]) > _e1075)) && (((_e1010.member_1[1] - _e1012.member[1]) > _e1075) && ((_e1012.member_1[1] - _e1010.member[1]) > _e1075))) && (((_e1010.member_1[2] - _e1012.member[2]) > _e1075) && ((_e1012.member_1[2] - _e1010.member[2]) > _e1075)));
+                                    if _e1116 {
+                                        phi_2673_ = bool();
                                     } else {
-                                        phi_2079_ = true;
+                                        let _e1120 = keys.member[_e1006.member[0]];
+                                        let _e1125 = keys.member[_e1006.member[1]];
+                                        let _e1127 = function_(_e1120[0], _e1125[0]);
+                                        let _e1131 = keys.member[_e1006.member[2]];
+                                        let _e1133 = function_(_e1127, _e1131[0]);
+                                        let _e1137 = keys.member[_e1008.member[0]];
+                                        let _e1142 = keys.member[_e1008.member[1]];
+                                        let _e1144 = function_1(_e1137[3], _e1142[3]);
+                                        let _e1148 = keys.member[_e1008.member[2]];
+                                        let _e1150 = function_1(_e1144, _e1148[3]);
+                                        if (_e1133[1] > _e1150[1]) {
+                                            phi_2196_ = true;
+                                        } else {
+                                            if (_e1133[1] == _e1150[1]) {
+                                                phi_2195_ = (_e1133[0] > _e1150[0]);
+                                            } else {
+                                                phi_2195_ = false;
+                                            }
+                                            let _e1161 = phi_2195_;
+                                            phi_2196_ = _e1161;
+                                        }
+                                        let _e1163 = phi_2196_;
+                                        let _e1168 = keys.member[_e1008.member[0]];
+                                        let _e1173 = keys.member[_e1008.member[1]];
+                                        let _e1175 = function_(_e1168[0], _e1173[0]);
+                                        let _e1179 = keys.member[_e1008.member[2]];
+                                        let _e1181 = function_(_e1175, _e1179[0]);
+                                        let _e1185 = keys.member[_e1006.member[0]];
+                                        let _e1190 = keys.member[_e1006.member[1]];
+                                        let _e1192 = function_1(_e1185[3], _e1190[3]);
+                                        let _e1196 = keys.member[_e1006.member[2]];
+                                        let _e1198 = function_1(_e1192, _e1196[3]);
+                                        if (_e1181[1] > _e1198[1]) {
+                                            phi_2290_ = true;
+                                        } else {
+                                            if (_e1181[1] == _e1198[1]) {
+                                                phi_2289_ = (_e1181[0] > _e1198[0]);
+                                            } else {
+                                                phi_2289_ = false;
+                                            }
+                                            let _e1209 = phi_2289_;
+                                            phi_2290_ = _e1209;
+                                        }
+                                        let _e1211 = phi_2290_;
+                                        let _e1217 = keys.member[_e1006.member[0]];
+                                        let _e1222 = keys.member[_e1006.member[1]];
+                                        let _e1224 = function_2(_e1217[1], _e1222[1]);
+                                        let _e1228 = keys.member[_e1006.member[2]];
+                                        let _e1230 = function_2(_e1224, _e1228[1]);
+                                        let _e1234 = keys.member[_e1008.member[0]];
+                                        let _e1239 = keys.member[_e1008.member[1]];
+                                        let _e1241 = function_3(_e1234[4], _e1239[4]);
+                                        let _e1245 = keys.member[_e1008.member[2]];
+                                        let _e1247 = function_3(_e1241, _e1245[4]);
+                                        if (_e1230[1] > _e1247[1]) {
+                                            phi_2385_ = true;
+                                        } else {
+                                            if (_e1230[1] == _e1247[1]) {
+                                                phi_2384_ = (_e1230[0] > _e1247[0]);
+                                            } else {
+                                                phi_2384_ = false;
+                                            }
+                                            let _e1258 = phi_2384_;
+                                            phi_2385_ = _e1258;
+                                        }
+                                        let _e1260 = phi_2385_;
+                                        let _e1265 = keys.member[_e1008.member[0]];
+                                        let _e1270 = keys.member[_e1008.member[1]];
+                                        let _e1272 = function_2(_e1265[1], _e1270[1]);
+                                        let _e1276 = keys.member[_e1008.member[2]];
+                                        let _e1278 = function_2(_e1272, _e1276[1]);
+                                        let _e1282 = keys.member[_e1006.member[0]];
+                                        let _e1287 = keys.member[_e1006.member[1]];
+                                        let _e1289 = function_3(_e1282[4], _e1287[4]);
+                                        let _e1293 = keys.member[_e1006.member[2]];
+                                        let _e1295 = function_3(_e1289, _e1293[4]);
+                                        if (_e1278[1] > _e1295[1]) {
+                                            phi_2479_ = true;
+                                        } else {
+                                            if (_e1278[1] == _e1295[1]) {
+                                                phi_2478_ = (_e1278[0] > _e1295[0]);
+                                            } else {
+                                                phi_2478_ = false;
+                                            }
+                                            let _e1306 = phi_2478_;
+                                            phi_2479_ = _e1306;
+                                        }
+                                        let _e1308 = phi_2479_;
+                                        let _e1315 = keys.member[_e1006.member[0]];
+                                        let _e1320 = keys.member[_e1006.member[1]];
+                                        let _e1322 = function_4(_e1315[2], _e1320[2]);
+                                        let _e1326 = keys.member[_e1006.member[2]];
+                                        let _e1328 = function_4(_e1322, _e1326[2]);
+                                        let _e1332 = keys.member[_e1008.member[0]];
+                                        let _e1337 = keys.member[_e1008.member[1]];
+                                        let _e1339 = function_5(_e1332[5], _e1337[5]);
+                                        let _e1343 = keys.member[_e1008.member[2]];
+                                        let _e1345 = function_5(_e1339, _e1343[5]);
+                                        if (_e1328[1] > _e1345[1]) {
+                                            phi_2575_ = true;
+                                        } else {
+                                            if (_e1328[1] == _e1345[1]) {
+                                                phi_2574_ = (_e1328[0] > _e1345[0]);
+                                            } else {
+                                                phi_2574_ = false;
+                                            }
+                                            let _e1356 = phi_2574_;
+                                            phi_2575_ = _e1356;
+                                        }
+                                        let _e1358 = phi_2575_;
+                                        let _e1363 = keys.member[_e1008.member[0]];
+                                        let _e1368 = keys.member[_e1008.member[1]];
+                                        let _e1370 = function_4(_e1363[2], _e1368[2]);
+                                        let _e1374 = keys.member[_e1008.member[2]];
+                                        let _e1376 = function_4(_e1370, _e1374[2]);
+                                        let _e1380 = keys.member[_e1006.member[0]];
+                                        let _e1385 = keys.member[_e1006.member[1]];
+                                        let _e1387 = function_5(_e1380[5], _e1385[5]);
+                                        let _e1391 = keys.member[_e1006.member[2]];
+                                        let _e1393 = function_5(_e1387, _e1391[5]);
+                                        if (_e1376[1] > _e1393[1]) {
+                                            phi_2669_ = true;
+                                        } else {
+                                            if (_e1376[1] == _e1393[1]) {
+                                                phi_2668_ = (_e1376[0] > _e1393[0]);
+                                            } else {
+                                                phi_2668_ = false;
+                                            }
+                                            let _e1404 = phi_2668_;
+                                            phi_2669_ = _e1404;
+                                        }
+                                        let _e1406 = phi_2669_;
+                                        phi_2673_ = (((!(_e1163) && !(_e1211)) && (!(_e1260) && !(_e1308))) && (!(_e1358) && !(_e1406)));
                                     }
-                                    let _e1079 = phi_2079_;
-                                    phi_2080_ = _e1079;
-                                }
-                                let _e1081 = phi_2080_;
-                                if _e1081 {
-                                    phi_2084_ = false;
+                                    let _e1411 = phi_2673_;
+                                    phi_2674_ = _e1411;
+                                    phi_2675_ = _e1116;
                                 } else {
-                                    phi_2084_ = true;
+                                    phi_2674_ = bool();
+                                    phi_2675_ = true;
                                 }
-                                let _e1083 = phi_2084_;
-                                phi_2085_ = _e1083;
+                                let _e1413 = phi_2674_;
+                                let _e1415 = phi_2675_;
+                                if _e1415 {
+                                    phi_2679_ = false;
+                                } else {
+                                    phi_2679_ = true;
+                                }
+                                let _e1417 = phi_2679_;
+                                phi_2680_ = _e1413;
+                                phi_2681_ = _e1417;
                             } else {
-                                phi_2085_ = true;
+                                phi_2680_ = false;
+                                phi_2681_ = true;
                             }
-                            let _e1085 = phi_2085_;
-                            if _e1085 {
-                                let _e1087 = params.member.member.member_1;
-                                if ((_e1087 & 32u) != 0u) {
-                                    let _e1091 = params.member.member.member_6;
-                                    let _e1132 = (((((((_e1018.member_1[0] - _e1020.member[0]) > _e1091) && ((_e1020.member_1[0] - _e1018.member[0]) > _e1091)) && ((_e1018.member_1[1] - _e1020.member[1]) > _e1091)) && ((_e1020.member_1[1] - _e1018.member[1]) > _e1091)) && ((_e1018.member_1[2] - _e1020.member[2]) > _e1091)) && ((_e1020.member_1[2] - _e1018.member[2]) > _e1091));
-                                    if _e1132 {
-                                        phi_2699_ = bool();
-                                    } else {
-                                        let _e1136 = keys.member[_e1014.member[0]];
-                                        let _e1141 = keys.member[_e1014.member[1]];
-                                        let _e1143 = function_(_e1136[0], _e1141[0]);
-                                        let _e1147 = keys.member[_e1014.member[2]];
-                                        let _e1149 = function_(_e1143, _e1147[0]);
-                                        let _e1153 = keys.member[_e1016.member[0]];
-                                        let _e1158 = keys.member[_e1016.member[1]];
-                                        let _e1160 = function_1(_e1153[3], _e1158[3]);
-                                        let _e1164 = keys.member[_e1016.member[2]];
-                                        let _e1166 = function_1(_e1160, _e1164[3]);
-                                        if (_e1149[1] > _e1166[1]) {
-                                            phi_2222_ = true;
-                                        } else {
-                                            if (_e1149[1] == _e1166[1]) {
-                                                phi_2221_ = (_e1149[0] > _e1166[0]);
-                                            } else {
-                                                phi_2221_ = false;
-                                            }
-                                            let _e1177 = phi_2221_;
-                                            phi_2222_ = _e1177;
-                                        }
-                                        let _e1179 = phi_2222_;
-                                        let _e1184 = keys.member[_e1016.member[0]];
-                                        let _e1189 = keys.member[_e1016.member[1]];
-                                        let _e1191 = function_(_e1184[0], _e1189[0]);
-                                        let _e1195 = keys.member[_e1016.member[2]];
-                                        let _e1197 = function_(_e1191, _e1195[0]);
-                                        let _e1201 = keys.member[_e1014.member[0]];
-                                        let _e1206 = keys.member[_e1014.member[1]];
-                                        let _e1208 = function_1(_e1201[3], _e1206[3]);
-                                        let _e1212 = keys.member[_e1014.member[2]];
-                                        let _e1214 = function_1(_e1208, _e1212[3]);
-                                        if (_e1197[1] > _e1214[1]) {
-                                            phi_2316_ = true;
-                                        } else {
-                                            if (_e1197[1] == _e1214[1]) {
-                                                phi_2315_ = (_e1197[0] > _e1214[0]);
-                                            } else {
-                                                phi_2315_ = false;
-                                            }
-                                            let _e1225 = phi_2315_;
-                                            phi_2316_ = _e1225;
-                                        }
-                                        let _e1227 = phi_2316_;
-                                        let _e1233 = keys.member[_e1014.member[0]];
-                                        let _e1238 = keys.member[_e1014.member[1]];
-                                        let _e1240 = function_2(_e1233[1], _e1238[1]);
-                                        let _e1244 = keys.member[_e1014.member[2]];
-                                        let _e1246 = function_2(_e1240, _e1244[1]);
-                                        let _e1250 = keys.member[_e1016.member[0]];
-                                        let _e1255 = keys.member[_e1016.member[1]];
-                                        let _e1257 = function_3(_e1250[4], _e1255[4]);
-                                        let _e1261 = keys.member[_e1016.member[2]];
-                                        let _e1263 = function_3(_e1257, _e1261[4]);
-                                        if (_e1246[1] > _e1263[1]) {
-                                            phi_2411_ = true;
-                                        } else {
-                                            if (_e1246[1] == _e1263[1]) {
-                                                phi_2410_ = (_e1246[0] > _e1263[0]);
-                                            } else {
-                                                phi_2410_ = false;
-                                            }
-                                            let _e1274 = phi_2410_;
-                                            phi_2411_ = _e1274;
-                                        }
-                                        let _e1276 = phi_2411_;
-                                        let _e1281 = keys.member[_e1016.member[0]];
-                                        let _e1286 = keys.member[_e1016.member[1]];
-                                        let _e1288 = function_2(_e1281[1], _e1286[1]);
-                                        let _e1292 = keys.member[_e1016.member[2]];
-                                        let _e1294 = function_2(_e1288, _e1292[1]);
-                                        let _e1298 = keys.member[_e1014.member[0]];
-                                        let _e1303 = keys.member[_e1014.member[1]];
-                                        let _e1305 = function_3(_e1298[4], _e1303[4]);
-                                        let _e1309 = keys.member[_e1014.member[2]];
-                                        let _e1311 = function_3(_e1305, _e1309[4]);
-                                        if (_e1294[1] > _e1311[1]) {
-                                            phi_2505_ = true;
-                                        } else {
-                                            if (_e1294[1] == _e1311[1]) {
-                                                phi_2504_ = (_e1294[0] > _e1311[0]);
-                                            } else {
-                                                phi_2504_ = false;
-                                            }
-                                            let _e1322 = phi_2504_;
-                                            phi_2505_ = _e1322;
-                                        }
-                                        let _e1324 = phi_2505_;
-                                        let _e1331 = keys.member[_e1014.member[0]];
-                                        let _e1336 = keys.member[_e1014.member[1]];
-                                        let _e1338 = function_4(_e1331[2], _e1336[2]);
-                                        let _e1342 = keys.member[_e1014.member[2]];
-                                        let _e1344 = function_4(_e1338, _e1342[2]);
-                                        let _e1348 = keys.member[_e1016.member[0]];
-                                        let _e1353 = keys.member[_e1016.member[1]];
-                                        let _e1355 = function_5(_e1348[5], _e1353[5]);
-                                        let _e1359 = keys.member[_e1016.member[2]];
-                                        let _e1361 = function_5(_e1355, _e1359[5]);
-                                        if (_e1344[1] > _e1361[1]) {
-                                            phi_2601_ = true;
-                                        } else {
-                                            if (_e1344[1] == _e1361[1]) {
-                                                phi_2600_ = (_e1344[0] > _e1361[0]);
-                                            } else {
-                                                phi_2600_ = false;
-                                            }
-                                            let _e1372 = phi_2600_;
-                                            phi_2601_ = _e1372;
-                                        }
-                                        let _e1374 = phi_2601_;
-                                        let _e1379 = keys.member[_e1016.member[0]];
-                                        let _e1384 = keys.member[_e1016.member[1]];
-                                        let _e1386 = function_4(_e1379[2], _e1384[2]);
-                                        let _e1390 = keys.member[_e1016.member[2]];
-                                        let _e1392 = function_4(_e1386, _e1390[2]);
-                                        let _e1396 = keys.member[_e1014.member[0]];
-                                        let _e1401 = keys.member[_e1014.member[1]];
-                                        let _e1403 = function_5(_e1396[5], _e1401[5]);
-                                        let _e1407 = keys.member[_e1014.member[2]];
-                                        let _e1409 = function_5(_e1403, _e1407[5]);
-                                        if (_e1392[1] > _e1409[1]) {
-                                            phi_2695_ = true;
-                                        } else {
-                                            if (_e1392[1] == _e1409[1]) {
-                                                phi_2694_ = (_e1392[0] > _e1409[0]);
-                                            } else {
-                                                phi_2694_ = false;
-                                            }
-                                            let _e1420 = phi_2694_;
-                                            phi_2695_ = _e1420;
-                                        }
-                                        let _e1422 = phi_2695_;
-                                        phi_2699_ = (((!(_e1179) && !(_e1227)) && (!(_e1276) && !(_e1324))) && (!(_e1374) && !(_e1422)));
-                                    }
-                                    let _e1427 = phi_2699_;
-                                    phi_2700_ = _e1427;
-                                    phi_2701_ = _e1132;
-                                } else {
-                                    phi_2700_ = bool();
-                                    phi_2701_ = true;
-                                }
-                                let _e1429 = phi_2700_;
-                                let _e1431 = phi_2701_;
-                                if _e1431 {
-                                    phi_2705_ = false;
-                                } else {
-                                    phi_2705_ = true;
-                                }
-                                let _e1433 = phi_2705_;
-                                phi_2706_ = _e1429;
-                                phi_2707_ = _e1433;
-                            } else {
-                                phi_2706_ = false;
-                                phi_2707_ = true;
-                            }
-                            let _e1435 = phi_2706_;
-                            let _e1437 = phi_2707_;
-                            phi_2708_ = _e1435;
-                            phi_2709_ = _e1437;
+                            let _e1419 = phi_2680_;
+                            let _e1421 = phi_2681_;
+                            phi_2682_ = _e1419;
+                            phi_2683_ = _e1421;
                         } else {
-                            phi_2708_ = false;
-                            phi_2709_ = true;
+                            phi_2682_ = false;
+                            phi_2683_ = true;
                         }
-                        let _e1439 = phi_2708_;
-                        let _e1441 = phi_2709_;
-                        if _e1441 {
-                            phi_2713_ = _e1439;
+                        let _e1423 = phi_2682_;
+                        let _e1425 = phi_2683_;
+                        if _e1425 {
+                            phi_2687_ = _e1423;
                         } else {
-                            phi_2713_ = true;
+                            phi_2687_ = true;
                         }
-                        let _e1443 = phi_2713_;
-                        if _e1443 {
-                            let _e1445 = atomicAdd((&counters[7u]), 1u);
-                            let _e1448 = params.member.member.member_4;
-                            let _e1450 = params.member.member.member_5;
-                            let _e1460 = paths.member[_e1014.member[0]];
-                            let _e1462 = paths.member[_e1016.member[0]];
-                            let _e1468 = paths.member[_e1016.member[1]];
-                            let _e1470 = paths.member[_e1016.member[2]];
-                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1460.member[0] - _e1462.member[0]), (_e1460.member[1] - _e1462.member[1]), (_e1460.member[2] - _e1462.member[2])), array<f32, 3>((_e1460.member_1[0] - _e1462.member_1[0]), (_e1460.member_1[1] - _e1462.member_1[1]), (_e1460.member_1[2] - _e1462.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1468.member[0] - _e1462.member[0]), (_e1468.member[1] - _e1462.member[1]), (_e1468.member[2] - _e1462.member[2])), array<f32, 3>((_e1468.member_1[0] - _e1462.member_1[0]), (_e1468.member_1[1] - _e1462.member_1[1]), (_e1468.member_1[2] - _e1462.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1470.member[0] - _e1462.member[0]), (_e1470.member[1] - _e1462.member[1]), (_e1470.member[2] - _e1462.member[2])), array<f32, 3>((_e1470.member_1[0] - _e1462.member_1[0]), (_e1470.member_1[1] - _e1462.member_1[1]), (_e1470.member_1[2] - _e1462.member_1[2]))), (_e1448 + _e1448));
-                            let _e1530 = local_2.member_1[0u];
-                            let _e1536 = local_2.member_2[0u];
-                            let _e1542 = ((_e1530[1] * _e1536[2]) - (_e1530[2] * _e1536[1]));
-                            let _e1545 = ((_e1530[2] * _e1536[0]) - (_e1530[0] * _e1536[2]));
-                            let _e1548 = ((_e1530[0] * _e1536[1]) - (_e1530[1] * _e1536[0]));
-                            let _e1551 = local_2.member_1[1u];
-                            let _e1557 = local_2.member_2[1u];
-                            let _e1563 = ((_e1551[1] * _e1557[2]) - (_e1551[2] * _e1557[1]));
-                            let _e1566 = ((_e1551[2] * _e1557[0]) - (_e1551[0] * _e1557[2]));
-                            let _e1569 = ((_e1551[0] * _e1557[1]) - (_e1551[1] * _e1557[0]));
-                            let _e1572 = local_2.member_1[0u];
-                            let _e1578 = local_2.member_2[1u];
-                            let _e1593 = local_2.member_1[1u];
-                            let _e1599 = local_2.member_2[0u];
-                            let _e1612 = (((_e1572[1] * _e1578[2]) - (_e1572[2] * _e1578[1])) + ((_e1593[1] * _e1599[2]) - (_e1593[2] * _e1599[1])));
-                            let _e1613 = (((_e1572[2] * _e1578[0]) - (_e1572[0] * _e1578[2])) + ((_e1593[2] * _e1599[0]) - (_e1593[0] * _e1599[2])));
-                            let _e1614 = (((_e1572[0] * _e1578[1]) - (_e1572[1] * _e1578[0])) + ((_e1593[0] * _e1599[1]) - (_e1593[1] * _e1599[0])));
-                            let _e1617 = local_2.member[0u];
-                            let _e1628 = local_2.member[1u];
-                            let _e1639 = local_2.member[0u];
-                            let _e1648 = ((((_e1628[0] * _e1542) + (_e1628[1] * _e1545)) + (_e1628[2] * _e1548)) + (((_e1639[0] * _e1612) + (_e1639[1] * _e1613)) + (_e1639[2] * _e1614)));
-                            let _e1651 = local_2.member[0u];
-                            let _e1662 = local_2.member[1u];
-                            let _e1671 = ((((_e1651[0] * _e1563) + (_e1651[1] * _e1566)) + (_e1651[2] * _e1569)) + (((_e1662[0] * _e1612) + (_e1662[1] * _e1613)) + (_e1662[2] * _e1614)));
-                            let _e1674 = local_2.member[1u];
-                            let _e1685 = local_2.member[0u];
-                            if (_e1685[0] < 0f) {
-                                phi_3108_ = -(_e1685[0]);
+                        let _e1427 = phi_2687_;
+                        if _e1427 {
+                            let _e1429 = atomicAdd((&counters[7u]), 1u);
+                            let _e1432 = params.member.member.member_4;
+                            let _e1434 = params.member.member.member_5;
+                            let _e1444 = paths.member[_e1006.member[0]];
+                            let _e1446 = paths.member[_e1008.member[0]];
+                            let _e1452 = paths.member[_e1008.member[1]];
+                            let _e1454 = paths.member[_e1008.member[2]];
+                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1444.member[0] - _e1446.member[0]), (_e1444.member[1] - _e1446.member[1]), (_e1444.member[2] - _e1446.member[2])), array<f32, 3>((_e1444.member_1[0] - _e1446.member_1[0]), (_e1444.member_1[1] - _e1446.member_1[1]), (_e1444.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1452.member[0] - _e1446.member[0]), (_e1452.member[1] - _e1446.member[1]), (_e1452.member[2] - _e1446.member[2])), array<f32, 3>((_e1452.member_1[0] - _e1446.member_1[0]), (_e1452.member_1[1] - _e1446.member_1[1]), (_e1452.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1454.member[0] - _e1446.member[0]), (_e1454.member[1] - _e1446.member[1]), (_e1454.member[2] - _e1446.member[2])), array<f32, 3>((_e1454.member_1[0] - _e1446.member_1[0]), (_e1454.member_1[1] - _e1446.member_1[1]), (_e1454.member_1[2] - _e1446.member_1[2]))), (_e1432 + _e1432));
+                            let _e1514 = local_2.member_1[0u];
+                            let _e1520 = local_2.member_2[0u];
+                            let _e1526 = ((_e1514[1] * _e1520[2]) - (_e1514[2] * _e1520[1]));
+                            let _e1529 = ((_e1514[2] * _e1520[0]) - (_e1514[0] * _e1520[2]));
+                            let _e1532 = ((_e1514[0] * _e1520[1]) - (_e1514[1] * _e1520[0]));
+                            let _e1535 = local_2.member_1[1u];
+                            let _e1541 = local_2.member_2[1u];
+                            let _e1547 = ((_e1535[1] * _e1541[2]) - (_e1535[2] * _e1541[1]));
+                            let _e1550 = ((_e1535[2] * _e1541[0]) - (_e1535[0] * _e1541[2]));
+                            let _e1553 = ((_e1535[0] * _e1541[1]) - (_e1535[1] * _e1541[0]));
+                            let _e1556 = local_2.member_1[0u];
+                            let _e1562 = local_2.member_2[1u];
+                            let _e1577 = local_2.member_1[1u];
+                            let _e1583 = local_2.member_2[0u];
+                            let _e1596 = (((_e1556[1] * _e1562[2]) - (_e1556[2] * _e1562[1])) + ((_e1577[1] * _e1583[2]) - (_e1577[2] * _e1583[1])));
+                            let _e1597 = (((_e1556[2] * _e1562[0]) - (_e1556[0] * _e1562[2])) + ((_e1577[2] * _e1583[0]) - (_e1577[0] * _e1583[2])));
+                            let _e1598 = (((_e1556[0] * _e1562[1]) - (_e1556[1] * _e1562[0])) + ((_e1577[0] * _e1583[1]) - (_e1577[1] * _e1583[0])));
+                            let _e1601 = local_2.member[0u];
+                            let _e1612 = local_2.member[1u];
+                            let _e1623 = local_2.member[0u];
+                            let _e1632 = ((((_e1612[0] * _e1526) + (_e1612[1] * _e1529)) + (_e1612[2] * _e1532)) + (((_e1623[0] * _e1596) + (_e1623[1] * _e1597)) + (_e1623[2] * _e1598)));
+                            let _e1635 = local_2.member[0u];
+                            let _e1646 = local_2.member[1u];
+                            let _e1655 = ((((_e1635[0] * _e1547) + (_e1635[1] * _e1550)) + (_e1635[2] * _e1553)) + (((_e1646[0] * _e1596) + (_e1646[1] * _e1597)) + (_e1646[2] * _e1598)));
+                            let _e1658 = local_2.member[1u];
+                            let _e1669 = local_2.member[0u];
+                            if (_e1669[0] < 0f) {
+                                phi_3082_ = -(_e1669[0]);
                             } else {
-                                phi_3108_ = _e1685[0];
+                                phi_3082_ = _e1669[0];
                             }
-                            let _e1692 = phi_3108_;
-                            if (_e1685[1] < 0f) {
-                                phi_3115_ = -(_e1685[1]);
+                            let _e1676 = phi_3082_;
+                            if (_e1669[1] < 0f) {
+                                phi_3089_ = -(_e1669[1]);
                             } else {
-                                phi_3115_ = _e1685[1];
+                                phi_3089_ = _e1669[1];
                             }
-                            let _e1696 = phi_3115_;
-                            if (_e1692 > _e1696) {
-                                phi_3120_ = _e1692;
+                            let _e1680 = phi_3089_;
+                            if (_e1676 > _e1680) {
+                                phi_3094_ = _e1676;
                             } else {
-                                phi_3120_ = _e1696;
+                                phi_3094_ = _e1680;
                             }
-                            let _e1699 = phi_3120_;
-                            if (_e1685[2] < 0f) {
-                                phi_3127_ = -(_e1685[2]);
+                            let _e1683 = phi_3094_;
+                            if (_e1669[2] < 0f) {
+                                phi_3101_ = -(_e1669[2]);
                             } else {
-                                phi_3127_ = _e1685[2];
+                                phi_3101_ = _e1669[2];
                             }
-                            let _e1703 = phi_3127_;
-                            if (_e1699 > _e1703) {
-                                phi_3132_ = _e1699;
+                            let _e1687 = phi_3101_;
+                            if (_e1683 > _e1687) {
+                                phi_3106_ = _e1683;
                             } else {
-                                phi_3132_ = _e1703;
+                                phi_3106_ = _e1687;
                             }
-                            let _e1706 = phi_3132_;
-                            let _e1709 = local_2.member[1u];
-                            if (_e1709[0] < 0f) {
-                                phi_3145_ = -(_e1709[0]);
+                            let _e1690 = phi_3106_;
+                            let _e1693 = local_2.member[1u];
+                            if (_e1693[0] < 0f) {
+                                phi_3119_ = -(_e1693[0]);
                             } else {
-                                phi_3145_ = _e1709[0];
+                                phi_3119_ = _e1693[0];
                             }
-                            let _e1716 = phi_3145_;
-                            if (_e1709[1] < 0f) {
-                                phi_3152_ = -(_e1709[1]);
+                            let _e1700 = phi_3119_;
+                            if (_e1693[1] < 0f) {
+                                phi_3126_ = -(_e1693[1]);
                             } else {
-                                phi_3152_ = _e1709[1];
+                                phi_3126_ = _e1693[1];
                             }
-                            let _e1720 = phi_3152_;
-                            if (_e1716 > _e1720) {
-                                phi_3157_ = _e1716;
+                            let _e1704 = phi_3126_;
+                            if (_e1700 > _e1704) {
+                                phi_3131_ = _e1700;
                             } else {
-                                phi_3157_ = _e1720;
+                                phi_3131_ = _e1704;
                             }
-                            let _e1723 = phi_3157_;
-                            if (_e1709[2] < 0f) {
-                                phi_3164_ = -(_e1709[2]);
+                            let _e1707 = phi_3131_;
+                            if (_e1693[2] < 0f) {
+                                phi_3138_ = -(_e1693[2]);
                             } else {
-                                phi_3164_ = _e1709[2];
+                                phi_3138_ = _e1693[2];
                             }
-                            let _e1727 = phi_3164_;
-                            if (_e1723 > _e1727) {
-                                phi_3169_ = _e1723;
+                            let _e1711 = phi_3138_;
+                            if (_e1707 > _e1711) {
+                                phi_3143_ = _e1707;
                             } else {
-                                phi_3169_ = _e1727;
+                                phi_3143_ = _e1711;
                             }
-                            let _e1730 = phi_3169_;
-                            if (_e1706 > _e1730) {
-                                phi_3174_ = _e1706;
+                            let _e1714 = phi_3143_;
+                            if (_e1690 > _e1714) {
+                                phi_3148_ = _e1690;
                             } else {
-                                phi_3174_ = _e1730;
+                                phi_3148_ = _e1714;
                             }
-                            let _e1733 = phi_3174_;
-                            let _e1735 = local_2.member_3;
-                            let _e1736 = (_e1733 + _e1735);
-                            let _e1739 = local_2.member_1[0u];
-                            if (_e1739[0] < 0f) {
-                                phi_3191_ = -(_e1739[0]);
+                            let _e1717 = phi_3148_;
+                            let _e1719 = local_2.member_3;
+                            let _e1720 = (_e1717 + _e1719);
+                            let _e1723 = local_2.member_1[0u];
+                            if (_e1723[0] < 0f) {
+                                phi_3165_ = -(_e1723[0]);
                             } else {
-                                phi_3191_ = _e1739[0];
+                                phi_3165_ = _e1723[0];
                             }
-                            let _e1746 = phi_3191_;
-                            if (_e1739[1] < 0f) {
-                                phi_3198_ = -(_e1739[1]);
+                            let _e1730 = phi_3165_;
+                            if (_e1723[1] < 0f) {
+                                phi_3172_ = -(_e1723[1]);
                             } else {
-                                phi_3198_ = _e1739[1];
+                                phi_3172_ = _e1723[1];
                             }
-                            let _e1750 = phi_3198_;
-                            if (_e1746 > _e1750) {
-                                phi_3203_ = _e1746;
+                            let _e1734 = phi_3172_;
+                            if (_e1730 > _e1734) {
+                                phi_3177_ = _e1730;
                             } else {
-                                phi_3203_ = _e1750;
+                                phi_3177_ = _e1734;
                             }
-                            let _e1753 = phi_3203_;
-                            if (_e1739[2] < 0f) {
-                                phi_3210_ = -(_e1739[2]);
+                            let _e1737 = phi_3177_;
+                            if (_e1723[2] < 0f) {
+                                phi_3184_ = -(_e1723[2]);
                             } else {
-                                phi_3210_ = _e1739[2];
+                                phi_3184_ = _e1723[2];
                             }
-                            let _e1757 = phi_3210_;
-                            if (_e1753 > _e1757) {
-                                phi_3215_ = _e1753;
+                            let _e1741 = phi_3184_;
+                            if (_e1737 > _e1741) {
+                                phi_3189_ = _e1737;
                             } else {
-                                phi_3215_ = _e1757;
+                                phi_3189_ = _e1741;
                             }
-                            let _e1760 = phi_3215_;
-                            let _e1763 = local_2.member_1[1u];
-                            if (_e1763[0] < 0f) {
-                                phi_3229_ = -(_e1763[0]);
+                            let _e1744 = phi_3189_;
+                            let _e1747 = local_2.member_1[1u];
+                            if (_e1747[0] < 0f) {
+                                phi_3203_ = -(_e1747[0]);
                             } else {
-                                phi_3229_ = _e1763[0];
+                                phi_3203_ = _e1747[0];
                             }
-                            let _e1770 = phi_3229_;
-                            if (_e1763[1] < 0f) {
-                                phi_3236_ = -(_e1763[1]);
+                            let _e1754 = phi_3203_;
+                            if (_e1747[1] < 0f) {
+                                phi_3210_ = -(_e1747[1]);
                             } else {
-                                phi_3236_ = _e1763[1];
+                                phi_3210_ = _e1747[1];
                             }
-                            let _e1774 = phi_3236_;
-                            if (_e1770 > _e1774) {
-                                phi_3241_ = _e1770;
+                            let _e1758 = phi_3210_;
+                            if (_e1754 > _e1758) {
+                                phi_3215_ = _e1754;
                             } else {
-                                phi_3241_ = _e1774;
+                                phi_3215_ = _e1758;
                             }
-                            let _e1777 = phi_3241_;
-                            if (_e1763[2] < 0f) {
-                                phi_3248_ = -(_e1763[2]);
+                            let _e1761 = phi_3215_;
+                            if (_e1747[2] < 0f) {
+                                phi_3222_ = -(_e1747[2]);
                             } else {
-                                phi_3248_ = _e1763[2];
+                                phi_3222_ = _e1747[2];
                             }
-                            let _e1781 = phi_3248_;
-                            if (_e1777 > _e1781) {
-                                phi_3253_ = _e1777;
+                            let _e1765 = phi_3222_;
+                            if (_e1761 > _e1765) {
+                                phi_3227_ = _e1761;
                             } else {
-                                phi_3253_ = _e1781;
+                                phi_3227_ = _e1765;
                             }
-                            let _e1784 = phi_3253_;
-                            if (_e1760 > _e1784) {
-                                phi_3258_ = _e1760;
+                            let _e1768 = phi_3227_;
+                            if (_e1744 > _e1768) {
+                                phi_3232_ = _e1744;
                             } else {
-                                phi_3258_ = _e1784;
+                                phi_3232_ = _e1768;
                             }
-                            let _e1787 = phi_3258_;
-                            let _e1789 = local_2.member_3;
-                            let _e1790 = (_e1787 + _e1789);
-                            let _e1793 = local_2.member_2[0u];
-                            if (_e1793[0] < 0f) {
-                                phi_3275_ = -(_e1793[0]);
+                            let _e1771 = phi_3232_;
+                            let _e1773 = local_2.member_3;
+                            let _e1774 = (_e1771 + _e1773);
+                            let _e1777 = local_2.member_2[0u];
+                            if (_e1777[0] < 0f) {
+                                phi_3249_ = -(_e1777[0]);
                             } else {
-                                phi_3275_ = _e1793[0];
+                                phi_3249_ = _e1777[0];
                             }
-                            let _e1800 = phi_3275_;
-                            if (_e1793[1] < 0f) {
-                                phi_3282_ = -(_e1793[1]);
+                            let _e1784 = phi_3249_;
+                            if (_e1777[1] < 0f) {
+                                phi_3256_ = -(_e1777[1]);
                             } else {
-                                phi_3282_ = _e1793[1];
+                                phi_3256_ = _e1777[1];
                             }
-                            let _e1804 = phi_3282_;
-                            if (_e1800 > _e1804) {
-                                phi_3287_ = _e1800;
+                            let _e1788 = phi_3256_;
+                            if (_e1784 > _e1788) {
+                                phi_3261_ = _e1784;
                             } else {
-                                phi_3287_ = _e1804;
+                                phi_3261_ = _e1788;
                             }
-                            let _e1807 = phi_3287_;
-                            if (_e1793[2] < 0f) {
-                                phi_3294_ = -(_e1793[2]);
+                            let _e1791 = phi_3261_;
+                            if (_e1777[2] < 0f) {
+                                phi_3268_ = -(_e1777[2]);
                             } else {
-                                phi_3294_ = _e1793[2];
+                                phi_3268_ = _e1777[2];
                             }
-                            let _e1811 = phi_3294_;
-                            if (_e1807 > _e1811) {
-                                phi_3299_ = _e1807;
+                            let _e1795 = phi_3268_;
+                            if (_e1791 > _e1795) {
+                                phi_3273_ = _e1791;
                             } else {
-                                phi_3299_ = _e1811;
+                                phi_3273_ = _e1795;
                             }
-                            let _e1814 = phi_3299_;
-                            let _e1817 = local_2.member_2[1u];
-                            if (_e1817[0] < 0f) {
-                                phi_3313_ = -(_e1817[0]);
+                            let _e1798 = phi_3273_;
+                            let _e1801 = local_2.member_2[1u];
+                            if (_e1801[0] < 0f) {
+                                phi_3287_ = -(_e1801[0]);
                             } else {
-                                phi_3313_ = _e1817[0];
+                                phi_3287_ = _e1801[0];
                             }
-                            let _e1824 = phi_3313_;
-                            if (_e1817[1] < 0f) {
-                                phi_3320_ = -(_e1817[1]);
+                            let _e1808 = phi_3287_;
+                            if (_e1801[1] < 0f) {
+                                phi_3294_ = -(_e1801[1]);
                             } else {
-                                phi_3320_ = _e1817[1];
+                                phi_3294_ = _e1801[1];
                             }
-                            let _e1828 = phi_3320_;
-                            if (_e1824 > _e1828) {
-                                phi_3325_ = _e1824;
+                            let _e1812 = phi_3294_;
+                            if (_e1808 > _e1812) {
+                                phi_3299_ = _e1808;
                             } else {
-                                phi_3325_ = _e1828;
+                                phi_3299_ = _e1812;
                             }
-                            let _e1831 = phi_3325_;
-                            if (_e1817[2] < 0f) {
-                                phi_3332_ = -(_e1817[2]);
+                            let _e1815 = phi_3299_;
+                            if (_e1801[2] < 0f) {
+                                phi_3306_ = -(_e1801[2]);
                             } else {
-                                phi_3332_ = _e1817[2];
+                                phi_3306_ = _e1801[2];
                             }
-                            let _e1835 = phi_3332_;
-                            if (_e1831 > _e1835) {
-                                phi_3337_ = _e1831;
+                            let _e1819 = phi_3306_;
+                            if (_e1815 > _e1819) {
+                                phi_3311_ = _e1815;
                             } else {
-                                phi_3337_ = _e1835;
+                                phi_3311_ = _e1819;
                             }
-                            let _e1838 = phi_3337_;
-                            if (_e1814 > _e1838) {
-                                phi_3342_ = _e1814;
+                            let _e1822 = phi_3311_;
+                            if (_e1798 > _e1822) {
+                                phi_3316_ = _e1798;
                             } else {
-                                phi_3342_ = _e1838;
+                                phi_3316_ = _e1822;
                             }
-                            let _e1841 = phi_3342_;
-                            let _e1843 = local_2.member_3;
-                            let _e1844 = (_e1841 + _e1843);
-                            let _e1846 = ((_e1790 * 8f) * _e1844);
-                            let _e1853 = local_2.member_3;
-                            if (_e1542 < 0f) {
-                                phi_3373_ = -(_e1542);
+                            let _e1825 = phi_3316_;
+                            let _e1827 = local_2.member_3;
+                            let _e1828 = (_e1825 + _e1827);
+                            let _e1830 = ((_e1774 * 8f) * _e1828);
+                            let _e1837 = local_2.member_3;
+                            if (_e1526 < 0f) {
+                                phi_3347_ = -(_e1526);
                             } else {
-                                phi_3373_ = _e1542;
+                                phi_3347_ = _e1526;
                             }
-                            let _e1870 = phi_3373_;
-                            if (_e1545 < 0f) {
-                                phi_3379_ = -(_e1545);
+                            let _e1854 = phi_3347_;
+                            if (_e1529 < 0f) {
+                                phi_3353_ = -(_e1529);
                             } else {
-                                phi_3379_ = _e1545;
+                                phi_3353_ = _e1529;
                             }
-                            let _e1874 = phi_3379_;
-                            if (_e1548 < 0f) {
-                                phi_3386_ = -(_e1548);
+                            let _e1858 = phi_3353_;
+                            if (_e1532 < 0f) {
+                                phi_3360_ = -(_e1532);
                             } else {
-                                phi_3386_ = _e1548;
+                                phi_3360_ = _e1532;
                             }
-                            let _e1879 = phi_3386_;
-                            let _e1880 = ((_e1870 + _e1874) + _e1879);
-                            if (_e1563 < 0f) {
-                                phi_3393_ = -(_e1563);
+                            let _e1863 = phi_3360_;
+                            let _e1864 = ((_e1854 + _e1858) + _e1863);
+                            if (_e1547 < 0f) {
+                                phi_3367_ = -(_e1547);
                             } else {
-                                phi_3393_ = _e1563;
+                                phi_3367_ = _e1547;
                             }
-                            let _e1884 = phi_3393_;
-                            if (_e1566 < 0f) {
-                                phi_3399_ = -(_e1566);
+                            let _e1868 = phi_3367_;
+                            if (_e1550 < 0f) {
+                                phi_3373_ = -(_e1550);
                             } else {
-                                phi_3399_ = _e1566;
+                                phi_3373_ = _e1550;
                             }
-                            let _e1888 = phi_3399_;
-                            if (_e1569 < 0f) {
-                                phi_3406_ = -(_e1569);
+                            let _e1872 = phi_3373_;
+                            if (_e1553 < 0f) {
+                                phi_3380_ = -(_e1553);
                             } else {
-                                phi_3406_ = _e1569;
+                                phi_3380_ = _e1553;
                             }
-                            let _e1893 = phi_3406_;
-                            let _e1894 = ((_e1884 + _e1888) + _e1893);
-                            if (_e1880 > _e1894) {
-                                phi_3412_ = _e1880;
+                            let _e1877 = phi_3380_;
+                            let _e1878 = ((_e1868 + _e1872) + _e1877);
+                            if (_e1864 > _e1878) {
+                                phi_3386_ = _e1864;
                             } else {
-                                phi_3412_ = _e1894;
+                                phi_3386_ = _e1878;
                             }
-                            let _e1897 = phi_3412_;
-                            if (_e1612 < 0f) {
-                                phi_3418_ = -(_e1612);
+                            let _e1881 = phi_3386_;
+                            if (_e1596 < 0f) {
+                                phi_3392_ = -(_e1596);
                             } else {
-                                phi_3418_ = _e1612;
+                                phi_3392_ = _e1596;
                             }
-                            let _e1901 = phi_3418_;
-                            if (_e1613 < 0f) {
-                                phi_3424_ = -(_e1613);
+                            let _e1885 = phi_3392_;
+                            if (_e1597 < 0f) {
+                                phi_3398_ = -(_e1597);
                             } else {
-                                phi_3424_ = _e1613;
+                                phi_3398_ = _e1597;
                             }
-                            let _e1905 = phi_3424_;
-                            if (_e1614 < 0f) {
-                                phi_3431_ = -(_e1614);
+                            let _e1889 = phi_3398_;
+                            if (_e1598 < 0f) {
+                                phi_3405_ = -(_e1598);
                             } else {
-                                phi_3431_ = _e1614;
+                                phi_3405_ = _e1598;
                             }
-                            let _e1910 = phi_3431_;
-                            let _e1912 = (((_e1901 + _e1905) + _e1910) * 0.5f);
-                            if (_e1897 > _e1912) {
-                                phi_3438_ = _e1897;
+                            let _e1894 = phi_3405_;
+                            let _e1896 = (((_e1885 + _e1889) + _e1894) * 0.5f);
+                            if (_e1881 > _e1896) {
+                                phi_3412_ = _e1881;
                             } else {
-                                phi_3438_ = _e1912;
+                                phi_3412_ = _e1896;
                             }
-                            let _e1915 = phi_3438_;
-                            let _e1920 = local_2.member_3;
-                            let _e1933 = ((((_e1617[0] * _e1542) + (_e1617[1] * _e1545)) + (_e1617[2] * _e1548)) * 3f);
-                            let _e1934 = ((((_e1674[0] * _e1563) + (_e1674[1] * _e1566)) + (_e1674[2] * _e1569)) * 3f);
-                            if (_e1933 < _e1934) {
-                                phi_3462_ = _e1933;
+                            let _e1899 = phi_3412_;
+                            let _e1904 = local_2.member_3;
+                            let _e1917 = ((((_e1601[0] * _e1526) + (_e1601[1] * _e1529)) + (_e1601[2] * _e1532)) * 3f);
+                            let _e1918 = ((((_e1658[0] * _e1547) + (_e1658[1] * _e1550)) + (_e1658[2] * _e1553)) * 3f);
+                            if (_e1917 < _e1918) {
+                                phi_3436_ = _e1917;
                             } else {
-                                phi_3462_ = _e1934;
+                                phi_3436_ = _e1918;
                             }
-                            let _e1937 = phi_3462_;
-                            if (_e1648 < _e1671) {
-                                phi_3467_ = _e1648;
+                            let _e1921 = phi_3436_;
+                            if (_e1632 < _e1655) {
+                                phi_3441_ = _e1632;
                             } else {
-                                phi_3467_ = _e1671;
+                                phi_3441_ = _e1655;
                             }
-                            let _e1940 = phi_3467_;
-                            if (_e1937 < _e1940) {
-                                phi_3472_ = _e1937;
+                            let _e1924 = phi_3441_;
+                            if (_e1921 < _e1924) {
+                                phi_3446_ = _e1921;
                             } else {
-                                phi_3472_ = _e1940;
+                                phi_3446_ = _e1924;
                             }
-                            let _e1943 = phi_3472_;
-                            if (_e1933 > _e1934) {
-                                phi_3477_ = _e1933;
+                            let _e1927 = phi_3446_;
+                            if (_e1917 > _e1918) {
+                                phi_3451_ = _e1917;
                             } else {
-                                phi_3477_ = _e1934;
+                                phi_3451_ = _e1918;
                             }
-                            let _e1946 = phi_3477_;
-                            if (_e1648 > _e1671) {
-                                phi_3482_ = _e1648;
+                            let _e1930 = phi_3451_;
+                            if (_e1632 > _e1655) {
+                                phi_3456_ = _e1632;
                             } else {
-                                phi_3482_ = _e1671;
+                                phi_3456_ = _e1655;
                             }
-                            let _e1949 = phi_3482_;
-                            if (_e1946 > _e1949) {
-                                phi_3487_ = _e1946;
+                            let _e1933 = phi_3456_;
+                            if (_e1930 > _e1933) {
+                                phi_3461_ = _e1930;
                             } else {
-                                phi_3487_ = _e1949;
+                                phi_3461_ = _e1933;
                             }
-                            let _e1952 = phi_3487_;
-                            let _e1957 = -(_e1952);
-                            if (_e1943 > _e1957) {
-                                phi_3497_ = _e1943;
+                            let _e1936 = phi_3461_;
+                            let _e1941 = -(_e1936);
+                            if (_e1927 > _e1941) {
+                                phi_3471_ = _e1927;
                             } else {
-                                phi_3497_ = _e1957;
+                                phi_3471_ = _e1941;
                             }
-                            let _e1960 = phi_3497_;
-                            let _e1962 = ((_e1960 - ((((((_e1736 * 8f) * _e1846) * (0.000000059604645f * (524f / 64f))) + ((_e1853 * 19f) * ((_e1736 * (_e1790 + _e1844)) + (_e1790 * _e1844)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1736) * ((1f + _e1790) * (1f + _e1844))))) + ((_e1450 * (((_e1915 + (_e1846 * (0.000000059604645f * 8f))) + ((_e1920 * 6f) * (_e1790 + _e1844))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1790) * (1f + _e1844))))) * (3f * 1.0001f)))) > 0f);
-                            if _e1962 {
-                                phi_4466_ = _e1962;
+                            let _e1944 = phi_3471_;
+                            let _e1946 = ((_e1944 - ((((((_e1720 * 8f) * _e1830) * (0.000000059604645f * (524f / 64f))) + ((_e1837 * 19f) * ((_e1720 * (_e1774 + _e1828)) + (_e1774 * _e1828)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1720) * ((1f + _e1774) * (1f + _e1828))))) + ((_e1434 * (((_e1899 + (_e1830 * (0.000000059604645f * 8f))) + ((_e1904 * 6f) * (_e1774 + _e1828))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1774) * (1f + _e1828))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1946 {
+                                phi_4440_ = _e1946;
                             } else {
-                                let _e1965 = local_2.member_1[0u];
-                                let _e1971 = local_2.member_1[1u];
-                                let _e1975 = (_e1965[0] + _e1971[0]);
-                                let _e1976 = (_e1965[1] + _e1971[1]);
-                                let _e1977 = (_e1965[2] + _e1971[2]);
-                                let _e1980 = local_2.member_2[0u];
-                                let _e1986 = local_2.member_2[1u];
-                                let _e1990 = (_e1980[0] + _e1986[0]);
-                                let _e1991 = (_e1980[1] + _e1986[1]);
-                                let _e1992 = (_e1980[2] + _e1986[2]);
-                                let _e1995 = ((_e1976 * _e1992) - (_e1977 * _e1991));
-                                let _e1998 = ((_e1977 * _e1990) - (_e1975 * _e1992));
-                                let _e2001 = ((_e1975 * _e1991) - (_e1976 * _e1990));
-                                let _e2004 = local_2.member[0u];
-                                let _e2010 = local_2.member_1[0u];
-                                let _e2016 = local_2.member_2[0u];
-                                let _e2020 = (_e2004[0] - _e2010[0]);
-                                let _e2021 = (_e2004[1] - _e2010[1]);
-                                let _e2022 = (_e2004[2] - _e2010[2]);
-                                let _e2023 = (_e2004[0] - _e2016[0]);
-                                let _e2024 = (_e2004[1] - _e2016[1]);
-                                let _e2025 = (_e2004[2] - _e2016[2]);
-                                let _e2028 = local_2.member[1u];
-                                let _e2034 = local_2.member_1[1u];
-                                let _e2040 = local_2.member_2[1u];
-                                let _e2044 = (_e2028[0] - _e2034[0]);
-                                let _e2045 = (_e2028[1] - _e2034[1]);
-                                let _e2046 = (_e2028[2] - _e2034[2]);
-                                let _e2047 = (_e2028[0] - _e2040[0]);
-                                let _e2048 = (_e2028[1] - _e2040[1]);
-                                let _e2049 = (_e2028[2] - _e2040[2]);
-                                let _e2052 = local_2.member[0u];
-                                if (_e2052[0] < 0f) {
-                                    phi_3700_ = -(_e2052[0]);
+                                let _e1949 = local_2.member_1[0u];
+                                let _e1955 = local_2.member_1[1u];
+                                let _e1959 = (_e1949[0] + _e1955[0]);
+                                let _e1960 = (_e1949[1] + _e1955[1]);
+                                let _e1961 = (_e1949[2] + _e1955[2]);
+                                let _e1964 = local_2.member_2[0u];
+                                let _e1970 = local_2.member_2[1u];
+                                let _e1974 = (_e1964[0] + _e1970[0]);
+                                let _e1975 = (_e1964[1] + _e1970[1]);
+                                let _e1976 = (_e1964[2] + _e1970[2]);
+                                let _e1979 = ((_e1960 * _e1976) - (_e1961 * _e1975));
+                                let _e1982 = ((_e1961 * _e1974) - (_e1959 * _e1976));
+                                let _e1985 = ((_e1959 * _e1975) - (_e1960 * _e1974));
+                                let _e1988 = local_2.member[0u];
+                                let _e1994 = local_2.member_1[0u];
+                                let _e2000 = local_2.member_2[0u];
+                                let _e2004 = (_e1988[0] - _e1994[0]);
+                                let _e2005 = (_e1988[1] - _e1994[1]);
+                                let _e2006 = (_e1988[2] - _e1994[2]);
+                                let _e2007 = (_e1988[0] - _e2000[0]);
+                                let _e2008 = (_e1988[1] - _e2000[1]);
+                                let _e2009 = (_e1988[2] - _e2000[2]);
+                                let _e2012 = local_2.member[1u];
+                                let _e2018 = local_2.member_1[1u];
+                                let _e2024 = local_2.member_2[1u];
+                                let _e2028 = (_e2012[0] - _e2018[0]);
+                                let _e2029 = (_e2012[1] - _e2018[1]);
+                                let _e2030 = (_e2012[2] - _e2018[2]);
+                                let _e2031 = (_e2012[0] - _e2024[0]);
+                                let _e2032 = (_e2012[1] - _e2024[1]);
+                                let _e2033 = (_e2012[2] - _e2024[2]);
+                                let _e2036 = local_2.member[0u];
+                                if (_e2036[0] < 0f) {
+                                    phi_3674_ = -(_e2036[0]);
                                 } else {
-                                    phi_3700_ = _e2052[0];
+                                    phi_3674_ = _e2036[0];
                                 }
-                                let _e2059 = phi_3700_;
-                                if (_e2052[1] < 0f) {
-                                    phi_3707_ = -(_e2052[1]);
+                                let _e2043 = phi_3674_;
+                                if (_e2036[1] < 0f) {
+                                    phi_3681_ = -(_e2036[1]);
                                 } else {
-                                    phi_3707_ = _e2052[1];
+                                    phi_3681_ = _e2036[1];
                                 }
-                                let _e2063 = phi_3707_;
-                                if (_e2059 > _e2063) {
-                                    phi_3712_ = _e2059;
+                                let _e2047 = phi_3681_;
+                                if (_e2043 > _e2047) {
+                                    phi_3686_ = _e2043;
                                 } else {
-                                    phi_3712_ = _e2063;
+                                    phi_3686_ = _e2047;
                                 }
-                                let _e2066 = phi_3712_;
-                                if (_e2052[2] < 0f) {
-                                    phi_3719_ = -(_e2052[2]);
+                                let _e2050 = phi_3686_;
+                                if (_e2036[2] < 0f) {
+                                    phi_3693_ = -(_e2036[2]);
                                 } else {
-                                    phi_3719_ = _e2052[2];
+                                    phi_3693_ = _e2036[2];
                                 }
-                                let _e2070 = phi_3719_;
-                                if (_e2066 > _e2070) {
-                                    phi_3724_ = _e2066;
+                                let _e2054 = phi_3693_;
+                                if (_e2050 > _e2054) {
+                                    phi_3698_ = _e2050;
                                 } else {
-                                    phi_3724_ = _e2070;
+                                    phi_3698_ = _e2054;
                                 }
-                                let _e2073 = phi_3724_;
-                                let _e2076 = local_2.member[1u];
-                                if (_e2076[0] < 0f) {
-                                    phi_3737_ = -(_e2076[0]);
+                                let _e2057 = phi_3698_;
+                                let _e2060 = local_2.member[1u];
+                                if (_e2060[0] < 0f) {
+                                    phi_3711_ = -(_e2060[0]);
                                 } else {
-                                    phi_3737_ = _e2076[0];
+                                    phi_3711_ = _e2060[0];
                                 }
-                                let _e2083 = phi_3737_;
-                                if (_e2076[1] < 0f) {
-                                    phi_3744_ = -(_e2076[1]);
+                                let _e2067 = phi_3711_;
+                                if (_e2060[1] < 0f) {
+                                    phi_3718_ = -(_e2060[1]);
                                 } else {
-                                    phi_3744_ = _e2076[1];
+                                    phi_3718_ = _e2060[1];
                                 }
-                                let _e2087 = phi_3744_;
-                                if (_e2083 > _e2087) {
-                                    phi_3749_ = _e2083;
+                                let _e2071 = phi_3718_;
+                                if (_e2067 > _e2071) {
+                                    phi_3723_ = _e2067;
                                 } else {
-                                    phi_3749_ = _e2087;
+                                    phi_3723_ = _e2071;
                                 }
-                                let _e2090 = phi_3749_;
-                                if (_e2076[2] < 0f) {
-                                    phi_3756_ = -(_e2076[2]);
+                                let _e2074 = phi_3723_;
+                                if (_e2060[2] < 0f) {
+                                    phi_3730_ = -(_e2060[2]);
                                 } else {
-                                    phi_3756_ = _e2076[2];
+                                    phi_3730_ = _e2060[2];
                                 }
-                                let _e2094 = phi_3756_;
-                                if (_e2090 > _e2094) {
-                                    phi_3761_ = _e2090;
+                                let _e2078 = phi_3730_;
+                                if (_e2074 > _e2078) {
+                                    phi_3735_ = _e2074;
                                 } else {
-                                    phi_3761_ = _e2094;
+                                    phi_3735_ = _e2078;
                                 }
-                                let _e2097 = phi_3761_;
-                                if (_e2073 > _e2097) {
-                                    phi_3766_ = _e2073;
+                                let _e2081 = phi_3735_;
+                                if (_e2057 > _e2081) {
+                                    phi_3740_ = _e2057;
                                 } else {
-                                    phi_3766_ = _e2097;
+                                    phi_3740_ = _e2081;
                                 }
-                                let _e2100 = phi_3766_;
-                                let _e2102 = local_2.member_3;
-                                let _e2106 = local_2.member_1[0u];
-                                if (_e2106[0] < 0f) {
-                                    phi_3783_ = -(_e2106[0]);
+                                let _e2084 = phi_3740_;
+                                let _e2086 = local_2.member_3;
+                                let _e2090 = local_2.member_1[0u];
+                                if (_e2090[0] < 0f) {
+                                    phi_3757_ = -(_e2090[0]);
                                 } else {
-                                    phi_3783_ = _e2106[0];
+                                    phi_3757_ = _e2090[0];
                                 }
-                                let _e2113 = phi_3783_;
-                                if (_e2106[1] < 0f) {
-                                    phi_3790_ = -(_e2106[1]);
+                                let _e2097 = phi_3757_;
+                                if (_e2090[1] < 0f) {
+                                    phi_3764_ = -(_e2090[1]);
                                 } else {
-                                    phi_3790_ = _e2106[1];
+                                    phi_3764_ = _e2090[1];
                                 }
-                                let _e2117 = phi_3790_;
-                                if (_e2113 > _e2117) {
-                                    phi_3795_ = _e2113;
+                                let _e2101 = phi_3764_;
+                                if (_e2097 > _e2101) {
+                                    phi_3769_ = _e2097;
                                 } else {
-                                    phi_3795_ = _e2117;
+                                    phi_3769_ = _e2101;
                                 }
-                                let _e2120 = phi_3795_;
-                                if (_e2106[2] < 0f) {
-                                    phi_3802_ = -(_e2106[2]);
+                                let _e2104 = phi_3769_;
+                                if (_e2090[2] < 0f) {
+                                    phi_3776_ = -(_e2090[2]);
                                 } else {
-                                    phi_3802_ = _e2106[2];
+                                    phi_3776_ = _e2090[2];
                                 }
-                                let _e2124 = phi_3802_;
-                                if (_e2120 > _e2124) {
-                                    phi_3807_ = _e2120;
+                                let _e2108 = phi_3776_;
+                                if (_e2104 > _e2108) {
+                                    phi_3781_ = _e2104;
                                 } else {
-                                    phi_3807_ = _e2124;
+                                    phi_3781_ = _e2108;
                                 }
-                                let _e2127 = phi_3807_;
-                                let _e2130 = local_2.member_1[1u];
-                                if (_e2130[0] < 0f) {
-                                    phi_3821_ = -(_e2130[0]);
+                                let _e2111 = phi_3781_;
+                                let _e2114 = local_2.member_1[1u];
+                                if (_e2114[0] < 0f) {
+                                    phi_3795_ = -(_e2114[0]);
                                 } else {
-                                    phi_3821_ = _e2130[0];
+                                    phi_3795_ = _e2114[0];
                                 }
-                                let _e2137 = phi_3821_;
-                                if (_e2130[1] < 0f) {
-                                    phi_3828_ = -(_e2130[1]);
+                                let _e2121 = phi_3795_;
+                                if (_e2114[1] < 0f) {
+                                    phi_3802_ = -(_e2114[1]);
                                 } else {
-                                    phi_3828_ = _e2130[1];
+                                    phi_3802_ = _e2114[1];
                                 }
-                                let _e2141 = phi_3828_;
-                                if (_e2137 > _e2141) {
-                                    phi_3833_ = _e2137;
+                                let _e2125 = phi_3802_;
+                                if (_e2121 > _e2125) {
+                                    phi_3807_ = _e2121;
                                 } else {
-                                    phi_3833_ = _e2141;
+                                    phi_3807_ = _e2125;
                                 }
-                                let _e2144 = phi_3833_;
-                                if (_e2130[2] < 0f) {
-                                    phi_3840_ = -(_e2130[2]);
+                                let _e2128 = phi_3807_;
+                                if (_e2114[2] < 0f) {
+                                    phi_3814_ = -(_e2114[2]);
                                 } else {
-                                    phi_3840_ = _e2130[2];
+                                    phi_3814_ = _e2114[2];
                                 }
-                                let _e2148 = phi_3840_;
-                                if (_e2144 > _e2148) {
-                                    phi_3845_ = _e2144;
+                                let _e2132 = phi_3814_;
+                                if (_e2128 > _e2132) {
+                                    phi_3819_ = _e2128;
                                 } else {
-                                    phi_3845_ = _e2148;
+                                    phi_3819_ = _e2132;
                                 }
-                                let _e2151 = phi_3845_;
-                                if (_e2127 > _e2151) {
-                                    phi_3850_ = _e2127;
+                                let _e2135 = phi_3819_;
+                                if (_e2111 > _e2135) {
+                                    phi_3824_ = _e2111;
                                 } else {
-                                    phi_3850_ = _e2151;
+                                    phi_3824_ = _e2135;
                                 }
-                                let _e2154 = phi_3850_;
-                                let _e2156 = local_2.member_3;
-                                let _e2160 = local_2.member_2[0u];
-                                if (_e2160[0] < 0f) {
-                                    phi_3867_ = -(_e2160[0]);
+                                let _e2138 = phi_3824_;
+                                let _e2140 = local_2.member_3;
+                                let _e2144 = local_2.member_2[0u];
+                                if (_e2144[0] < 0f) {
+                                    phi_3841_ = -(_e2144[0]);
                                 } else {
-                                    phi_3867_ = _e2160[0];
+                                    phi_3841_ = _e2144[0];
                                 }
-                                let _e2167 = phi_3867_;
-                                if (_e2160[1] < 0f) {
-                                    phi_3874_ = -(_e2160[1]);
+                                let _e2151 = phi_3841_;
+                                if (_e2144[1] < 0f) {
+                                    phi_3848_ = -(_e2144[1]);
                                 } else {
-                                    phi_3874_ = _e2160[1];
+                                    phi_3848_ = _e2144[1];
                                 }
-                                let _e2171 = phi_3874_;
-                                if (_e2167 > _e2171) {
-                                    phi_3879_ = _e2167;
+                                let _e2155 = phi_3848_;
+                                if (_e2151 > _e2155) {
+                                    phi_3853_ = _e2151;
                                 } else {
-                                    phi_3879_ = _e2171;
+                                    phi_3853_ = _e2155;
                                 }
-                                let _e2174 = phi_3879_;
-                                if (_e2160[2] < 0f) {
-                                    phi_3886_ = -(_e2160[2]);
+                                let _e2158 = phi_3853_;
+                                if (_e2144[2] < 0f) {
+                                    phi_3860_ = -(_e2144[2]);
                                 } else {
-                                    phi_3886_ = _e2160[2];
+                                    phi_3860_ = _e2144[2];
                                 }
-                                let _e2178 = phi_3886_;
-                                if (_e2174 > _e2178) {
-                                    phi_3891_ = _e2174;
+                                let _e2162 = phi_3860_;
+                                if (_e2158 > _e2162) {
+                                    phi_3865_ = _e2158;
                                 } else {
-                                    phi_3891_ = _e2178;
+                                    phi_3865_ = _e2162;
                                 }
-                                let _e2181 = phi_3891_;
-                                let _e2184 = local_2.member_2[1u];
-                                if (_e2184[0] < 0f) {
-                                    phi_3905_ = -(_e2184[0]);
+                                let _e2165 = phi_3865_;
+                                let _e2168 = local_2.member_2[1u];
+                                if (_e2168[0] < 0f) {
+                                    phi_3879_ = -(_e2168[0]);
                                 } else {
-                                    phi_3905_ = _e2184[0];
+                                    phi_3879_ = _e2168[0];
                                 }
-                                let _e2191 = phi_3905_;
-                                if (_e2184[1] < 0f) {
-                                    phi_3912_ = -(_e2184[1]);
+                                let _e2175 = phi_3879_;
+                                if (_e2168[1] < 0f) {
+                                    phi_3886_ = -(_e2168[1]);
                                 } else {
-                                    phi_3912_ = _e2184[1];
+                                    phi_3886_ = _e2168[1];
                                 }
-                                let _e2195 = phi_3912_;
-                                if (_e2191 > _e2195) {
-                                    phi_3917_ = _e2191;
+                                let _e2179 = phi_3886_;
+                                if (_e2175 > _e2179) {
+                                    phi_3891_ = _e2175;
                                 } else {
-                                    phi_3917_ = _e2195;
+                                    phi_3891_ = _e2179;
                                 }
-                                let _e2198 = phi_3917_;
-                                if (_e2184[2] < 0f) {
-                                    phi_3924_ = -(_e2184[2]);
+                                let _e2182 = phi_3891_;
+                                if (_e2168[2] < 0f) {
+                                    phi_3898_ = -(_e2168[2]);
                                 } else {
-                                    phi_3924_ = _e2184[2];
+                                    phi_3898_ = _e2168[2];
                                 }
-                                let _e2202 = phi_3924_;
-                                if (_e2198 > _e2202) {
-                                    phi_3929_ = _e2198;
+                                let _e2186 = phi_3898_;
+                                if (_e2182 > _e2186) {
+                                    phi_3903_ = _e2182;
                                 } else {
-                                    phi_3929_ = _e2202;
+                                    phi_3903_ = _e2186;
                                 }
-                                let _e2205 = phi_3929_;
-                                if (_e2181 > _e2205) {
-                                    phi_3934_ = _e2181;
+                                let _e2189 = phi_3903_;
+                                if (_e2165 > _e2189) {
+                                    phi_3908_ = _e2165;
                                 } else {
-                                    phi_3934_ = _e2205;
+                                    phi_3908_ = _e2189;
                                 }
-                                let _e2208 = phi_3934_;
-                                let _e2210 = local_2.member_3;
-                                let _e2214 = ((((_e2100 + _e2102) + (_e2154 + _e2156)) + (_e2208 + _e2210)) * 2f);
-                                let _e2217 = local_2.member_3;
-                                let _e2221 = (((_e1450 * 1.0001f) + (_e2217 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2224 = ((_e1998 * _e1977) - (_e2001 * _e1976));
-                                let _e2227 = ((_e2001 * _e1975) - (_e1995 * _e1977));
-                                let _e2230 = ((_e1995 * _e1976) - (_e1998 * _e1975));
-                                let _e2235 = (((_e2224 * _e2004[0]) + (_e2227 * _e2004[1])) + (_e2230 * _e2004[2]));
-                                let _e2240 = (((_e2224 * _e2020) + (_e2227 * _e2021)) + (_e2230 * _e2022));
-                                let _e2245 = (((_e2224 * _e2023) + (_e2227 * _e2024)) + (_e2230 * _e2025));
-                                let _e2250 = (((_e2224 * _e2004[0]) + (_e2227 * _e2004[1])) + (_e2230 * _e2004[2]));
-                                let _e2255 = (((_e2224 * _e2028[0]) + (_e2227 * _e2028[1])) + (_e2230 * _e2028[2]));
-                                let _e2260 = (((_e2224 * _e2044) + (_e2227 * _e2045)) + (_e2230 * _e2046));
-                                let _e2265 = (((_e2224 * _e2047) + (_e2227 * _e2048)) + (_e2230 * _e2049));
-                                let _e2270 = (((_e2224 * _e2028[0]) + (_e2227 * _e2028[1])) + (_e2230 * _e2028[2]));
-                                if (_e2235 < _e2240) {
-                                    phi_4013_ = _e2235;
+                                let _e2192 = phi_3908_;
+                                let _e2194 = local_2.member_3;
+                                let _e2198 = ((((_e2084 + _e2086) + (_e2138 + _e2140)) + (_e2192 + _e2194)) * 2f);
+                                let _e2201 = local_2.member_3;
+                                let _e2205 = (((_e1434 * 1.0001f) + (_e2201 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2208 = ((_e1982 * _e1961) - (_e1985 * _e1960));
+                                let _e2211 = ((_e1985 * _e1959) - (_e1979 * _e1961));
+                                let _e2214 = ((_e1979 * _e1960) - (_e1982 * _e1959));
+                                let _e2219 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
+                                let _e2224 = (((_e2208 * _e2004) + (_e2211 * _e2005)) + (_e2214 * _e2006));
+                                let _e2229 = (((_e2208 * _e2007) + (_e2211 * _e2008)) + (_e2214 * _e2009));
+                                let _e2234 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
+                                let _e2239 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
+                                let _e2244 = (((_e2208 * _e2028) + (_e2211 * _e2029)) + (_e2214 * _e2030));
+                                let _e2249 = (((_e2208 * _e2031) + (_e2211 * _e2032)) + (_e2214 * _e2033));
+                                let _e2254 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
+                                if (_e2219 < _e2224) {
+                                    phi_3987_ = _e2219;
                                 } else {
-                                    phi_4013_ = _e2240;
+                                    phi_3987_ = _e2224;
                                 }
-                                let _e2273 = phi_4013_;
-                                if (_e2245 < _e2250) {
-                                    phi_4018_ = _e2245;
+                                let _e2257 = phi_3987_;
+                                if (_e2229 < _e2234) {
+                                    phi_3992_ = _e2229;
                                 } else {
-                                    phi_4018_ = _e2250;
+                                    phi_3992_ = _e2234;
                                 }
-                                let _e2276 = phi_4018_;
-                                if (_e2273 < _e2276) {
-                                    phi_4023_ = _e2273;
+                                let _e2260 = phi_3992_;
+                                if (_e2257 < _e2260) {
+                                    phi_3997_ = _e2257;
                                 } else {
-                                    phi_4023_ = _e2276;
+                                    phi_3997_ = _e2260;
                                 }
-                                let _e2279 = phi_4023_;
-                                if (_e2255 < _e2260) {
-                                    phi_4028_ = _e2255;
+                                let _e2263 = phi_3997_;
+                                if (_e2239 < _e2244) {
+                                    phi_4002_ = _e2239;
                                 } else {
-                                    phi_4028_ = _e2260;
+                                    phi_4002_ = _e2244;
                                 }
-                                let _e2282 = phi_4028_;
-                                if (_e2265 < _e2270) {
-                                    phi_4033_ = _e2265;
+                                let _e2266 = phi_4002_;
+                                if (_e2249 < _e2254) {
+                                    phi_4007_ = _e2249;
                                 } else {
-                                    phi_4033_ = _e2270;
+                                    phi_4007_ = _e2254;
                                 }
-                                let _e2285 = phi_4033_;
-                                if (_e2282 < _e2285) {
-                                    phi_4038_ = _e2282;
+                                let _e2269 = phi_4007_;
+                                if (_e2266 < _e2269) {
+                                    phi_4012_ = _e2266;
                                 } else {
-                                    phi_4038_ = _e2285;
+                                    phi_4012_ = _e2269;
                                 }
-                                let _e2288 = phi_4038_;
-                                if (_e2279 < _e2288) {
-                                    phi_4043_ = _e2279;
+                                let _e2272 = phi_4012_;
+                                if (_e2263 < _e2272) {
+                                    phi_4017_ = _e2263;
                                 } else {
-                                    phi_4043_ = _e2288;
+                                    phi_4017_ = _e2272;
                                 }
-                                let _e2291 = phi_4043_;
-                                if (_e2235 > _e2240) {
-                                    phi_4048_ = _e2235;
+                                let _e2275 = phi_4017_;
+                                if (_e2219 > _e2224) {
+                                    phi_4022_ = _e2219;
                                 } else {
-                                    phi_4048_ = _e2240;
+                                    phi_4022_ = _e2224;
                                 }
-                                let _e2294 = phi_4048_;
-                                if (_e2245 > _e2250) {
-                                    phi_4053_ = _e2245;
+                                let _e2278 = phi_4022_;
+                                if (_e2229 > _e2234) {
+                                    phi_4027_ = _e2229;
                                 } else {
-                                    phi_4053_ = _e2250;
+                                    phi_4027_ = _e2234;
                                 }
-                                let _e2297 = phi_4053_;
-                                if (_e2294 > _e2297) {
-                                    phi_4058_ = _e2294;
+                                let _e2281 = phi_4027_;
+                                if (_e2278 > _e2281) {
+                                    phi_4032_ = _e2278;
                                 } else {
-                                    phi_4058_ = _e2297;
+                                    phi_4032_ = _e2281;
+                                }
+                                let _e2284 = phi_4032_;
+                                if (_e2239 > _e2244) {
+                                    phi_4037_ = _e2239;
+                                } else {
+                                    phi_4037_ = _e2244;
+                                }
+                                let _e2287 = phi_4037_;
+                                if (_e2249 > _e2254) {
+                                    phi_4042_ = _e2249;
+                                } else {
+                                    phi_4042_ = _e2254;
+                                }
+                                let _e2290 = phi_4042_;
+                                if (_e2287 > _e2290) {
+                                    phi_4047_ = _e2287;
+                                } else {
+                                    phi_4047_ = _e2290;
+                                }
+                                let _e2293 = phi_4047_;
+                                if (_e2284 > _e2293) {
+                                    phi_4052_ = _e2284;
+                                } else {
+                                    phi_4052_ = _e2293;
+                                }
+                                let _e2296 = phi_4052_;
+                                if (_e2208 < 0f) {
+                                    phi_4058_ = -(_e2208);
+                                } else {
+                                    phi_4058_ = _e2208;
                                 }
                                 let _e2300 = phi_4058_;
-                                if (_e2255 > _e2260) {
-                                    phi_4063_ = _e2255;
+                                if (_e2211 < 0f) {
+                                    phi_4064_ = -(_e2211);
                                 } else {
-                                    phi_4063_ = _e2260;
+                                    phi_4064_ = _e2211;
                                 }
-                                let _e2303 = phi_4063_;
-                                if (_e2265 > _e2270) {
-                                    phi_4068_ = _e2265;
+                                let _e2304 = phi_4064_;
+                                if (_e2214 < 0f) {
+                                    phi_4071_ = -(_e2214);
                                 } else {
-                                    phi_4068_ = _e2270;
+                                    phi_4071_ = _e2214;
                                 }
-                                let _e2306 = phi_4068_;
-                                if (_e2303 > _e2306) {
-                                    phi_4073_ = _e2303;
+                                let _e2309 = phi_4071_;
+                                let _e2310 = ((_e2300 + _e2304) + _e2309);
+                                let _e2315 = -(_e2296);
+                                if (_e2275 > _e2315) {
+                                    phi_4082_ = _e2275;
                                 } else {
-                                    phi_4073_ = _e2306;
+                                    phi_4082_ = _e2315;
                                 }
-                                let _e2309 = phi_4073_;
-                                if (_e2300 > _e2309) {
-                                    phi_4078_ = _e2300;
+                                let _e2318 = phi_4082_;
+                                let _e2323 = (((_e2318 - ((_e2310 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2310 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2326 = ((_e1982 * _e1976) - (_e1985 * _e1975));
+                                let _e2329 = ((_e1985 * _e1974) - (_e1979 * _e1976));
+                                let _e2332 = ((_e1979 * _e1975) - (_e1982 * _e1974));
+                                let _e2337 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
+                                let _e2342 = (((_e2326 * _e2004) + (_e2329 * _e2005)) + (_e2332 * _e2006));
+                                let _e2347 = (((_e2326 * _e2007) + (_e2329 * _e2008)) + (_e2332 * _e2009));
+                                let _e2352 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
+                                let _e2357 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
+                                let _e2362 = (((_e2326 * _e2028) + (_e2329 * _e2029)) + (_e2332 * _e2030));
+                                let _e2367 = (((_e2326 * _e2031) + (_e2329 * _e2032)) + (_e2332 * _e2033));
+                                let _e2372 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
+                                if (_e2337 < _e2342) {
+                                    phi_4153_ = _e2337;
                                 } else {
-                                    phi_4078_ = _e2309;
+                                    phi_4153_ = _e2342;
                                 }
-                                let _e2312 = phi_4078_;
-                                if (_e2224 < 0f) {
-                                    phi_4084_ = -(_e2224);
+                                let _e2375 = phi_4153_;
+                                if (_e2347 < _e2352) {
+                                    phi_4158_ = _e2347;
                                 } else {
-                                    phi_4084_ = _e2224;
+                                    phi_4158_ = _e2352;
                                 }
-                                let _e2316 = phi_4084_;
-                                if (_e2227 < 0f) {
-                                    phi_4090_ = -(_e2227);
+                                let _e2378 = phi_4158_;
+                                if (_e2375 < _e2378) {
+                                    phi_4163_ = _e2375;
                                 } else {
-                                    phi_4090_ = _e2227;
+                                    phi_4163_ = _e2378;
                                 }
-                                let _e2320 = phi_4090_;
-                                if (_e2230 < 0f) {
-                                    phi_4097_ = -(_e2230);
+                                let _e2381 = phi_4163_;
+                                if (_e2357 < _e2362) {
+                                    phi_4168_ = _e2357;
                                 } else {
-                                    phi_4097_ = _e2230;
+                                    phi_4168_ = _e2362;
                                 }
-                                let _e2325 = phi_4097_;
-                                let _e2326 = ((_e2316 + _e2320) + _e2325);
-                                let _e2331 = -(_e2312);
-                                if (_e2291 > _e2331) {
-                                    phi_4108_ = _e2291;
+                                let _e2384 = phi_4168_;
+                                if (_e2367 < _e2372) {
+                                    phi_4173_ = _e2367;
                                 } else {
-                                    phi_4108_ = _e2331;
+                                    phi_4173_ = _e2372;
                                 }
-                                let _e2334 = phi_4108_;
-                                let _e2339 = (((_e2334 - ((_e2326 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2326 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2342 = ((_e1998 * _e1992) - (_e2001 * _e1991));
-                                let _e2345 = ((_e2001 * _e1990) - (_e1995 * _e1992));
-                                let _e2348 = ((_e1995 * _e1991) - (_e1998 * _e1990));
-                                let _e2353 = (((_e2342 * _e2004[0]) + (_e2345 * _e2004[1])) + (_e2348 * _e2004[2]));
-                                let _e2358 = (((_e2342 * _e2020) + (_e2345 * _e2021)) + (_e2348 * _e2022));
-                                let _e2363 = (((_e2342 * _e2023) + (_e2345 * _e2024)) + (_e2348 * _e2025));
-                                let _e2368 = (((_e2342 * _e2004[0]) + (_e2345 * _e2004[1])) + (_e2348 * _e2004[2]));
-                                let _e2373 = (((_e2342 * _e2028[0]) + (_e2345 * _e2028[1])) + (_e2348 * _e2028[2]));
-                                let _e2378 = (((_e2342 * _e2044) + (_e2345 * _e2045)) + (_e2348 * _e2046));
-                                let _e2383 = (((_e2342 * _e2047) + (_e2345 * _e2048)) + (_e2348 * _e2049));
-                                let _e2388 = (((_e2342 * _e2028[0]) + (_e2345 * _e2028[1])) + (_e2348 * _e2028[2]));
-                                if (_e2353 < _e2358) {
-                                    phi_4179_ = _e2353;
+                                let _e2387 = phi_4173_;
+                                if (_e2384 < _e2387) {
+                                    phi_4178_ = _e2384;
                                 } else {
-                                    phi_4179_ = _e2358;
+                                    phi_4178_ = _e2387;
                                 }
-                                let _e2391 = phi_4179_;
-                                if (_e2363 < _e2368) {
-                                    phi_4184_ = _e2363;
+                                let _e2390 = phi_4178_;
+                                if (_e2381 < _e2390) {
+                                    phi_4183_ = _e2381;
                                 } else {
-                                    phi_4184_ = _e2368;
+                                    phi_4183_ = _e2390;
                                 }
-                                let _e2394 = phi_4184_;
-                                if (_e2391 < _e2394) {
-                                    phi_4189_ = _e2391;
+                                let _e2393 = phi_4183_;
+                                if (_e2337 > _e2342) {
+                                    phi_4188_ = _e2337;
                                 } else {
-                                    phi_4189_ = _e2394;
+                                    phi_4188_ = _e2342;
                                 }
-                                let _e2397 = phi_4189_;
-                                if (_e2373 < _e2378) {
-                                    phi_4194_ = _e2373;
+                                let _e2396 = phi_4188_;
+                                if (_e2347 > _e2352) {
+                                    phi_4193_ = _e2347;
                                 } else {
-                                    phi_4194_ = _e2378;
+                                    phi_4193_ = _e2352;
                                 }
-                                let _e2400 = phi_4194_;
-                                if (_e2383 < _e2388) {
-                                    phi_4199_ = _e2383;
+                                let _e2399 = phi_4193_;
+                                if (_e2396 > _e2399) {
+                                    phi_4198_ = _e2396;
                                 } else {
-                                    phi_4199_ = _e2388;
+                                    phi_4198_ = _e2399;
                                 }
-                                let _e2403 = phi_4199_;
-                                if (_e2400 < _e2403) {
-                                    phi_4204_ = _e2400;
+                                let _e2402 = phi_4198_;
+                                if (_e2357 > _e2362) {
+                                    phi_4203_ = _e2357;
                                 } else {
-                                    phi_4204_ = _e2403;
+                                    phi_4203_ = _e2362;
                                 }
-                                let _e2406 = phi_4204_;
-                                if (_e2397 < _e2406) {
-                                    phi_4209_ = _e2397;
+                                let _e2405 = phi_4203_;
+                                if (_e2367 > _e2372) {
+                                    phi_4208_ = _e2367;
                                 } else {
-                                    phi_4209_ = _e2406;
+                                    phi_4208_ = _e2372;
                                 }
-                                let _e2409 = phi_4209_;
-                                if (_e2353 > _e2358) {
-                                    phi_4214_ = _e2353;
+                                let _e2408 = phi_4208_;
+                                if (_e2405 > _e2408) {
+                                    phi_4213_ = _e2405;
                                 } else {
-                                    phi_4214_ = _e2358;
+                                    phi_4213_ = _e2408;
                                 }
-                                let _e2412 = phi_4214_;
-                                if (_e2363 > _e2368) {
-                                    phi_4219_ = _e2363;
+                                let _e2411 = phi_4213_;
+                                if (_e2402 > _e2411) {
+                                    phi_4218_ = _e2402;
                                 } else {
-                                    phi_4219_ = _e2368;
+                                    phi_4218_ = _e2411;
                                 }
-                                let _e2415 = phi_4219_;
-                                if (_e2412 > _e2415) {
-                                    phi_4224_ = _e2412;
+                                let _e2414 = phi_4218_;
+                                if (_e2326 < 0f) {
+                                    phi_4224_ = -(_e2326);
                                 } else {
-                                    phi_4224_ = _e2415;
+                                    phi_4224_ = _e2326;
                                 }
                                 let _e2418 = phi_4224_;
-                                if (_e2373 > _e2378) {
-                                    phi_4229_ = _e2373;
+                                if (_e2329 < 0f) {
+                                    phi_4230_ = -(_e2329);
                                 } else {
-                                    phi_4229_ = _e2378;
+                                    phi_4230_ = _e2329;
                                 }
-                                let _e2421 = phi_4229_;
-                                if (_e2383 > _e2388) {
-                                    phi_4234_ = _e2383;
+                                let _e2422 = phi_4230_;
+                                if (_e2332 < 0f) {
+                                    phi_4237_ = -(_e2332);
                                 } else {
-                                    phi_4234_ = _e2388;
+                                    phi_4237_ = _e2332;
                                 }
-                                let _e2424 = phi_4234_;
-                                if (_e2421 > _e2424) {
-                                    phi_4239_ = _e2421;
+                                let _e2427 = phi_4237_;
+                                let _e2428 = ((_e2418 + _e2422) + _e2427);
+                                let _e2433 = -(_e2414);
+                                if (_e2393 > _e2433) {
+                                    phi_4248_ = _e2393;
                                 } else {
-                                    phi_4239_ = _e2424;
+                                    phi_4248_ = _e2433;
                                 }
-                                let _e2427 = phi_4239_;
-                                if (_e2418 > _e2427) {
-                                    phi_4244_ = _e2418;
+                                let _e2436 = phi_4248_;
+                                let _e2441 = (((_e2436 - ((_e2428 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2428 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2323 > _e2441) {
+                                    phi_4258_ = _e2323;
                                 } else {
-                                    phi_4244_ = _e2427;
+                                    phi_4258_ = _e2441;
                                 }
-                                let _e2430 = phi_4244_;
-                                if (_e2342 < 0f) {
-                                    phi_4250_ = -(_e2342);
+                                let _e2444 = phi_4258_;
+                                let _e2445 = (_e1974 - _e1959);
+                                let _e2446 = (_e1975 - _e1960);
+                                let _e2447 = (_e1976 - _e1961);
+                                let _e2450 = ((_e1982 * _e2447) - (_e1985 * _e2446));
+                                let _e2453 = ((_e1985 * _e2445) - (_e1979 * _e2447));
+                                let _e2456 = ((_e1979 * _e2446) - (_e1982 * _e2445));
+                                let _e2461 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
+                                let _e2466 = (((_e2450 * _e2004) + (_e2453 * _e2005)) + (_e2456 * _e2006));
+                                let _e2471 = (((_e2450 * _e2007) + (_e2453 * _e2008)) + (_e2456 * _e2009));
+                                let _e2476 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
+                                let _e2481 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
+                                let _e2486 = (((_e2450 * _e2028) + (_e2453 * _e2029)) + (_e2456 * _e2030));
+                                let _e2491 = (((_e2450 * _e2031) + (_e2453 * _e2032)) + (_e2456 * _e2033));
+                                let _e2496 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
+                                if (_e2461 < _e2466) {
+                                    phi_4331_ = _e2461;
                                 } else {
-                                    phi_4250_ = _e2342;
+                                    phi_4331_ = _e2466;
                                 }
-                                let _e2434 = phi_4250_;
-                                if (_e2345 < 0f) {
-                                    phi_4256_ = -(_e2345);
+                                let _e2499 = phi_4331_;
+                                if (_e2471 < _e2476) {
+                                    phi_4336_ = _e2471;
                                 } else {
-                                    phi_4256_ = _e2345;
+                                    phi_4336_ = _e2476;
                                 }
-                                let _e2438 = phi_4256_;
-                                if (_e2348 < 0f) {
-                                    phi_4263_ = -(_e2348);
+                                let _e2502 = phi_4336_;
+                                if (_e2499 < _e2502) {
+                                    phi_4341_ = _e2499;
                                 } else {
-                                    phi_4263_ = _e2348;
+                                    phi_4341_ = _e2502;
                                 }
-                                let _e2443 = phi_4263_;
-                                let _e2444 = ((_e2434 + _e2438) + _e2443);
-                                let _e2449 = -(_e2430);
-                                if (_e2409 > _e2449) {
-                                    phi_4274_ = _e2409;
+                                let _e2505 = phi_4341_;
+                                if (_e2481 < _e2486) {
+                                    phi_4346_ = _e2481;
                                 } else {
-                                    phi_4274_ = _e2449;
+                                    phi_4346_ = _e2486;
                                 }
-                                let _e2452 = phi_4274_;
-                                let _e2457 = (((_e2452 - ((_e2444 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2444 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2339 > _e2457) {
-                                    phi_4284_ = _e2339;
+                                let _e2508 = phi_4346_;
+                                if (_e2491 < _e2496) {
+                                    phi_4351_ = _e2491;
                                 } else {
-                                    phi_4284_ = _e2457;
+                                    phi_4351_ = _e2496;
                                 }
-                                let _e2460 = phi_4284_;
-                                let _e2461 = (_e1990 - _e1975);
-                                let _e2462 = (_e1991 - _e1976);
-                                let _e2463 = (_e1992 - _e1977);
-                                let _e2466 = ((_e1998 * _e2463) - (_e2001 * _e2462));
-                                let _e2469 = ((_e2001 * _e2461) - (_e1995 * _e2463));
-                                let _e2472 = ((_e1995 * _e2462) - (_e1998 * _e2461));
-                                let _e2477 = (((_e2466 * _e2004[0]) + (_e2469 * _e2004[1])) + (_e2472 * _e2004[2]));
-                                let _e2482 = (((_e2466 * _e2020) + (_e2469 * _e2021)) + (_e2472 * _e2022));
-                                let _e2487 = (((_e2466 * _e2023) + (_e2469 * _e2024)) + (_e2472 * _e2025));
-                                let _e2492 = (((_e2466 * _e2004[0]) + (_e2469 * _e2004[1])) + (_e2472 * _e2004[2]));
-                                let _e2497 = (((_e2466 * _e2028[0]) + (_e2469 * _e2028[1])) + (_e2472 * _e2028[2]));
-                                let _e2502 = (((_e2466 * _e2044) + (_e2469 * _e2045)) + (_e2472 * _e2046));
-                                let _e2507 = (((_e2466 * _e2047) + (_e2469 * _e2048)) + (_e2472 * _e2049));
-                                let _e2512 = (((_e2466 * _e2028[0]) + (_e2469 * _e2028[1])) + (_e2472 * _e2028[2]));
-                                if (_e2477 < _e2482) {
-                                    phi_4357_ = _e2477;
+                                let _e2511 = phi_4351_;
+                                if (_e2508 < _e2511) {
+                                    phi_4356_ = _e2508;
                                 } else {
-                                    phi_4357_ = _e2482;
+                                    phi_4356_ = _e2511;
                                 }
-                                let _e2515 = phi_4357_;
-                                if (_e2487 < _e2492) {
-                                    phi_4362_ = _e2487;
+                                let _e2514 = phi_4356_;
+                                if (_e2505 < _e2514) {
+                                    phi_4361_ = _e2505;
                                 } else {
-                                    phi_4362_ = _e2492;
+                                    phi_4361_ = _e2514;
                                 }
-                                let _e2518 = phi_4362_;
-                                if (_e2515 < _e2518) {
-                                    phi_4367_ = _e2515;
+                                let _e2517 = phi_4361_;
+                                if (_e2461 > _e2466) {
+                                    phi_4366_ = _e2461;
                                 } else {
-                                    phi_4367_ = _e2518;
+                                    phi_4366_ = _e2466;
                                 }
-                                let _e2521 = phi_4367_;
-                                if (_e2497 < _e2502) {
-                                    phi_4372_ = _e2497;
+                                let _e2520 = phi_4366_;
+                                if (_e2471 > _e2476) {
+                                    phi_4371_ = _e2471;
                                 } else {
-                                    phi_4372_ = _e2502;
+                                    phi_4371_ = _e2476;
                                 }
-                                let _e2524 = phi_4372_;
-                                if (_e2507 < _e2512) {
-                                    phi_4377_ = _e2507;
+                                let _e2523 = phi_4371_;
+                                if (_e2520 > _e2523) {
+                                    phi_4376_ = _e2520;
                                 } else {
-                                    phi_4377_ = _e2512;
+                                    phi_4376_ = _e2523;
                                 }
-                                let _e2527 = phi_4377_;
-                                if (_e2524 < _e2527) {
-                                    phi_4382_ = _e2524;
+                                let _e2526 = phi_4376_;
+                                if (_e2481 > _e2486) {
+                                    phi_4381_ = _e2481;
                                 } else {
-                                    phi_4382_ = _e2527;
+                                    phi_4381_ = _e2486;
                                 }
-                                let _e2530 = phi_4382_;
-                                if (_e2521 < _e2530) {
-                                    phi_4387_ = _e2521;
+                                let _e2529 = phi_4381_;
+                                if (_e2491 > _e2496) {
+                                    phi_4386_ = _e2491;
                                 } else {
-                                    phi_4387_ = _e2530;
+                                    phi_4386_ = _e2496;
                                 }
-                                let _e2533 = phi_4387_;
-                                if (_e2477 > _e2482) {
-                                    phi_4392_ = _e2477;
+                                let _e2532 = phi_4386_;
+                                if (_e2529 > _e2532) {
+                                    phi_4391_ = _e2529;
                                 } else {
-                                    phi_4392_ = _e2482;
+                                    phi_4391_ = _e2532;
                                 }
-                                let _e2536 = phi_4392_;
-                                if (_e2487 > _e2492) {
-                                    phi_4397_ = _e2487;
+                                let _e2535 = phi_4391_;
+                                if (_e2526 > _e2535) {
+                                    phi_4396_ = _e2526;
                                 } else {
-                                    phi_4397_ = _e2492;
+                                    phi_4396_ = _e2535;
                                 }
-                                let _e2539 = phi_4397_;
-                                if (_e2536 > _e2539) {
-                                    phi_4402_ = _e2536;
+                                let _e2538 = phi_4396_;
+                                if (_e2450 < 0f) {
+                                    phi_4402_ = -(_e2450);
                                 } else {
-                                    phi_4402_ = _e2539;
+                                    phi_4402_ = _e2450;
                                 }
                                 let _e2542 = phi_4402_;
-                                if (_e2497 > _e2502) {
-                                    phi_4407_ = _e2497;
+                                if (_e2453 < 0f) {
+                                    phi_4408_ = -(_e2453);
                                 } else {
-                                    phi_4407_ = _e2502;
+                                    phi_4408_ = _e2453;
                                 }
-                                let _e2545 = phi_4407_;
-                                if (_e2507 > _e2512) {
-                                    phi_4412_ = _e2507;
+                                let _e2546 = phi_4408_;
+                                if (_e2456 < 0f) {
+                                    phi_4415_ = -(_e2456);
                                 } else {
-                                    phi_4412_ = _e2512;
+                                    phi_4415_ = _e2456;
                                 }
-                                let _e2548 = phi_4412_;
-                                if (_e2545 > _e2548) {
-                                    phi_4417_ = _e2545;
+                                let _e2551 = phi_4415_;
+                                let _e2552 = ((_e2542 + _e2546) + _e2551);
+                                let _e2557 = -(_e2538);
+                                if (_e2517 > _e2557) {
+                                    phi_4426_ = _e2517;
                                 } else {
-                                    phi_4417_ = _e2548;
+                                    phi_4426_ = _e2557;
                                 }
-                                let _e2551 = phi_4417_;
-                                if (_e2542 > _e2551) {
-                                    phi_4422_ = _e2542;
+                                let _e2560 = phi_4426_;
+                                let _e2565 = (((_e2560 - ((_e2552 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2552 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2444 > _e2565) {
+                                    phi_4436_ = _e2444;
                                 } else {
-                                    phi_4422_ = _e2551;
+                                    phi_4436_ = _e2565;
                                 }
-                                let _e2554 = phi_4422_;
-                                if (_e2466 < 0f) {
-                                    phi_4428_ = -(_e2466);
-                                } else {
-                                    phi_4428_ = _e2466;
-                                }
-                                let _e2558 = phi_4428_;
-                                if (_e2469 < 0f) {
-                                    phi_4434_ = -(_e2469);
-                                } else {
-                                    phi_4434_ = _e2469;
-                                }
-                                let _e2562 = phi_4434_;
-                                if (_e2472 < 0f) {
-                                    phi_4441_ = -(_e2472);
-                                } else {
-                                    phi_4441_ = _e2472;
-                                }
-                                let _e2567 = phi_4441_;
-                                let _e2568 = ((_e2558 + _e2562) + _e2567);
-                                let _e2573 = -(_e2554);
-                                if (_e2533 > _e2573) {
-                                    phi_4452_ = _e2533;
-                                } else {
-                                    phi_4452_ = _e2573;
-                                }
-                                let _e2576 = phi_4452_;
-                                let _e2581 = (((_e2576 - ((_e2568 * _e2214) * (0.000000059604645f * (17f / 2f)))) - (_e2568 * _e2221)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2460 > _e2581) {
-                                    phi_4462_ = _e2460;
-                                } else {
-                                    phi_4462_ = _e2581;
-                                }
-                                let _e2584 = phi_4462_;
-                                phi_4466_ = (_e1962 || (_e2584 > 0f));
+                                let _e2568 = phi_4436_;
+                                phi_4440_ = (_e1946 || (_e2568 > 0f));
                             }
-                            let _e2588 = phi_4466_;
-                            if _e2588 {
-                                phi_7883_ = _e2588;
+                            let _e2572 = phi_4440_;
+                            if _e2572 {
+                                phi_7857_ = _e2572;
                             } else {
-                                let _e2591 = local_2.member[0u];
-                                let _e2597 = local_2.member[1u];
-                                let _e2604 = ((_e2591[0] + _e2597[0]) * 0.5f);
-                                let _e2605 = ((_e2591[1] + _e2597[1]) * 0.5f);
-                                let _e2606 = ((_e2591[2] + _e2597[2]) * 0.5f);
-                                let _e2609 = local_2.member_1[0u];
-                                let _e2615 = local_2.member_1[1u];
-                                let _e2622 = ((_e2609[0] + _e2615[0]) * 0.5f);
-                                let _e2623 = ((_e2609[1] + _e2615[1]) * 0.5f);
-                                let _e2624 = ((_e2609[2] + _e2615[2]) * 0.5f);
-                                let _e2627 = local_2.member_2[0u];
-                                let _e2633 = local_2.member_2[1u];
-                                let _e2640 = ((_e2627[0] + _e2633[0]) * 0.5f);
-                                let _e2641 = ((_e2627[1] + _e2633[1]) * 0.5f);
-                                let _e2642 = ((_e2627[2] + _e2633[2]) * 0.5f);
-                                let _e2645 = local_2.member[0u];
-                                let _e2648 = local_2.member_1[0u];
-                                let _e2651 = local_2.member_2[0u];
-                                let _e2653 = local_2.member_3;
-                                let _e2656 = local_2.member[1u];
-                                let _e2659 = local_2.member_1[1u];
-                                let _e2662 = local_2.member_2[1u];
-                                let _e2664 = local_2.member_3;
-                                local = type_37(array<array<f32, 3>, 2>(_e2645, array<f32, 3>(_e2604, _e2605, _e2606)), array<array<f32, 3>, 2>(_e2648, array<f32, 3>(_e2622, _e2623, _e2624)), array<array<f32, 3>, 2>(_e2651, array<f32, 3>(_e2640, _e2641, _e2642)), _e2653);
-                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2604, _e2605, _e2606), _e2656), array<array<f32, 3>, 2>(array<f32, 3>(_e2622, _e2623, _e2624), _e2659), array<array<f32, 3>, 2>(array<f32, 3>(_e2640, _e2641, _e2642), _e2662), _e2664);
-                                let _e2681 = local.member_1[0u];
-                                let _e2687 = local.member_2[0u];
-                                let _e2693 = ((_e2681[1] * _e2687[2]) - (_e2681[2] * _e2687[1]));
-                                let _e2696 = ((_e2681[2] * _e2687[0]) - (_e2681[0] * _e2687[2]));
-                                let _e2699 = ((_e2681[0] * _e2687[1]) - (_e2681[1] * _e2687[0]));
-                                let _e2702 = local.member_1[1u];
-                                let _e2708 = local.member_2[1u];
-                                let _e2714 = ((_e2702[1] * _e2708[2]) - (_e2702[2] * _e2708[1]));
-                                let _e2717 = ((_e2702[2] * _e2708[0]) - (_e2702[0] * _e2708[2]));
-                                let _e2720 = ((_e2702[0] * _e2708[1]) - (_e2702[1] * _e2708[0]));
-                                let _e2723 = local.member_1[0u];
-                                let _e2729 = local.member_2[1u];
-                                let _e2744 = local.member_1[1u];
-                                let _e2750 = local.member_2[0u];
-                                let _e2763 = (((_e2723[1] * _e2729[2]) - (_e2723[2] * _e2729[1])) + ((_e2744[1] * _e2750[2]) - (_e2744[2] * _e2750[1])));
-                                let _e2764 = (((_e2723[2] * _e2729[0]) - (_e2723[0] * _e2729[2])) + ((_e2744[2] * _e2750[0]) - (_e2744[0] * _e2750[2])));
-                                let _e2765 = (((_e2723[0] * _e2729[1]) - (_e2723[1] * _e2729[0])) + ((_e2744[0] * _e2750[1]) - (_e2744[1] * _e2750[0])));
-                                let _e2768 = local.member[0u];
-                                let _e2779 = local.member[1u];
-                                let _e2790 = local.member[0u];
-                                let _e2799 = ((((_e2779[0] * _e2693) + (_e2779[1] * _e2696)) + (_e2779[2] * _e2699)) + (((_e2790[0] * _e2763) + (_e2790[1] * _e2764)) + (_e2790[2] * _e2765)));
-                                let _e2802 = local.member[0u];
-                                let _e2813 = local.member[1u];
-                                let _e2822 = ((((_e2802[0] * _e2714) + (_e2802[1] * _e2717)) + (_e2802[2] * _e2720)) + (((_e2813[0] * _e2763) + (_e2813[1] * _e2764)) + (_e2813[2] * _e2765)));
-                                let _e2825 = local.member[1u];
-                                let _e2836 = local.member[0u];
-                                if (_e2836[0] < 0f) {
-                                    phi_4918_ = -(_e2836[0]);
+                                let _e2575 = local_2.member[0u];
+                                let _e2581 = local_2.member[1u];
+                                let _e2588 = ((_e2575[0] + _e2581[0]) * 0.5f);
+                                let _e2589 = ((_e2575[1] + _e2581[1]) * 0.5f);
+                                let _e2590 = ((_e2575[2] + _e2581[2]) * 0.5f);
+                                let _e2593 = local_2.member_1[0u];
+                                let _e2599 = local_2.member_1[1u];
+                                let _e2606 = ((_e2593[0] + _e2599[0]) * 0.5f);
+                                let _e2607 = ((_e2593[1] + _e2599[1]) * 0.5f);
+                                let _e2608 = ((_e2593[2] + _e2599[2]) * 0.5f);
+                                let _e2611 = local_2.member_2[0u];
+                                let _e2617 = local_2.member_2[1u];
+                                let _e2624 = ((_e2611[0] + _e2617[0]) * 0.5f);
+                                let _e2625 = ((_e2611[1] + _e2617[1]) * 0.5f);
+                                let _e2626 = ((_e2611[2] + _e2617[2]) * 0.5f);
+                                let _e2629 = local_2.member[0u];
+                                let _e2632 = local_2.member_1[0u];
+                                let _e2635 = local_2.member_2[0u];
+                                let _e2637 = local_2.member_3;
+                                let _e2640 = local_2.member[1u];
+                                let _e2643 = local_2.member_1[1u];
+                                let _e2646 = local_2.member_2[1u];
+                                let _e2648 = local_2.member_3;
+                                local = type_37(array<array<f32, 3>, 2>(_e2629, array<f32, 3>(_e2588, _e2589, _e2590)), array<array<f32, 3>, 2>(_e2632, array<f32, 3>(_e2606, _e2607, _e2608)), array<array<f32, 3>, 2>(_e2635, array<f32, 3>(_e2624, _e2625, _e2626)), _e2637);
+                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2588, _e2589, _e2590), _e2640), array<array<f32, 3>, 2>(array<f32, 3>(_e2606, _e2607, _e2608), _e2643), array<array<f32, 3>, 2>(array<f32, 3>(_e2624, _e2625, _e2626), _e2646), _e2648);
+                                let _e2665 = local.member_1[0u];
+                                let _e2671 = local.member_2[0u];
+                                let _e2677 = ((_e2665[1] * _e2671[2]) - (_e2665[2] * _e2671[1]));
+                                let _e2680 = ((_e2665[2] * _e2671[0]) - (_e2665[0] * _e2671[2]));
+                                let _e2683 = ((_e2665[0] * _e2671[1]) - (_e2665[1] * _e2671[0]));
+                                let _e2686 = local.member_1[1u];
+                                let _e2692 = local.member_2[1u];
+                                let _e2698 = ((_e2686[1] * _e2692[2]) - (_e2686[2] * _e2692[1]));
+                                let _e2701 = ((_e2686[2] * _e2692[0]) - (_e2686[0] * _e2692[2]));
+                                let _e2704 = ((_e2686[0] * _e2692[1]) - (_e2686[1] * _e2692[0]));
+                                let _e2707 = local.member_1[0u];
+                                let _e2713 = local.member_2[1u];
+                                let _e2728 = local.member_1[1u];
+                                let _e2734 = local.member_2[0u];
+                                let _e2747 = (((_e2707[1] * _e2713[2]) - (_e2707[2] * _e2713[1])) + ((_e2728[1] * _e2734[2]) - (_e2728[2] * _e2734[1])));
+                                let _e2748 = (((_e2707[2] * _e2713[0]) - (_e2707[0] * _e2713[2])) + ((_e2728[2] * _e2734[0]) - (_e2728[0] * _e2734[2])));
+                                let _e2749 = (((_e2707[0] * _e2713[1]) - (_e2707[1] * _e2713[0])) + ((_e2728[0] * _e2734[1]) - (_e2728[1] * _e2734[0])));
+                                let _e2752 = local.member[0u];
+                                let _e2763 = local.member[1u];
+                                let _e2774 = local.member[0u];
+                                let _e2783 = ((((_e2763[0] * _e2677) + (_e2763[1] * _e2680)) + (_e2763[2] * _e2683)) + (((_e2774[0] * _e2747) + (_e2774[1] * _e2748)) + (_e2774[2] * _e2749)));
+                                let _e2786 = local.member[0u];
+                                let _e2797 = local.member[1u];
+                                let _e2806 = ((((_e2786[0] * _e2698) + (_e2786[1] * _e2701)) + (_e2786[2] * _e2704)) + (((_e2797[0] * _e2747) + (_e2797[1] * _e2748)) + (_e2797[2] * _e2749)));
+                                let _e2809 = local.member[1u];
+                                let _e2820 = local.member[0u];
+                                if (_e2820[0] < 0f) {
+                                    phi_4892_ = -(_e2820[0]);
                                 } else {
-                                    phi_4918_ = _e2836[0];
+                                    phi_4892_ = _e2820[0];
                                 }
-                                let _e2843 = phi_4918_;
-                                if (_e2836[1] < 0f) {
-                                    phi_4925_ = -(_e2836[1]);
+                                let _e2827 = phi_4892_;
+                                if (_e2820[1] < 0f) {
+                                    phi_4899_ = -(_e2820[1]);
                                 } else {
-                                    phi_4925_ = _e2836[1];
+                                    phi_4899_ = _e2820[1];
                                 }
-                                let _e2847 = phi_4925_;
-                                if (_e2843 > _e2847) {
-                                    phi_4930_ = _e2843;
+                                let _e2831 = phi_4899_;
+                                if (_e2827 > _e2831) {
+                                    phi_4904_ = _e2827;
                                 } else {
-                                    phi_4930_ = _e2847;
+                                    phi_4904_ = _e2831;
                                 }
-                                let _e2850 = phi_4930_;
-                                if (_e2836[2] < 0f) {
-                                    phi_4937_ = -(_e2836[2]);
+                                let _e2834 = phi_4904_;
+                                if (_e2820[2] < 0f) {
+                                    phi_4911_ = -(_e2820[2]);
                                 } else {
-                                    phi_4937_ = _e2836[2];
+                                    phi_4911_ = _e2820[2];
                                 }
-                                let _e2854 = phi_4937_;
-                                if (_e2850 > _e2854) {
-                                    phi_4942_ = _e2850;
+                                let _e2838 = phi_4911_;
+                                if (_e2834 > _e2838) {
+                                    phi_4916_ = _e2834;
                                 } else {
-                                    phi_4942_ = _e2854;
+                                    phi_4916_ = _e2838;
                                 }
-                                let _e2857 = phi_4942_;
-                                let _e2860 = local.member[1u];
-                                if (_e2860[0] < 0f) {
-                                    phi_4955_ = -(_e2860[0]);
+                                let _e2841 = phi_4916_;
+                                let _e2844 = local.member[1u];
+                                if (_e2844[0] < 0f) {
+                                    phi_4929_ = -(_e2844[0]);
                                 } else {
-                                    phi_4955_ = _e2860[0];
+                                    phi_4929_ = _e2844[0];
                                 }
-                                let _e2867 = phi_4955_;
-                                if (_e2860[1] < 0f) {
-                                    phi_4962_ = -(_e2860[1]);
+                                let _e2851 = phi_4929_;
+                                if (_e2844[1] < 0f) {
+                                    phi_4936_ = -(_e2844[1]);
                                 } else {
-                                    phi_4962_ = _e2860[1];
+                                    phi_4936_ = _e2844[1];
                                 }
-                                let _e2871 = phi_4962_;
-                                if (_e2867 > _e2871) {
-                                    phi_4967_ = _e2867;
+                                let _e2855 = phi_4936_;
+                                if (_e2851 > _e2855) {
+                                    phi_4941_ = _e2851;
                                 } else {
-                                    phi_4967_ = _e2871;
+                                    phi_4941_ = _e2855;
                                 }
-                                let _e2874 = phi_4967_;
-                                if (_e2860[2] < 0f) {
-                                    phi_4974_ = -(_e2860[2]);
+                                let _e2858 = phi_4941_;
+                                if (_e2844[2] < 0f) {
+                                    phi_4948_ = -(_e2844[2]);
                                 } else {
-                                    phi_4974_ = _e2860[2];
+                                    phi_4948_ = _e2844[2];
                                 }
-                                let _e2878 = phi_4974_;
-                                if (_e2874 > _e2878) {
-                                    phi_4979_ = _e2874;
+                                let _e2862 = phi_4948_;
+                                if (_e2858 > _e2862) {
+                                    phi_4953_ = _e2858;
                                 } else {
-                                    phi_4979_ = _e2878;
+                                    phi_4953_ = _e2862;
                                 }
-                                let _e2881 = phi_4979_;
-                                if (_e2857 > _e2881) {
-                                    phi_4984_ = _e2857;
+                                let _e2865 = phi_4953_;
+                                if (_e2841 > _e2865) {
+                                    phi_4958_ = _e2841;
                                 } else {
-                                    phi_4984_ = _e2881;
+                                    phi_4958_ = _e2865;
                                 }
-                                let _e2884 = phi_4984_;
-                                let _e2886 = local.member_3;
-                                let _e2887 = (_e2884 + _e2886);
-                                let _e2890 = local.member_1[0u];
-                                if (_e2890[0] < 0f) {
-                                    phi_5001_ = -(_e2890[0]);
+                                let _e2868 = phi_4958_;
+                                let _e2870 = local.member_3;
+                                let _e2871 = (_e2868 + _e2870);
+                                let _e2874 = local.member_1[0u];
+                                if (_e2874[0] < 0f) {
+                                    phi_4975_ = -(_e2874[0]);
                                 } else {
-                                    phi_5001_ = _e2890[0];
+                                    phi_4975_ = _e2874[0];
                                 }
-                                let _e2897 = phi_5001_;
-                                if (_e2890[1] < 0f) {
-                                    phi_5008_ = -(_e2890[1]);
+                                let _e2881 = phi_4975_;
+                                if (_e2874[1] < 0f) {
+                                    phi_4982_ = -(_e2874[1]);
                                 } else {
-                                    phi_5008_ = _e2890[1];
+                                    phi_4982_ = _e2874[1];
                                 }
-                                let _e2901 = phi_5008_;
-                                if (_e2897 > _e2901) {
-                                    phi_5013_ = _e2897;
+                                let _e2885 = phi_4982_;
+                                if (_e2881 > _e2885) {
+                                    phi_4987_ = _e2881;
                                 } else {
-                                    phi_5013_ = _e2901;
+                                    phi_4987_ = _e2885;
                                 }
-                                let _e2904 = phi_5013_;
-                                if (_e2890[2] < 0f) {
-                                    phi_5020_ = -(_e2890[2]);
+                                let _e2888 = phi_4987_;
+                                if (_e2874[2] < 0f) {
+                                    phi_4994_ = -(_e2874[2]);
                                 } else {
-                                    phi_5020_ = _e2890[2];
+                                    phi_4994_ = _e2874[2];
                                 }
-                                let _e2908 = phi_5020_;
-                                if (_e2904 > _e2908) {
-                                    phi_5025_ = _e2904;
+                                let _e2892 = phi_4994_;
+                                if (_e2888 > _e2892) {
+                                    phi_4999_ = _e2888;
                                 } else {
-                                    phi_5025_ = _e2908;
+                                    phi_4999_ = _e2892;
                                 }
-                                let _e2911 = phi_5025_;
-                                let _e2914 = local.member_1[1u];
-                                if (_e2914[0] < 0f) {
-                                    phi_5039_ = -(_e2914[0]);
+                                let _e2895 = phi_4999_;
+                                let _e2898 = local.member_1[1u];
+                                if (_e2898[0] < 0f) {
+                                    phi_5013_ = -(_e2898[0]);
                                 } else {
-                                    phi_5039_ = _e2914[0];
+                                    phi_5013_ = _e2898[0];
                                 }
-                                let _e2921 = phi_5039_;
-                                if (_e2914[1] < 0f) {
-                                    phi_5046_ = -(_e2914[1]);
+                                let _e2905 = phi_5013_;
+                                if (_e2898[1] < 0f) {
+                                    phi_5020_ = -(_e2898[1]);
                                 } else {
-                                    phi_5046_ = _e2914[1];
+                                    phi_5020_ = _e2898[1];
                                 }
-                                let _e2925 = phi_5046_;
-                                if (_e2921 > _e2925) {
-                                    phi_5051_ = _e2921;
+                                let _e2909 = phi_5020_;
+                                if (_e2905 > _e2909) {
+                                    phi_5025_ = _e2905;
                                 } else {
-                                    phi_5051_ = _e2925;
+                                    phi_5025_ = _e2909;
                                 }
-                                let _e2928 = phi_5051_;
-                                if (_e2914[2] < 0f) {
-                                    phi_5058_ = -(_e2914[2]);
+                                let _e2912 = phi_5025_;
+                                if (_e2898[2] < 0f) {
+                                    phi_5032_ = -(_e2898[2]);
                                 } else {
-                                    phi_5058_ = _e2914[2];
+                                    phi_5032_ = _e2898[2];
                                 }
-                                let _e2932 = phi_5058_;
-                                if (_e2928 > _e2932) {
-                                    phi_5063_ = _e2928;
+                                let _e2916 = phi_5032_;
+                                if (_e2912 > _e2916) {
+                                    phi_5037_ = _e2912;
                                 } else {
-                                    phi_5063_ = _e2932;
+                                    phi_5037_ = _e2916;
                                 }
-                                let _e2935 = phi_5063_;
-                                if (_e2911 > _e2935) {
-                                    phi_5068_ = _e2911;
+                                let _e2919 = phi_5037_;
+                                if (_e2895 > _e2919) {
+                                    phi_5042_ = _e2895;
                                 } else {
-                                    phi_5068_ = _e2935;
+                                    phi_5042_ = _e2919;
                                 }
-                                let _e2938 = phi_5068_;
-                                let _e2940 = local.member_3;
-                                let _e2941 = (_e2938 + _e2940);
-                                let _e2944 = local.member_2[0u];
-                                if (_e2944[0] < 0f) {
-                                    phi_5085_ = -(_e2944[0]);
+                                let _e2922 = phi_5042_;
+                                let _e2924 = local.member_3;
+                                let _e2925 = (_e2922 + _e2924);
+                                let _e2928 = local.member_2[0u];
+                                if (_e2928[0] < 0f) {
+                                    phi_5059_ = -(_e2928[0]);
                                 } else {
-                                    phi_5085_ = _e2944[0];
+                                    phi_5059_ = _e2928[0];
                                 }
-                                let _e2951 = phi_5085_;
-                                if (_e2944[1] < 0f) {
-                                    phi_5092_ = -(_e2944[1]);
+                                let _e2935 = phi_5059_;
+                                if (_e2928[1] < 0f) {
+                                    phi_5066_ = -(_e2928[1]);
                                 } else {
-                                    phi_5092_ = _e2944[1];
+                                    phi_5066_ = _e2928[1];
                                 }
-                                let _e2955 = phi_5092_;
-                                if (_e2951 > _e2955) {
-                                    phi_5097_ = _e2951;
+                                let _e2939 = phi_5066_;
+                                if (_e2935 > _e2939) {
+                                    phi_5071_ = _e2935;
                                 } else {
-                                    phi_5097_ = _e2955;
+                                    phi_5071_ = _e2939;
                                 }
-                                let _e2958 = phi_5097_;
-                                if (_e2944[2] < 0f) {
-                                    phi_5104_ = -(_e2944[2]);
+                                let _e2942 = phi_5071_;
+                                if (_e2928[2] < 0f) {
+                                    phi_5078_ = -(_e2928[2]);
                                 } else {
-                                    phi_5104_ = _e2944[2];
+                                    phi_5078_ = _e2928[2];
                                 }
-                                let _e2962 = phi_5104_;
-                                if (_e2958 > _e2962) {
-                                    phi_5109_ = _e2958;
+                                let _e2946 = phi_5078_;
+                                if (_e2942 > _e2946) {
+                                    phi_5083_ = _e2942;
                                 } else {
-                                    phi_5109_ = _e2962;
+                                    phi_5083_ = _e2946;
                                 }
-                                let _e2965 = phi_5109_;
-                                let _e2968 = local.member_2[1u];
-                                if (_e2968[0] < 0f) {
-                                    phi_5123_ = -(_e2968[0]);
+                                let _e2949 = phi_5083_;
+                                let _e2952 = local.member_2[1u];
+                                if (_e2952[0] < 0f) {
+                                    phi_5097_ = -(_e2952[0]);
                                 } else {
-                                    phi_5123_ = _e2968[0];
+                                    phi_5097_ = _e2952[0];
                                 }
-                                let _e2975 = phi_5123_;
-                                if (_e2968[1] < 0f) {
-                                    phi_5130_ = -(_e2968[1]);
+                                let _e2959 = phi_5097_;
+                                if (_e2952[1] < 0f) {
+                                    phi_5104_ = -(_e2952[1]);
                                 } else {
-                                    phi_5130_ = _e2968[1];
+                                    phi_5104_ = _e2952[1];
                                 }
-                                let _e2979 = phi_5130_;
-                                if (_e2975 > _e2979) {
-                                    phi_5135_ = _e2975;
+                                let _e2963 = phi_5104_;
+                                if (_e2959 > _e2963) {
+                                    phi_5109_ = _e2959;
                                 } else {
-                                    phi_5135_ = _e2979;
+                                    phi_5109_ = _e2963;
                                 }
-                                let _e2982 = phi_5135_;
-                                if (_e2968[2] < 0f) {
-                                    phi_5142_ = -(_e2968[2]);
+                                let _e2966 = phi_5109_;
+                                if (_e2952[2] < 0f) {
+                                    phi_5116_ = -(_e2952[2]);
                                 } else {
-                                    phi_5142_ = _e2968[2];
+                                    phi_5116_ = _e2952[2];
                                 }
-                                let _e2986 = phi_5142_;
-                                if (_e2982 > _e2986) {
-                                    phi_5147_ = _e2982;
+                                let _e2970 = phi_5116_;
+                                if (_e2966 > _e2970) {
+                                    phi_5121_ = _e2966;
                                 } else {
-                                    phi_5147_ = _e2986;
+                                    phi_5121_ = _e2970;
                                 }
-                                let _e2989 = phi_5147_;
-                                if (_e2965 > _e2989) {
-                                    phi_5152_ = _e2965;
+                                let _e2973 = phi_5121_;
+                                if (_e2949 > _e2973) {
+                                    phi_5126_ = _e2949;
                                 } else {
-                                    phi_5152_ = _e2989;
+                                    phi_5126_ = _e2973;
                                 }
-                                let _e2992 = phi_5152_;
-                                let _e2994 = local.member_3;
-                                let _e2995 = (_e2992 + _e2994);
-                                let _e2997 = ((_e2941 * 8f) * _e2995);
-                                let _e3004 = local.member_3;
-                                if (_e2693 < 0f) {
-                                    phi_5183_ = -(_e2693);
+                                let _e2976 = phi_5126_;
+                                let _e2978 = local.member_3;
+                                let _e2979 = (_e2976 + _e2978);
+                                let _e2981 = ((_e2925 * 8f) * _e2979);
+                                let _e2988 = local.member_3;
+                                if (_e2677 < 0f) {
+                                    phi_5157_ = -(_e2677);
                                 } else {
-                                    phi_5183_ = _e2693;
+                                    phi_5157_ = _e2677;
                                 }
-                                let _e3021 = phi_5183_;
-                                if (_e2696 < 0f) {
-                                    phi_5189_ = -(_e2696);
+                                let _e3005 = phi_5157_;
+                                if (_e2680 < 0f) {
+                                    phi_5163_ = -(_e2680);
                                 } else {
-                                    phi_5189_ = _e2696;
+                                    phi_5163_ = _e2680;
                                 }
-                                let _e3025 = phi_5189_;
-                                if (_e2699 < 0f) {
-                                    phi_5196_ = -(_e2699);
+                                let _e3009 = phi_5163_;
+                                if (_e2683 < 0f) {
+                                    phi_5170_ = -(_e2683);
                                 } else {
-                                    phi_5196_ = _e2699;
+                                    phi_5170_ = _e2683;
                                 }
-                                let _e3030 = phi_5196_;
-                                let _e3031 = ((_e3021 + _e3025) + _e3030);
-                                if (_e2714 < 0f) {
-                                    phi_5203_ = -(_e2714);
+                                let _e3014 = phi_5170_;
+                                let _e3015 = ((_e3005 + _e3009) + _e3014);
+                                if (_e2698 < 0f) {
+                                    phi_5177_ = -(_e2698);
                                 } else {
-                                    phi_5203_ = _e2714;
+                                    phi_5177_ = _e2698;
                                 }
-                                let _e3035 = phi_5203_;
-                                if (_e2717 < 0f) {
-                                    phi_5209_ = -(_e2717);
+                                let _e3019 = phi_5177_;
+                                if (_e2701 < 0f) {
+                                    phi_5183_ = -(_e2701);
                                 } else {
-                                    phi_5209_ = _e2717;
+                                    phi_5183_ = _e2701;
                                 }
-                                let _e3039 = phi_5209_;
-                                if (_e2720 < 0f) {
-                                    phi_5216_ = -(_e2720);
+                                let _e3023 = phi_5183_;
+                                if (_e2704 < 0f) {
+                                    phi_5190_ = -(_e2704);
                                 } else {
-                                    phi_5216_ = _e2720;
+                                    phi_5190_ = _e2704;
                                 }
-                                let _e3044 = phi_5216_;
-                                let _e3045 = ((_e3035 + _e3039) + _e3044);
-                                if (_e3031 > _e3045) {
-                                    phi_5222_ = _e3031;
+                                let _e3028 = phi_5190_;
+                                let _e3029 = ((_e3019 + _e3023) + _e3028);
+                                if (_e3015 > _e3029) {
+                                    phi_5196_ = _e3015;
                                 } else {
-                                    phi_5222_ = _e3045;
+                                    phi_5196_ = _e3029;
                                 }
-                                let _e3048 = phi_5222_;
-                                if (_e2763 < 0f) {
-                                    phi_5228_ = -(_e2763);
+                                let _e3032 = phi_5196_;
+                                if (_e2747 < 0f) {
+                                    phi_5202_ = -(_e2747);
                                 } else {
-                                    phi_5228_ = _e2763;
+                                    phi_5202_ = _e2747;
                                 }
-                                let _e3052 = phi_5228_;
-                                if (_e2764 < 0f) {
-                                    phi_5234_ = -(_e2764);
+                                let _e3036 = phi_5202_;
+                                if (_e2748 < 0f) {
+                                    phi_5208_ = -(_e2748);
                                 } else {
-                                    phi_5234_ = _e2764;
+                                    phi_5208_ = _e2748;
                                 }
-                                let _e3056 = phi_5234_;
-                                if (_e2765 < 0f) {
-                                    phi_5241_ = -(_e2765);
+                                let _e3040 = phi_5208_;
+                                if (_e2749 < 0f) {
+                                    phi_5215_ = -(_e2749);
                                 } else {
-                                    phi_5241_ = _e2765;
+                                    phi_5215_ = _e2749;
                                 }
-                                let _e3061 = phi_5241_;
-                                let _e3063 = (((_e3052 + _e3056) + _e3061) * 0.5f);
-                                if (_e3048 > _e3063) {
-                                    phi_5248_ = _e3048;
+                                let _e3045 = phi_5215_;
+                                let _e3047 = (((_e3036 + _e3040) + _e3045) * 0.5f);
+                                if (_e3032 > _e3047) {
+                                    phi_5222_ = _e3032;
                                 } else {
-                                    phi_5248_ = _e3063;
+                                    phi_5222_ = _e3047;
                                 }
-                                let _e3066 = phi_5248_;
-                                let _e3071 = local.member_3;
-                                let _e3084 = ((((_e2768[0] * _e2693) + (_e2768[1] * _e2696)) + (_e2768[2] * _e2699)) * 3f);
-                                let _e3085 = ((((_e2825[0] * _e2714) + (_e2825[1] * _e2717)) + (_e2825[2] * _e2720)) * 3f);
-                                if (_e3084 < _e3085) {
-                                    phi_5272_ = _e3084;
+                                let _e3050 = phi_5222_;
+                                let _e3055 = local.member_3;
+                                let _e3068 = ((((_e2752[0] * _e2677) + (_e2752[1] * _e2680)) + (_e2752[2] * _e2683)) * 3f);
+                                let _e3069 = ((((_e2809[0] * _e2698) + (_e2809[1] * _e2701)) + (_e2809[2] * _e2704)) * 3f);
+                                if (_e3068 < _e3069) {
+                                    phi_5246_ = _e3068;
                                 } else {
-                                    phi_5272_ = _e3085;
+                                    phi_5246_ = _e3069;
                                 }
-                                let _e3088 = phi_5272_;
-                                if (_e2799 < _e2822) {
-                                    phi_5277_ = _e2799;
+                                let _e3072 = phi_5246_;
+                                if (_e2783 < _e2806) {
+                                    phi_5251_ = _e2783;
                                 } else {
-                                    phi_5277_ = _e2822;
+                                    phi_5251_ = _e2806;
                                 }
-                                let _e3091 = phi_5277_;
-                                if (_e3088 < _e3091) {
-                                    phi_5282_ = _e3088;
+                                let _e3075 = phi_5251_;
+                                if (_e3072 < _e3075) {
+                                    phi_5256_ = _e3072;
                                 } else {
-                                    phi_5282_ = _e3091;
+                                    phi_5256_ = _e3075;
                                 }
-                                let _e3094 = phi_5282_;
-                                if (_e3084 > _e3085) {
-                                    phi_5287_ = _e3084;
+                                let _e3078 = phi_5256_;
+                                if (_e3068 > _e3069) {
+                                    phi_5261_ = _e3068;
                                 } else {
-                                    phi_5287_ = _e3085;
+                                    phi_5261_ = _e3069;
                                 }
-                                let _e3097 = phi_5287_;
-                                if (_e2799 > _e2822) {
-                                    phi_5292_ = _e2799;
+                                let _e3081 = phi_5261_;
+                                if (_e2783 > _e2806) {
+                                    phi_5266_ = _e2783;
                                 } else {
-                                    phi_5292_ = _e2822;
+                                    phi_5266_ = _e2806;
                                 }
-                                let _e3100 = phi_5292_;
-                                if (_e3097 > _e3100) {
-                                    phi_5297_ = _e3097;
+                                let _e3084 = phi_5266_;
+                                if (_e3081 > _e3084) {
+                                    phi_5271_ = _e3081;
                                 } else {
-                                    phi_5297_ = _e3100;
+                                    phi_5271_ = _e3084;
                                 }
-                                let _e3103 = phi_5297_;
-                                let _e3108 = -(_e3103);
-                                if (_e3094 > _e3108) {
-                                    phi_5307_ = _e3094;
+                                let _e3087 = phi_5271_;
+                                let _e3092 = -(_e3087);
+                                if (_e3078 > _e3092) {
+                                    phi_5281_ = _e3078;
                                 } else {
-                                    phi_5307_ = _e3108;
+                                    phi_5281_ = _e3092;
                                 }
-                                let _e3111 = phi_5307_;
-                                let _e3113 = ((_e3111 - ((((((_e2887 * 8f) * _e2997) * (0.000000059604645f * (524f / 64f))) + ((_e3004 * 19f) * ((_e2887 * (_e2941 + _e2995)) + (_e2941 * _e2995)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2887) * ((1f + _e2941) * (1f + _e2995))))) + ((_e1450 * (((_e3066 + (_e2997 * (0.000000059604645f * 8f))) + ((_e3071 * 6f) * (_e2941 + _e2995))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2941) * (1f + _e2995))))) * (3f * 1.0001f)))) > 0f);
-                                if _e3113 {
-                                    phi_6276_ = _e3113;
+                                let _e3095 = phi_5281_;
+                                let _e3097 = ((_e3095 - ((((((_e2871 * 8f) * _e2981) * (0.000000059604645f * (524f / 64f))) + ((_e2988 * 19f) * ((_e2871 * (_e2925 + _e2979)) + (_e2925 * _e2979)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2871) * ((1f + _e2925) * (1f + _e2979))))) + ((_e1434 * (((_e3050 + (_e2981 * (0.000000059604645f * 8f))) + ((_e3055 * 6f) * (_e2925 + _e2979))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2925) * (1f + _e2979))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3097 {
+                                    phi_6250_ = _e3097;
                                 } else {
-                                    let _e3116 = local.member_1[0u];
-                                    let _e3122 = local.member_1[1u];
-                                    let _e3126 = (_e3116[0] + _e3122[0]);
-                                    let _e3127 = (_e3116[1] + _e3122[1]);
-                                    let _e3128 = (_e3116[2] + _e3122[2]);
-                                    let _e3131 = local.member_2[0u];
-                                    let _e3137 = local.member_2[1u];
-                                    let _e3141 = (_e3131[0] + _e3137[0]);
-                                    let _e3142 = (_e3131[1] + _e3137[1]);
-                                    let _e3143 = (_e3131[2] + _e3137[2]);
-                                    let _e3146 = ((_e3127 * _e3143) - (_e3128 * _e3142));
-                                    let _e3149 = ((_e3128 * _e3141) - (_e3126 * _e3143));
-                                    let _e3152 = ((_e3126 * _e3142) - (_e3127 * _e3141));
-                                    let _e3155 = local.member[0u];
-                                    let _e3161 = local.member_1[0u];
-                                    let _e3167 = local.member_2[0u];
-                                    let _e3171 = (_e3155[0] - _e3161[0]);
-                                    let _e3172 = (_e3155[1] - _e3161[1]);
-                                    let _e3173 = (_e3155[2] - _e3161[2]);
-                                    let _e3174 = (_e3155[0] - _e3167[0]);
-                                    let _e3175 = (_e3155[1] - _e3167[1]);
-                                    let _e3176 = (_e3155[2] - _e3167[2]);
-                                    let _e3179 = local.member[1u];
-                                    let _e3185 = local.member_1[1u];
-                                    let _e3191 = local.member_2[1u];
-                                    let _e3195 = (_e3179[0] - _e3185[0]);
-                                    let _e3196 = (_e3179[1] - _e3185[1]);
-                                    let _e3197 = (_e3179[2] - _e3185[2]);
-                                    let _e3198 = (_e3179[0] - _e3191[0]);
-                                    let _e3199 = (_e3179[1] - _e3191[1]);
-                                    let _e3200 = (_e3179[2] - _e3191[2]);
-                                    let _e3203 = local.member[0u];
-                                    if (_e3203[0] < 0f) {
-                                        phi_5510_ = -(_e3203[0]);
+                                    let _e3100 = local.member_1[0u];
+                                    let _e3106 = local.member_1[1u];
+                                    let _e3110 = (_e3100[0] + _e3106[0]);
+                                    let _e3111 = (_e3100[1] + _e3106[1]);
+                                    let _e3112 = (_e3100[2] + _e3106[2]);
+                                    let _e3115 = local.member_2[0u];
+                                    let _e3121 = local.member_2[1u];
+                                    let _e3125 = (_e3115[0] + _e3121[0]);
+                                    let _e3126 = (_e3115[1] + _e3121[1]);
+                                    let _e3127 = (_e3115[2] + _e3121[2]);
+                                    let _e3130 = ((_e3111 * _e3127) - (_e3112 * _e3126));
+                                    let _e3133 = ((_e3112 * _e3125) - (_e3110 * _e3127));
+                                    let _e3136 = ((_e3110 * _e3126) - (_e3111 * _e3125));
+                                    let _e3139 = local.member[0u];
+                                    let _e3145 = local.member_1[0u];
+                                    let _e3151 = local.member_2[0u];
+                                    let _e3155 = (_e3139[0] - _e3145[0]);
+                                    let _e3156 = (_e3139[1] - _e3145[1]);
+                                    let _e3157 = (_e3139[2] - _e3145[2]);
+                                    let _e3158 = (_e3139[0] - _e3151[0]);
+                                    let _e3159 = (_e3139[1] - _e3151[1]);
+                                    let _e3160 = (_e3139[2] - _e3151[2]);
+                                    let _e3163 = local.member[1u];
+                                    let _e3169 = local.member_1[1u];
+                                    let _e3175 = local.member_2[1u];
+                                    let _e3179 = (_e3163[0] - _e3169[0]);
+                                    let _e3180 = (_e3163[1] - _e3169[1]);
+                                    let _e3181 = (_e3163[2] - _e3169[2]);
+                                    let _e3182 = (_e3163[0] - _e3175[0]);
+                                    let _e3183 = (_e3163[1] - _e3175[1]);
+                                    let _e3184 = (_e3163[2] - _e3175[2]);
+                                    let _e3187 = local.member[0u];
+                                    if (_e3187[0] < 0f) {
+                                        phi_5484_ = -(_e3187[0]);
                                     } else {
-                                        phi_5510_ = _e3203[0];
+                                        phi_5484_ = _e3187[0];
                                     }
-                                    let _e3210 = phi_5510_;
-                                    if (_e3203[1] < 0f) {
-                                        phi_5517_ = -(_e3203[1]);
+                                    let _e3194 = phi_5484_;
+                                    if (_e3187[1] < 0f) {
+                                        phi_5491_ = -(_e3187[1]);
                                     } else {
-                                        phi_5517_ = _e3203[1];
+                                        phi_5491_ = _e3187[1];
                                     }
-                                    let _e3214 = phi_5517_;
-                                    if (_e3210 > _e3214) {
-                                        phi_5522_ = _e3210;
+                                    let _e3198 = phi_5491_;
+                                    if (_e3194 > _e3198) {
+                                        phi_5496_ = _e3194;
                                     } else {
-                                        phi_5522_ = _e3214;
+                                        phi_5496_ = _e3198;
                                     }
-                                    let _e3217 = phi_5522_;
-                                    if (_e3203[2] < 0f) {
-                                        phi_5529_ = -(_e3203[2]);
+                                    let _e3201 = phi_5496_;
+                                    if (_e3187[2] < 0f) {
+                                        phi_5503_ = -(_e3187[2]);
                                     } else {
-                                        phi_5529_ = _e3203[2];
+                                        phi_5503_ = _e3187[2];
                                     }
-                                    let _e3221 = phi_5529_;
-                                    if (_e3217 > _e3221) {
-                                        phi_5534_ = _e3217;
+                                    let _e3205 = phi_5503_;
+                                    if (_e3201 > _e3205) {
+                                        phi_5508_ = _e3201;
                                     } else {
-                                        phi_5534_ = _e3221;
+                                        phi_5508_ = _e3205;
                                     }
-                                    let _e3224 = phi_5534_;
-                                    let _e3227 = local.member[1u];
-                                    if (_e3227[0] < 0f) {
-                                        phi_5547_ = -(_e3227[0]);
+                                    let _e3208 = phi_5508_;
+                                    let _e3211 = local.member[1u];
+                                    if (_e3211[0] < 0f) {
+                                        phi_5521_ = -(_e3211[0]);
                                     } else {
-                                        phi_5547_ = _e3227[0];
+                                        phi_5521_ = _e3211[0];
                                     }
-                                    let _e3234 = phi_5547_;
-                                    if (_e3227[1] < 0f) {
-                                        phi_5554_ = -(_e3227[1]);
+                                    let _e3218 = phi_5521_;
+                                    if (_e3211[1] < 0f) {
+                                        phi_5528_ = -(_e3211[1]);
                                     } else {
-                                        phi_5554_ = _e3227[1];
+                                        phi_5528_ = _e3211[1];
                                     }
-                                    let _e3238 = phi_5554_;
-                                    if (_e3234 > _e3238) {
-                                        phi_5559_ = _e3234;
+                                    let _e3222 = phi_5528_;
+                                    if (_e3218 > _e3222) {
+                                        phi_5533_ = _e3218;
                                     } else {
-                                        phi_5559_ = _e3238;
+                                        phi_5533_ = _e3222;
                                     }
-                                    let _e3241 = phi_5559_;
-                                    if (_e3227[2] < 0f) {
-                                        phi_5566_ = -(_e3227[2]);
+                                    let _e3225 = phi_5533_;
+                                    if (_e3211[2] < 0f) {
+                                        phi_5540_ = -(_e3211[2]);
                                     } else {
-                                        phi_5566_ = _e3227[2];
+                                        phi_5540_ = _e3211[2];
                                     }
-                                    let _e3245 = phi_5566_;
-                                    if (_e3241 > _e3245) {
-                                        phi_5571_ = _e3241;
+                                    let _e3229 = phi_5540_;
+                                    if (_e3225 > _e3229) {
+                                        phi_5545_ = _e3225;
                                     } else {
-                                        phi_5571_ = _e3245;
+                                        phi_5545_ = _e3229;
                                     }
-                                    let _e3248 = phi_5571_;
-                                    if (_e3224 > _e3248) {
-                                        phi_5576_ = _e3224;
+                                    let _e3232 = phi_5545_;
+                                    if (_e3208 > _e3232) {
+                                        phi_5550_ = _e3208;
                                     } else {
-                                        phi_5576_ = _e3248;
+                                        phi_5550_ = _e3232;
                                     }
-                                    let _e3251 = phi_5576_;
-                                    let _e3253 = local.member_3;
-                                    let _e3257 = local.member_1[0u];
-                                    if (_e3257[0] < 0f) {
-                                        phi_5593_ = -(_e3257[0]);
+                                    let _e3235 = phi_5550_;
+                                    let _e3237 = local.member_3;
+                                    let _e3241 = local.member_1[0u];
+                                    if (_e3241[0] < 0f) {
+                                        phi_5567_ = -(_e3241[0]);
                                     } else {
-                                        phi_5593_ = _e3257[0];
+                                        phi_5567_ = _e3241[0];
                                     }
-                                    let _e3264 = phi_5593_;
-                                    if (_e3257[1] < 0f) {
-                                        phi_5600_ = -(_e3257[1]);
+                                    let _e3248 = phi_5567_;
+                                    if (_e3241[1] < 0f) {
+                                        phi_5574_ = -(_e3241[1]);
                                     } else {
-                                        phi_5600_ = _e3257[1];
+                                        phi_5574_ = _e3241[1];
                                     }
-                                    let _e3268 = phi_5600_;
-                                    if (_e3264 > _e3268) {
-                                        phi_5605_ = _e3264;
+                                    let _e3252 = phi_5574_;
+                                    if (_e3248 > _e3252) {
+                                        phi_5579_ = _e3248;
                                     } else {
-                                        phi_5605_ = _e3268;
+                                        phi_5579_ = _e3252;
                                     }
-                                    let _e3271 = phi_5605_;
-                                    if (_e3257[2] < 0f) {
-                                        phi_5612_ = -(_e3257[2]);
+                                    let _e3255 = phi_5579_;
+                                    if (_e3241[2] < 0f) {
+                                        phi_5586_ = -(_e3241[2]);
                                     } else {
-                                        phi_5612_ = _e3257[2];
+                                        phi_5586_ = _e3241[2];
                                     }
-                                    let _e3275 = phi_5612_;
-                                    if (_e3271 > _e3275) {
-                                        phi_5617_ = _e3271;
+                                    let _e3259 = phi_5586_;
+                                    if (_e3255 > _e3259) {
+                                        phi_5591_ = _e3255;
                                     } else {
-                                        phi_5617_ = _e3275;
+                                        phi_5591_ = _e3259;
                                     }
-                                    let _e3278 = phi_5617_;
-                                    let _e3281 = local.member_1[1u];
-                                    if (_e3281[0] < 0f) {
-                                        phi_5631_ = -(_e3281[0]);
+                                    let _e3262 = phi_5591_;
+                                    let _e3265 = local.member_1[1u];
+                                    if (_e3265[0] < 0f) {
+                                        phi_5605_ = -(_e3265[0]);
                                     } else {
-                                        phi_5631_ = _e3281[0];
+                                        phi_5605_ = _e3265[0];
                                     }
-                                    let _e3288 = phi_5631_;
-                                    if (_e3281[1] < 0f) {
-                                        phi_5638_ = -(_e3281[1]);
+                                    let _e3272 = phi_5605_;
+                                    if (_e3265[1] < 0f) {
+                                        phi_5612_ = -(_e3265[1]);
                                     } else {
-                                        phi_5638_ = _e3281[1];
+                                        phi_5612_ = _e3265[1];
                                     }
-                                    let _e3292 = phi_5638_;
-                                    if (_e3288 > _e3292) {
-                                        phi_5643_ = _e3288;
+                                    let _e3276 = phi_5612_;
+                                    if (_e3272 > _e3276) {
+                                        phi_5617_ = _e3272;
                                     } else {
-                                        phi_5643_ = _e3292;
+                                        phi_5617_ = _e3276;
                                     }
-                                    let _e3295 = phi_5643_;
-                                    if (_e3281[2] < 0f) {
-                                        phi_5650_ = -(_e3281[2]);
+                                    let _e3279 = phi_5617_;
+                                    if (_e3265[2] < 0f) {
+                                        phi_5624_ = -(_e3265[2]);
                                     } else {
-                                        phi_5650_ = _e3281[2];
+                                        phi_5624_ = _e3265[2];
                                     }
-                                    let _e3299 = phi_5650_;
-                                    if (_e3295 > _e3299) {
-                                        phi_5655_ = _e3295;
+                                    let _e3283 = phi_5624_;
+                                    if (_e3279 > _e3283) {
+                                        phi_5629_ = _e3279;
                                     } else {
-                                        phi_5655_ = _e3299;
+                                        phi_5629_ = _e3283;
                                     }
-                                    let _e3302 = phi_5655_;
-                                    if (_e3278 > _e3302) {
-                                        phi_5660_ = _e3278;
+                                    let _e3286 = phi_5629_;
+                                    if (_e3262 > _e3286) {
+                                        phi_5634_ = _e3262;
                                     } else {
-                                        phi_5660_ = _e3302;
+                                        phi_5634_ = _e3286;
                                     }
-                                    let _e3305 = phi_5660_;
-                                    let _e3307 = local.member_3;
-                                    let _e3311 = local.member_2[0u];
-                                    if (_e3311[0] < 0f) {
-                                        phi_5677_ = -(_e3311[0]);
+                                    let _e3289 = phi_5634_;
+                                    let _e3291 = local.member_3;
+                                    let _e3295 = local.member_2[0u];
+                                    if (_e3295[0] < 0f) {
+                                        phi_5651_ = -(_e3295[0]);
                                     } else {
-                                        phi_5677_ = _e3311[0];
+                                        phi_5651_ = _e3295[0];
                                     }
-                                    let _e3318 = phi_5677_;
-                                    if (_e3311[1] < 0f) {
-                                        phi_5684_ = -(_e3311[1]);
+                                    let _e3302 = phi_5651_;
+                                    if (_e3295[1] < 0f) {
+                                        phi_5658_ = -(_e3295[1]);
                                     } else {
-                                        phi_5684_ = _e3311[1];
+                                        phi_5658_ = _e3295[1];
                                     }
-                                    let _e3322 = phi_5684_;
-                                    if (_e3318 > _e3322) {
-                                        phi_5689_ = _e3318;
+                                    let _e3306 = phi_5658_;
+                                    if (_e3302 > _e3306) {
+                                        phi_5663_ = _e3302;
                                     } else {
-                                        phi_5689_ = _e3322;
+                                        phi_5663_ = _e3306;
                                     }
-                                    let _e3325 = phi_5689_;
-                                    if (_e3311[2] < 0f) {
-                                        phi_5696_ = -(_e3311[2]);
+                                    let _e3309 = phi_5663_;
+                                    if (_e3295[2] < 0f) {
+                                        phi_5670_ = -(_e3295[2]);
                                     } else {
-                                        phi_5696_ = _e3311[2];
+                                        phi_5670_ = _e3295[2];
                                     }
-                                    let _e3329 = phi_5696_;
-                                    if (_e3325 > _e3329) {
-                                        phi_5701_ = _e3325;
+                                    let _e3313 = phi_5670_;
+                                    if (_e3309 > _e3313) {
+                                        phi_5675_ = _e3309;
                                     } else {
-                                        phi_5701_ = _e3329;
+                                        phi_5675_ = _e3313;
                                     }
-                                    let _e3332 = phi_5701_;
-                                    let _e3335 = local.member_2[1u];
-                                    if (_e3335[0] < 0f) {
-                                        phi_5715_ = -(_e3335[0]);
+                                    let _e3316 = phi_5675_;
+                                    let _e3319 = local.member_2[1u];
+                                    if (_e3319[0] < 0f) {
+                                        phi_5689_ = -(_e3319[0]);
                                     } else {
-                                        phi_5715_ = _e3335[0];
+                                        phi_5689_ = _e3319[0];
                                     }
-                                    let _e3342 = phi_5715_;
-                                    if (_e3335[1] < 0f) {
-                                        phi_5722_ = -(_e3335[1]);
+                                    let _e3326 = phi_5689_;
+                                    if (_e3319[1] < 0f) {
+                                        phi_5696_ = -(_e3319[1]);
                                     } else {
-                                        phi_5722_ = _e3335[1];
+                                        phi_5696_ = _e3319[1];
                                     }
-                                    let _e3346 = phi_5722_;
-                                    if (_e3342 > _e3346) {
-                                        phi_5727_ = _e3342;
+                                    let _e3330 = phi_5696_;
+                                    if (_e3326 > _e3330) {
+                                        phi_5701_ = _e3326;
                                     } else {
-                                        phi_5727_ = _e3346;
+                                        phi_5701_ = _e3330;
                                     }
-                                    let _e3349 = phi_5727_;
-                                    if (_e3335[2] < 0f) {
-                                        phi_5734_ = -(_e3335[2]);
+                                    let _e3333 = phi_5701_;
+                                    if (_e3319[2] < 0f) {
+                                        phi_5708_ = -(_e3319[2]);
                                     } else {
-                                        phi_5734_ = _e3335[2];
+                                        phi_5708_ = _e3319[2];
                                     }
-                                    let _e3353 = phi_5734_;
-                                    if (_e3349 > _e3353) {
-                                        phi_5739_ = _e3349;
+                                    let _e3337 = phi_5708_;
+                                    if (_e3333 > _e3337) {
+                                        phi_5713_ = _e3333;
                                     } else {
-                                        phi_5739_ = _e3353;
+                                        phi_5713_ = _e3337;
                                     }
-                                    let _e3356 = phi_5739_;
-                                    if (_e3332 > _e3356) {
-                                        phi_5744_ = _e3332;
+                                    let _e3340 = phi_5713_;
+                                    if (_e3316 > _e3340) {
+                                        phi_5718_ = _e3316;
                                     } else {
-                                        phi_5744_ = _e3356;
+                                        phi_5718_ = _e3340;
                                     }
-                                    let _e3359 = phi_5744_;
-                                    let _e3361 = local.member_3;
-                                    let _e3365 = ((((_e3251 + _e3253) + (_e3305 + _e3307)) + (_e3359 + _e3361)) * 2f);
-                                    let _e3368 = local.member_3;
-                                    let _e3372 = (((_e1450 * 1.0001f) + (_e3368 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3375 = ((_e3149 * _e3128) - (_e3152 * _e3127));
-                                    let _e3378 = ((_e3152 * _e3126) - (_e3146 * _e3128));
-                                    let _e3381 = ((_e3146 * _e3127) - (_e3149 * _e3126));
-                                    let _e3386 = (((_e3375 * _e3155[0]) + (_e3378 * _e3155[1])) + (_e3381 * _e3155[2]));
-                                    let _e3391 = (((_e3375 * _e3171) + (_e3378 * _e3172)) + (_e3381 * _e3173));
-                                    let _e3396 = (((_e3375 * _e3174) + (_e3378 * _e3175)) + (_e3381 * _e3176));
-                                    let _e3401 = (((_e3375 * _e3155[0]) + (_e3378 * _e3155[1])) + (_e3381 * _e3155[2]));
-                                    let _e3406 = (((_e3375 * _e3179[0]) + (_e3378 * _e3179[1])) + (_e3381 * _e3179[2]));
-                                    let _e3411 = (((_e3375 * _e3195) + (_e3378 * _e3196)) + (_e3381 * _e3197));
-                                    let _e3416 = (((_e3375 * _e3198) + (_e3378 * _e3199)) + (_e3381 * _e3200));
-                                    let _e3421 = (((_e3375 * _e3179[0]) + (_e3378 * _e3179[1])) + (_e3381 * _e3179[2]));
-                                    if (_e3386 < _e3391) {
-                                        phi_5823_ = _e3386;
+                                    let _e3343 = phi_5718_;
+                                    let _e3345 = local.member_3;
+                                    let _e3349 = ((((_e3235 + _e3237) + (_e3289 + _e3291)) + (_e3343 + _e3345)) * 2f);
+                                    let _e3352 = local.member_3;
+                                    let _e3356 = (((_e1434 * 1.0001f) + (_e3352 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3359 = ((_e3133 * _e3112) - (_e3136 * _e3111));
+                                    let _e3362 = ((_e3136 * _e3110) - (_e3130 * _e3112));
+                                    let _e3365 = ((_e3130 * _e3111) - (_e3133 * _e3110));
+                                    let _e3370 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
+                                    let _e3375 = (((_e3359 * _e3155) + (_e3362 * _e3156)) + (_e3365 * _e3157));
+                                    let _e3380 = (((_e3359 * _e3158) + (_e3362 * _e3159)) + (_e3365 * _e3160));
+                                    let _e3385 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
+                                    let _e3390 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
+                                    let _e3395 = (((_e3359 * _e3179) + (_e3362 * _e3180)) + (_e3365 * _e3181));
+                                    let _e3400 = (((_e3359 * _e3182) + (_e3362 * _e3183)) + (_e3365 * _e3184));
+                                    let _e3405 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
+                                    if (_e3370 < _e3375) {
+                                        phi_5797_ = _e3370;
                                     } else {
-                                        phi_5823_ = _e3391;
+                                        phi_5797_ = _e3375;
                                     }
-                                    let _e3424 = phi_5823_;
-                                    if (_e3396 < _e3401) {
-                                        phi_5828_ = _e3396;
+                                    let _e3408 = phi_5797_;
+                                    if (_e3380 < _e3385) {
+                                        phi_5802_ = _e3380;
                                     } else {
-                                        phi_5828_ = _e3401;
+                                        phi_5802_ = _e3385;
                                     }
-                                    let _e3427 = phi_5828_;
-                                    if (_e3424 < _e3427) {
-                                        phi_5833_ = _e3424;
+                                    let _e3411 = phi_5802_;
+                                    if (_e3408 < _e3411) {
+                                        phi_5807_ = _e3408;
                                     } else {
-                                        phi_5833_ = _e3427;
+                                        phi_5807_ = _e3411;
                                     }
-                                    let _e3430 = phi_5833_;
-                                    if (_e3406 < _e3411) {
-                                        phi_5838_ = _e3406;
+                                    let _e3414 = phi_5807_;
+                                    if (_e3390 < _e3395) {
+                                        phi_5812_ = _e3390;
                                     } else {
-                                        phi_5838_ = _e3411;
+                                        phi_5812_ = _e3395;
                                     }
-                                    let _e3433 = phi_5838_;
-                                    if (_e3416 < _e3421) {
-                                        phi_5843_ = _e3416;
+                                    let _e3417 = phi_5812_;
+                                    if (_e3400 < _e3405) {
+                                        phi_5817_ = _e3400;
                                     } else {
-                                        phi_5843_ = _e3421;
+                                        phi_5817_ = _e3405;
                                     }
-                                    let _e3436 = phi_5843_;
-                                    if (_e3433 < _e3436) {
-                                        phi_5848_ = _e3433;
+                                    let _e3420 = phi_5817_;
+                                    if (_e3417 < _e3420) {
+                                        phi_5822_ = _e3417;
                                     } else {
-                                        phi_5848_ = _e3436;
+                                        phi_5822_ = _e3420;
                                     }
-                                    let _e3439 = phi_5848_;
-                                    if (_e3430 < _e3439) {
-                                        phi_5853_ = _e3430;
+                                    let _e3423 = phi_5822_;
+                                    if (_e3414 < _e3423) {
+                                        phi_5827_ = _e3414;
                                     } else {
-                                        phi_5853_ = _e3439;
+                                        phi_5827_ = _e3423;
                                     }
-                                    let _e3442 = phi_5853_;
-                                    if (_e3386 > _e3391) {
-                                        phi_5858_ = _e3386;
+                                    let _e3426 = phi_5827_;
+                                    if (_e3370 > _e3375) {
+                                        phi_5832_ = _e3370;
                                     } else {
-                                        phi_5858_ = _e3391;
+                                        phi_5832_ = _e3375;
                                     }
-                                    let _e3445 = phi_5858_;
-                                    if (_e3396 > _e3401) {
-                                        phi_5863_ = _e3396;
+                                    let _e3429 = phi_5832_;
+                                    if (_e3380 > _e3385) {
+                                        phi_5837_ = _e3380;
                                     } else {
-                                        phi_5863_ = _e3401;
+                                        phi_5837_ = _e3385;
                                     }
-                                    let _e3448 = phi_5863_;
-                                    if (_e3445 > _e3448) {
-                                        phi_5868_ = _e3445;
+                                    let _e3432 = phi_5837_;
+                                    if (_e3429 > _e3432) {
+                                        phi_5842_ = _e3429;
                                     } else {
-                                        phi_5868_ = _e3448;
+                                        phi_5842_ = _e3432;
+                                    }
+                                    let _e3435 = phi_5842_;
+                                    if (_e3390 > _e3395) {
+                                        phi_5847_ = _e3390;
+                                    } else {
+                                        phi_5847_ = _e3395;
+                                    }
+                                    let _e3438 = phi_5847_;
+                                    if (_e3400 > _e3405) {
+                                        phi_5852_ = _e3400;
+                                    } else {
+                                        phi_5852_ = _e3405;
+                                    }
+                                    let _e3441 = phi_5852_;
+                                    if (_e3438 > _e3441) {
+                                        phi_5857_ = _e3438;
+                                    } else {
+                                        phi_5857_ = _e3441;
+                                    }
+                                    let _e3444 = phi_5857_;
+                                    if (_e3435 > _e3444) {
+                                        phi_5862_ = _e3435;
+                                    } else {
+                                        phi_5862_ = _e3444;
+                                    }
+                                    let _e3447 = phi_5862_;
+                                    if (_e3359 < 0f) {
+                                        phi_5868_ = -(_e3359);
+                                    } else {
+                                        phi_5868_ = _e3359;
                                     }
                                     let _e3451 = phi_5868_;
-                                    if (_e3406 > _e3411) {
-                                        phi_5873_ = _e3406;
+                                    if (_e3362 < 0f) {
+                                        phi_5874_ = -(_e3362);
                                     } else {
-                                        phi_5873_ = _e3411;
+                                        phi_5874_ = _e3362;
                                     }
-                                    let _e3454 = phi_5873_;
-                                    if (_e3416 > _e3421) {
-                                        phi_5878_ = _e3416;
+                                    let _e3455 = phi_5874_;
+                                    if (_e3365 < 0f) {
+                                        phi_5881_ = -(_e3365);
                                     } else {
-                                        phi_5878_ = _e3421;
+                                        phi_5881_ = _e3365;
                                     }
-                                    let _e3457 = phi_5878_;
-                                    if (_e3454 > _e3457) {
-                                        phi_5883_ = _e3454;
+                                    let _e3460 = phi_5881_;
+                                    let _e3461 = ((_e3451 + _e3455) + _e3460);
+                                    let _e3466 = -(_e3447);
+                                    if (_e3426 > _e3466) {
+                                        phi_5892_ = _e3426;
                                     } else {
-                                        phi_5883_ = _e3457;
+                                        phi_5892_ = _e3466;
                                     }
-                                    let _e3460 = phi_5883_;
-                                    if (_e3451 > _e3460) {
-                                        phi_5888_ = _e3451;
+                                    let _e3469 = phi_5892_;
+                                    let _e3474 = (((_e3469 - ((_e3461 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3461 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3477 = ((_e3133 * _e3127) - (_e3136 * _e3126));
+                                    let _e3480 = ((_e3136 * _e3125) - (_e3130 * _e3127));
+                                    let _e3483 = ((_e3130 * _e3126) - (_e3133 * _e3125));
+                                    let _e3488 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
+                                    let _e3493 = (((_e3477 * _e3155) + (_e3480 * _e3156)) + (_e3483 * _e3157));
+                                    let _e3498 = (((_e3477 * _e3158) + (_e3480 * _e3159)) + (_e3483 * _e3160));
+                                    let _e3503 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
+                                    let _e3508 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
+                                    let _e3513 = (((_e3477 * _e3179) + (_e3480 * _e3180)) + (_e3483 * _e3181));
+                                    let _e3518 = (((_e3477 * _e3182) + (_e3480 * _e3183)) + (_e3483 * _e3184));
+                                    let _e3523 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
+                                    if (_e3488 < _e3493) {
+                                        phi_5963_ = _e3488;
                                     } else {
-                                        phi_5888_ = _e3460;
+                                        phi_5963_ = _e3493;
                                     }
-                                    let _e3463 = phi_5888_;
-                                    if (_e3375 < 0f) {
-                                        phi_5894_ = -(_e3375);
+                                    let _e3526 = phi_5963_;
+                                    if (_e3498 < _e3503) {
+                                        phi_5968_ = _e3498;
                                     } else {
-                                        phi_5894_ = _e3375;
+                                        phi_5968_ = _e3503;
                                     }
-                                    let _e3467 = phi_5894_;
-                                    if (_e3378 < 0f) {
-                                        phi_5900_ = -(_e3378);
+                                    let _e3529 = phi_5968_;
+                                    if (_e3526 < _e3529) {
+                                        phi_5973_ = _e3526;
                                     } else {
-                                        phi_5900_ = _e3378;
+                                        phi_5973_ = _e3529;
                                     }
-                                    let _e3471 = phi_5900_;
-                                    if (_e3381 < 0f) {
-                                        phi_5907_ = -(_e3381);
+                                    let _e3532 = phi_5973_;
+                                    if (_e3508 < _e3513) {
+                                        phi_5978_ = _e3508;
                                     } else {
-                                        phi_5907_ = _e3381;
+                                        phi_5978_ = _e3513;
                                     }
-                                    let _e3476 = phi_5907_;
-                                    let _e3477 = ((_e3467 + _e3471) + _e3476);
-                                    let _e3482 = -(_e3463);
-                                    if (_e3442 > _e3482) {
-                                        phi_5918_ = _e3442;
+                                    let _e3535 = phi_5978_;
+                                    if (_e3518 < _e3523) {
+                                        phi_5983_ = _e3518;
                                     } else {
-                                        phi_5918_ = _e3482;
+                                        phi_5983_ = _e3523;
                                     }
-                                    let _e3485 = phi_5918_;
-                                    let _e3490 = (((_e3485 - ((_e3477 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3477 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3493 = ((_e3149 * _e3143) - (_e3152 * _e3142));
-                                    let _e3496 = ((_e3152 * _e3141) - (_e3146 * _e3143));
-                                    let _e3499 = ((_e3146 * _e3142) - (_e3149 * _e3141));
-                                    let _e3504 = (((_e3493 * _e3155[0]) + (_e3496 * _e3155[1])) + (_e3499 * _e3155[2]));
-                                    let _e3509 = (((_e3493 * _e3171) + (_e3496 * _e3172)) + (_e3499 * _e3173));
-                                    let _e3514 = (((_e3493 * _e3174) + (_e3496 * _e3175)) + (_e3499 * _e3176));
-                                    let _e3519 = (((_e3493 * _e3155[0]) + (_e3496 * _e3155[1])) + (_e3499 * _e3155[2]));
-                                    let _e3524 = (((_e3493 * _e3179[0]) + (_e3496 * _e3179[1])) + (_e3499 * _e3179[2]));
-                                    let _e3529 = (((_e3493 * _e3195) + (_e3496 * _e3196)) + (_e3499 * _e3197));
-                                    let _e3534 = (((_e3493 * _e3198) + (_e3496 * _e3199)) + (_e3499 * _e3200));
-                                    let _e3539 = (((_e3493 * _e3179[0]) + (_e3496 * _e3179[1])) + (_e3499 * _e3179[2]));
-                                    if (_e3504 < _e3509) {
-                                        phi_5989_ = _e3504;
+                                    let _e3538 = phi_5983_;
+                                    if (_e3535 < _e3538) {
+                                        phi_5988_ = _e3535;
                                     } else {
-                                        phi_5989_ = _e3509;
+                                        phi_5988_ = _e3538;
                                     }
-                                    let _e3542 = phi_5989_;
-                                    if (_e3514 < _e3519) {
-                                        phi_5994_ = _e3514;
+                                    let _e3541 = phi_5988_;
+                                    if (_e3532 < _e3541) {
+                                        phi_5993_ = _e3532;
                                     } else {
-                                        phi_5994_ = _e3519;
+                                        phi_5993_ = _e3541;
                                     }
-                                    let _e3545 = phi_5994_;
-                                    if (_e3542 < _e3545) {
-                                        phi_5999_ = _e3542;
+                                    let _e3544 = phi_5993_;
+                                    if (_e3488 > _e3493) {
+                                        phi_5998_ = _e3488;
                                     } else {
-                                        phi_5999_ = _e3545;
+                                        phi_5998_ = _e3493;
                                     }
-                                    let _e3548 = phi_5999_;
-                                    if (_e3524 < _e3529) {
-                                        phi_6004_ = _e3524;
+                                    let _e3547 = phi_5998_;
+                                    if (_e3498 > _e3503) {
+                                        phi_6003_ = _e3498;
                                     } else {
-                                        phi_6004_ = _e3529;
+                                        phi_6003_ = _e3503;
                                     }
-                                    let _e3551 = phi_6004_;
-                                    if (_e3534 < _e3539) {
-                                        phi_6009_ = _e3534;
+                                    let _e3550 = phi_6003_;
+                                    if (_e3547 > _e3550) {
+                                        phi_6008_ = _e3547;
                                     } else {
-                                        phi_6009_ = _e3539;
+                                        phi_6008_ = _e3550;
                                     }
-                                    let _e3554 = phi_6009_;
-                                    if (_e3551 < _e3554) {
-                                        phi_6014_ = _e3551;
+                                    let _e3553 = phi_6008_;
+                                    if (_e3508 > _e3513) {
+                                        phi_6013_ = _e3508;
                                     } else {
-                                        phi_6014_ = _e3554;
+                                        phi_6013_ = _e3513;
                                     }
-                                    let _e3557 = phi_6014_;
-                                    if (_e3548 < _e3557) {
-                                        phi_6019_ = _e3548;
+                                    let _e3556 = phi_6013_;
+                                    if (_e3518 > _e3523) {
+                                        phi_6018_ = _e3518;
                                     } else {
-                                        phi_6019_ = _e3557;
+                                        phi_6018_ = _e3523;
                                     }
-                                    let _e3560 = phi_6019_;
-                                    if (_e3504 > _e3509) {
-                                        phi_6024_ = _e3504;
+                                    let _e3559 = phi_6018_;
+                                    if (_e3556 > _e3559) {
+                                        phi_6023_ = _e3556;
                                     } else {
-                                        phi_6024_ = _e3509;
+                                        phi_6023_ = _e3559;
                                     }
-                                    let _e3563 = phi_6024_;
-                                    if (_e3514 > _e3519) {
-                                        phi_6029_ = _e3514;
+                                    let _e3562 = phi_6023_;
+                                    if (_e3553 > _e3562) {
+                                        phi_6028_ = _e3553;
                                     } else {
-                                        phi_6029_ = _e3519;
+                                        phi_6028_ = _e3562;
                                     }
-                                    let _e3566 = phi_6029_;
-                                    if (_e3563 > _e3566) {
-                                        phi_6034_ = _e3563;
+                                    let _e3565 = phi_6028_;
+                                    if (_e3477 < 0f) {
+                                        phi_6034_ = -(_e3477);
                                     } else {
-                                        phi_6034_ = _e3566;
+                                        phi_6034_ = _e3477;
                                     }
                                     let _e3569 = phi_6034_;
-                                    if (_e3524 > _e3529) {
-                                        phi_6039_ = _e3524;
+                                    if (_e3480 < 0f) {
+                                        phi_6040_ = -(_e3480);
                                     } else {
-                                        phi_6039_ = _e3529;
+                                        phi_6040_ = _e3480;
                                     }
-                                    let _e3572 = phi_6039_;
-                                    if (_e3534 > _e3539) {
-                                        phi_6044_ = _e3534;
+                                    let _e3573 = phi_6040_;
+                                    if (_e3483 < 0f) {
+                                        phi_6047_ = -(_e3483);
                                     } else {
-                                        phi_6044_ = _e3539;
+                                        phi_6047_ = _e3483;
                                     }
-                                    let _e3575 = phi_6044_;
-                                    if (_e3572 > _e3575) {
-                                        phi_6049_ = _e3572;
+                                    let _e3578 = phi_6047_;
+                                    let _e3579 = ((_e3569 + _e3573) + _e3578);
+                                    let _e3584 = -(_e3565);
+                                    if (_e3544 > _e3584) {
+                                        phi_6058_ = _e3544;
                                     } else {
-                                        phi_6049_ = _e3575;
+                                        phi_6058_ = _e3584;
                                     }
-                                    let _e3578 = phi_6049_;
-                                    if (_e3569 > _e3578) {
-                                        phi_6054_ = _e3569;
+                                    let _e3587 = phi_6058_;
+                                    let _e3592 = (((_e3587 - ((_e3579 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3579 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3474 > _e3592) {
+                                        phi_6068_ = _e3474;
                                     } else {
-                                        phi_6054_ = _e3578;
+                                        phi_6068_ = _e3592;
                                     }
-                                    let _e3581 = phi_6054_;
-                                    if (_e3493 < 0f) {
-                                        phi_6060_ = -(_e3493);
+                                    let _e3595 = phi_6068_;
+                                    let _e3596 = (_e3125 - _e3110);
+                                    let _e3597 = (_e3126 - _e3111);
+                                    let _e3598 = (_e3127 - _e3112);
+                                    let _e3601 = ((_e3133 * _e3598) - (_e3136 * _e3597));
+                                    let _e3604 = ((_e3136 * _e3596) - (_e3130 * _e3598));
+                                    let _e3607 = ((_e3130 * _e3597) - (_e3133 * _e3596));
+                                    let _e3612 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
+                                    let _e3617 = (((_e3601 * _e3155) + (_e3604 * _e3156)) + (_e3607 * _e3157));
+                                    let _e3622 = (((_e3601 * _e3158) + (_e3604 * _e3159)) + (_e3607 * _e3160));
+                                    let _e3627 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
+                                    let _e3632 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
+                                    let _e3637 = (((_e3601 * _e3179) + (_e3604 * _e3180)) + (_e3607 * _e3181));
+                                    let _e3642 = (((_e3601 * _e3182) + (_e3604 * _e3183)) + (_e3607 * _e3184));
+                                    let _e3647 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
+                                    if (_e3612 < _e3617) {
+                                        phi_6141_ = _e3612;
                                     } else {
-                                        phi_6060_ = _e3493;
+                                        phi_6141_ = _e3617;
                                     }
-                                    let _e3585 = phi_6060_;
-                                    if (_e3496 < 0f) {
-                                        phi_6066_ = -(_e3496);
+                                    let _e3650 = phi_6141_;
+                                    if (_e3622 < _e3627) {
+                                        phi_6146_ = _e3622;
                                     } else {
-                                        phi_6066_ = _e3496;
+                                        phi_6146_ = _e3627;
                                     }
-                                    let _e3589 = phi_6066_;
-                                    if (_e3499 < 0f) {
-                                        phi_6073_ = -(_e3499);
+                                    let _e3653 = phi_6146_;
+                                    if (_e3650 < _e3653) {
+                                        phi_6151_ = _e3650;
                                     } else {
-                                        phi_6073_ = _e3499;
+                                        phi_6151_ = _e3653;
                                     }
-                                    let _e3594 = phi_6073_;
-                                    let _e3595 = ((_e3585 + _e3589) + _e3594);
-                                    let _e3600 = -(_e3581);
-                                    if (_e3560 > _e3600) {
-                                        phi_6084_ = _e3560;
+                                    let _e3656 = phi_6151_;
+                                    if (_e3632 < _e3637) {
+                                        phi_6156_ = _e3632;
                                     } else {
-                                        phi_6084_ = _e3600;
+                                        phi_6156_ = _e3637;
                                     }
-                                    let _e3603 = phi_6084_;
-                                    let _e3608 = (((_e3603 - ((_e3595 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3595 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3490 > _e3608) {
-                                        phi_6094_ = _e3490;
+                                    let _e3659 = phi_6156_;
+                                    if (_e3642 < _e3647) {
+                                        phi_6161_ = _e3642;
                                     } else {
-                                        phi_6094_ = _e3608;
+                                        phi_6161_ = _e3647;
                                     }
-                                    let _e3611 = phi_6094_;
-                                    let _e3612 = (_e3141 - _e3126);
-                                    let _e3613 = (_e3142 - _e3127);
-                                    let _e3614 = (_e3143 - _e3128);
-                                    let _e3617 = ((_e3149 * _e3614) - (_e3152 * _e3613));
-                                    let _e3620 = ((_e3152 * _e3612) - (_e3146 * _e3614));
-                                    let _e3623 = ((_e3146 * _e3613) - (_e3149 * _e3612));
-                                    let _e3628 = (((_e3617 * _e3155[0]) + (_e3620 * _e3155[1])) + (_e3623 * _e3155[2]));
-                                    let _e3633 = (((_e3617 * _e3171) + (_e3620 * _e3172)) + (_e3623 * _e3173));
-                                    let _e3638 = (((_e3617 * _e3174) + (_e3620 * _e3175)) + (_e3623 * _e3176));
-                                    let _e3643 = (((_e3617 * _e3155[0]) + (_e3620 * _e3155[1])) + (_e3623 * _e3155[2]));
-                                    let _e3648 = (((_e3617 * _e3179[0]) + (_e3620 * _e3179[1])) + (_e3623 * _e3179[2]));
-                                    let _e3653 = (((_e3617 * _e3195) + (_e3620 * _e3196)) + (_e3623 * _e3197));
-                                    let _e3658 = (((_e3617 * _e3198) + (_e3620 * _e3199)) + (_e3623 * _e3200));
-                                    let _e3663 = (((_e3617 * _e3179[0]) + (_e3620 * _e3179[1])) + (_e3623 * _e3179[2]));
-                                    if (_e3628 < _e3633) {
-                                        phi_6167_ = _e3628;
+                                    let _e3662 = phi_6161_;
+                                    if (_e3659 < _e3662) {
+                                        phi_6166_ = _e3659;
                                     } else {
-                                        phi_6167_ = _e3633;
+                                        phi_6166_ = _e3662;
                                     }
-                                    let _e3666 = phi_6167_;
-                                    if (_e3638 < _e3643) {
-                                        phi_6172_ = _e3638;
+                                    let _e3665 = phi_6166_;
+                                    if (_e3656 < _e3665) {
+                                        phi_6171_ = _e3656;
                                     } else {
-                                        phi_6172_ = _e3643;
+                                        phi_6171_ = _e3665;
                                     }
-                                    let _e3669 = phi_6172_;
-                                    if (_e3666 < _e3669) {
-                                        phi_6177_ = _e3666;
+                                    let _e3668 = phi_6171_;
+                                    if (_e3612 > _e3617) {
+                                        phi_6176_ = _e3612;
                                     } else {
-                                        phi_6177_ = _e3669;
+                                        phi_6176_ = _e3617;
                                     }
-                                    let _e3672 = phi_6177_;
-                                    if (_e3648 < _e3653) {
-                                        phi_6182_ = _e3648;
+                                    let _e3671 = phi_6176_;
+                                    if (_e3622 > _e3627) {
+                                        phi_6181_ = _e3622;
                                     } else {
-                                        phi_6182_ = _e3653;
+                                        phi_6181_ = _e3627;
                                     }
-                                    let _e3675 = phi_6182_;
-                                    if (_e3658 < _e3663) {
-                                        phi_6187_ = _e3658;
+                                    let _e3674 = phi_6181_;
+                                    if (_e3671 > _e3674) {
+                                        phi_6186_ = _e3671;
                                     } else {
-                                        phi_6187_ = _e3663;
+                                        phi_6186_ = _e3674;
                                     }
-                                    let _e3678 = phi_6187_;
-                                    if (_e3675 < _e3678) {
-                                        phi_6192_ = _e3675;
+                                    let _e3677 = phi_6186_;
+                                    if (_e3632 > _e3637) {
+                                        phi_6191_ = _e3632;
                                     } else {
-                                        phi_6192_ = _e3678;
+                                        phi_6191_ = _e3637;
                                     }
-                                    let _e3681 = phi_6192_;
-                                    if (_e3672 < _e3681) {
-                                        phi_6197_ = _e3672;
+                                    let _e3680 = phi_6191_;
+                                    if (_e3642 > _e3647) {
+                                        phi_6196_ = _e3642;
                                     } else {
-                                        phi_6197_ = _e3681;
+                                        phi_6196_ = _e3647;
                                     }
-                                    let _e3684 = phi_6197_;
-                                    if (_e3628 > _e3633) {
-                                        phi_6202_ = _e3628;
+                                    let _e3683 = phi_6196_;
+                                    if (_e3680 > _e3683) {
+                                        phi_6201_ = _e3680;
                                     } else {
-                                        phi_6202_ = _e3633;
+                                        phi_6201_ = _e3683;
                                     }
-                                    let _e3687 = phi_6202_;
-                                    if (_e3638 > _e3643) {
-                                        phi_6207_ = _e3638;
+                                    let _e3686 = phi_6201_;
+                                    if (_e3677 > _e3686) {
+                                        phi_6206_ = _e3677;
                                     } else {
-                                        phi_6207_ = _e3643;
+                                        phi_6206_ = _e3686;
                                     }
-                                    let _e3690 = phi_6207_;
-                                    if (_e3687 > _e3690) {
-                                        phi_6212_ = _e3687;
+                                    let _e3689 = phi_6206_;
+                                    if (_e3601 < 0f) {
+                                        phi_6212_ = -(_e3601);
                                     } else {
-                                        phi_6212_ = _e3690;
+                                        phi_6212_ = _e3601;
                                     }
                                     let _e3693 = phi_6212_;
-                                    if (_e3648 > _e3653) {
-                                        phi_6217_ = _e3648;
+                                    if (_e3604 < 0f) {
+                                        phi_6218_ = -(_e3604);
                                     } else {
-                                        phi_6217_ = _e3653;
+                                        phi_6218_ = _e3604;
                                     }
-                                    let _e3696 = phi_6217_;
-                                    if (_e3658 > _e3663) {
-                                        phi_6222_ = _e3658;
+                                    let _e3697 = phi_6218_;
+                                    if (_e3607 < 0f) {
+                                        phi_6225_ = -(_e3607);
                                     } else {
-                                        phi_6222_ = _e3663;
+                                        phi_6225_ = _e3607;
                                     }
-                                    let _e3699 = phi_6222_;
-                                    if (_e3696 > _e3699) {
-                                        phi_6227_ = _e3696;
+                                    let _e3702 = phi_6225_;
+                                    let _e3703 = ((_e3693 + _e3697) + _e3702);
+                                    let _e3708 = -(_e3689);
+                                    if (_e3668 > _e3708) {
+                                        phi_6236_ = _e3668;
                                     } else {
-                                        phi_6227_ = _e3699;
+                                        phi_6236_ = _e3708;
                                     }
-                                    let _e3702 = phi_6227_;
-                                    if (_e3693 > _e3702) {
-                                        phi_6232_ = _e3693;
+                                    let _e3711 = phi_6236_;
+                                    let _e3716 = (((_e3711 - ((_e3703 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3703 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3595 > _e3716) {
+                                        phi_6246_ = _e3595;
                                     } else {
-                                        phi_6232_ = _e3702;
+                                        phi_6246_ = _e3716;
                                     }
-                                    let _e3705 = phi_6232_;
-                                    if (_e3617 < 0f) {
-                                        phi_6238_ = -(_e3617);
-                                    } else {
-                                        phi_6238_ = _e3617;
-                                    }
-                                    let _e3709 = phi_6238_;
-                                    if (_e3620 < 0f) {
-                                        phi_6244_ = -(_e3620);
-                                    } else {
-                                        phi_6244_ = _e3620;
-                                    }
-                                    let _e3713 = phi_6244_;
-                                    if (_e3623 < 0f) {
-                                        phi_6251_ = -(_e3623);
-                                    } else {
-                                        phi_6251_ = _e3623;
-                                    }
-                                    let _e3718 = phi_6251_;
-                                    let _e3719 = ((_e3709 + _e3713) + _e3718);
-                                    let _e3724 = -(_e3705);
-                                    if (_e3684 > _e3724) {
-                                        phi_6262_ = _e3684;
-                                    } else {
-                                        phi_6262_ = _e3724;
-                                    }
-                                    let _e3727 = phi_6262_;
-                                    let _e3732 = (((_e3727 - ((_e3719 * _e3365) * (0.000000059604645f * (17f / 2f)))) - (_e3719 * _e3372)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3611 > _e3732) {
-                                        phi_6272_ = _e3611;
-                                    } else {
-                                        phi_6272_ = _e3732;
-                                    }
-                                    let _e3735 = phi_6272_;
-                                    phi_6276_ = (_e3113 || (_e3735 > 0f));
+                                    let _e3719 = phi_6246_;
+                                    phi_6250_ = (_e3097 || (_e3719 > 0f));
                                 }
-                                let _e3739 = phi_6276_;
-                                if _e3739 {
-                                    let _e3742 = local_1.member_1[0u];
-                                    let _e3748 = local_1.member_2[0u];
-                                    let _e3754 = ((_e3742[1] * _e3748[2]) - (_e3742[2] * _e3748[1]));
-                                    let _e3757 = ((_e3742[2] * _e3748[0]) - (_e3742[0] * _e3748[2]));
-                                    let _e3760 = ((_e3742[0] * _e3748[1]) - (_e3742[1] * _e3748[0]));
-                                    let _e3763 = local_1.member_1[1u];
-                                    let _e3769 = local_1.member_2[1u];
-                                    let _e3775 = ((_e3763[1] * _e3769[2]) - (_e3763[2] * _e3769[1]));
-                                    let _e3778 = ((_e3763[2] * _e3769[0]) - (_e3763[0] * _e3769[2]));
-                                    let _e3781 = ((_e3763[0] * _e3769[1]) - (_e3763[1] * _e3769[0]));
-                                    let _e3784 = local_1.member_1[0u];
-                                    let _e3790 = local_1.member_2[1u];
-                                    let _e3805 = local_1.member_1[1u];
-                                    let _e3811 = local_1.member_2[0u];
-                                    let _e3824 = (((_e3784[1] * _e3790[2]) - (_e3784[2] * _e3790[1])) + ((_e3805[1] * _e3811[2]) - (_e3805[2] * _e3811[1])));
-                                    let _e3825 = (((_e3784[2] * _e3790[0]) - (_e3784[0] * _e3790[2])) + ((_e3805[2] * _e3811[0]) - (_e3805[0] * _e3811[2])));
-                                    let _e3826 = (((_e3784[0] * _e3790[1]) - (_e3784[1] * _e3790[0])) + ((_e3805[0] * _e3811[1]) - (_e3805[1] * _e3811[0])));
-                                    let _e3829 = local_1.member[0u];
-                                    let _e3840 = local_1.member[1u];
-                                    let _e3851 = local_1.member[0u];
-                                    let _e3860 = ((((_e3840[0] * _e3754) + (_e3840[1] * _e3757)) + (_e3840[2] * _e3760)) + (((_e3851[0] * _e3824) + (_e3851[1] * _e3825)) + (_e3851[2] * _e3826)));
-                                    let _e3863 = local_1.member[0u];
-                                    let _e3874 = local_1.member[1u];
-                                    let _e3883 = ((((_e3863[0] * _e3775) + (_e3863[1] * _e3778)) + (_e3863[2] * _e3781)) + (((_e3874[0] * _e3824) + (_e3874[1] * _e3825)) + (_e3874[2] * _e3826)));
-                                    let _e3886 = local_1.member[1u];
-                                    let _e3897 = local_1.member[0u];
-                                    if (_e3897[0] < 0f) {
-                                        phi_6521_ = -(_e3897[0]);
+                                let _e3723 = phi_6250_;
+                                if _e3723 {
+                                    let _e3726 = local_1.member_1[0u];
+                                    let _e3732 = local_1.member_2[0u];
+                                    let _e3738 = ((_e3726[1] * _e3732[2]) - (_e3726[2] * _e3732[1]));
+                                    let _e3741 = ((_e3726[2] * _e3732[0]) - (_e3726[0] * _e3732[2]));
+                                    let _e3744 = ((_e3726[0] * _e3732[1]) - (_e3726[1] * _e3732[0]));
+                                    let _e3747 = local_1.member_1[1u];
+                                    let _e3753 = local_1.member_2[1u];
+                                    let _e3759 = ((_e3747[1] * _e3753[2]) - (_e3747[2] * _e3753[1]));
+                                    let _e3762 = ((_e3747[2] * _e3753[0]) - (_e3747[0] * _e3753[2]));
+                                    let _e3765 = ((_e3747[0] * _e3753[1]) - (_e3747[1] * _e3753[0]));
+                                    let _e3768 = local_1.member_1[0u];
+                                    let _e3774 = local_1.member_2[1u];
+                                    let _e3789 = local_1.member_1[1u];
+                                    let _e3795 = local_1.member_2[0u];
+                                    let _e3808 = (((_e3768[1] * _e3774[2]) - (_e3768[2] * _e3774[1])) + ((_e3789[1] * _e3795[2]) - (_e3789[2] * _e3795[1])));
+                                    let _e3809 = (((_e3768[2] * _e3774[0]) - (_e3768[0] * _e3774[2])) + ((_e3789[2] * _e3795[0]) - (_e3789[0] * _e3795[2])));
+                                    let _e3810 = (((_e3768[0] * _e3774[1]) - (_e3768[1] * _e3774[0])) + ((_e3789[0] * _e3795[1]) - (_e3789[1] * _e3795[0])));
+                                    let _e3813 = local_1.member[0u];
+                                    let _e3824 = local_1.member[1u];
+                                    let _e3835 = local_1.member[0u];
+                                    let _e3844 = ((((_e3824[0] * _e3738) + (_e3824[1] * _e3741)) + (_e3824[2] * _e3744)) + (((_e3835[0] * _e3808) + (_e3835[1] * _e3809)) + (_e3835[2] * _e3810)));
+                                    let _e3847 = local_1.member[0u];
+                                    let _e3858 = local_1.member[1u];
+                                    let _e3867 = ((((_e3847[0] * _e3759) + (_e3847[1] * _e3762)) + (_e3847[2] * _e3765)) + (((_e3858[0] * _e3808) + (_e3858[1] * _e3809)) + (_e3858[2] * _e3810)));
+                                    let _e3870 = local_1.member[1u];
+                                    let _e3881 = local_1.member[0u];
+                                    if (_e3881[0] < 0f) {
+                                        phi_6495_ = -(_e3881[0]);
                                     } else {
-                                        phi_6521_ = _e3897[0];
+                                        phi_6495_ = _e3881[0];
                                     }
-                                    let _e3904 = phi_6521_;
-                                    if (_e3897[1] < 0f) {
-                                        phi_6528_ = -(_e3897[1]);
+                                    let _e3888 = phi_6495_;
+                                    if (_e3881[1] < 0f) {
+                                        phi_6502_ = -(_e3881[1]);
                                     } else {
-                                        phi_6528_ = _e3897[1];
+                                        phi_6502_ = _e3881[1];
                                     }
-                                    let _e3908 = phi_6528_;
-                                    if (_e3904 > _e3908) {
-                                        phi_6533_ = _e3904;
+                                    let _e3892 = phi_6502_;
+                                    if (_e3888 > _e3892) {
+                                        phi_6507_ = _e3888;
                                     } else {
-                                        phi_6533_ = _e3908;
+                                        phi_6507_ = _e3892;
                                     }
-                                    let _e3911 = phi_6533_;
-                                    if (_e3897[2] < 0f) {
-                                        phi_6540_ = -(_e3897[2]);
+                                    let _e3895 = phi_6507_;
+                                    if (_e3881[2] < 0f) {
+                                        phi_6514_ = -(_e3881[2]);
                                     } else {
-                                        phi_6540_ = _e3897[2];
+                                        phi_6514_ = _e3881[2];
                                     }
-                                    let _e3915 = phi_6540_;
-                                    if (_e3911 > _e3915) {
-                                        phi_6545_ = _e3911;
+                                    let _e3899 = phi_6514_;
+                                    if (_e3895 > _e3899) {
+                                        phi_6519_ = _e3895;
                                     } else {
-                                        phi_6545_ = _e3915;
+                                        phi_6519_ = _e3899;
                                     }
-                                    let _e3918 = phi_6545_;
-                                    let _e3921 = local_1.member[1u];
-                                    if (_e3921[0] < 0f) {
-                                        phi_6558_ = -(_e3921[0]);
+                                    let _e3902 = phi_6519_;
+                                    let _e3905 = local_1.member[1u];
+                                    if (_e3905[0] < 0f) {
+                                        phi_6532_ = -(_e3905[0]);
                                     } else {
-                                        phi_6558_ = _e3921[0];
+                                        phi_6532_ = _e3905[0];
                                     }
-                                    let _e3928 = phi_6558_;
-                                    if (_e3921[1] < 0f) {
-                                        phi_6565_ = -(_e3921[1]);
+                                    let _e3912 = phi_6532_;
+                                    if (_e3905[1] < 0f) {
+                                        phi_6539_ = -(_e3905[1]);
                                     } else {
-                                        phi_6565_ = _e3921[1];
+                                        phi_6539_ = _e3905[1];
                                     }
-                                    let _e3932 = phi_6565_;
-                                    if (_e3928 > _e3932) {
-                                        phi_6570_ = _e3928;
+                                    let _e3916 = phi_6539_;
+                                    if (_e3912 > _e3916) {
+                                        phi_6544_ = _e3912;
                                     } else {
-                                        phi_6570_ = _e3932;
+                                        phi_6544_ = _e3916;
                                     }
-                                    let _e3935 = phi_6570_;
-                                    if (_e3921[2] < 0f) {
-                                        phi_6577_ = -(_e3921[2]);
+                                    let _e3919 = phi_6544_;
+                                    if (_e3905[2] < 0f) {
+                                        phi_6551_ = -(_e3905[2]);
                                     } else {
-                                        phi_6577_ = _e3921[2];
+                                        phi_6551_ = _e3905[2];
                                     }
-                                    let _e3939 = phi_6577_;
-                                    if (_e3935 > _e3939) {
-                                        phi_6582_ = _e3935;
+                                    let _e3923 = phi_6551_;
+                                    if (_e3919 > _e3923) {
+                                        phi_6556_ = _e3919;
                                     } else {
-                                        phi_6582_ = _e3939;
+                                        phi_6556_ = _e3923;
                                     }
-                                    let _e3942 = phi_6582_;
-                                    if (_e3918 > _e3942) {
-                                        phi_6587_ = _e3918;
+                                    let _e3926 = phi_6556_;
+                                    if (_e3902 > _e3926) {
+                                        phi_6561_ = _e3902;
                                     } else {
-                                        phi_6587_ = _e3942;
+                                        phi_6561_ = _e3926;
                                     }
-                                    let _e3945 = phi_6587_;
-                                    let _e3947 = local_1.member_3;
-                                    let _e3948 = (_e3945 + _e3947);
-                                    let _e3951 = local_1.member_1[0u];
-                                    if (_e3951[0] < 0f) {
-                                        phi_6604_ = -(_e3951[0]);
+                                    let _e3929 = phi_6561_;
+                                    let _e3931 = local_1.member_3;
+                                    let _e3932 = (_e3929 + _e3931);
+                                    let _e3935 = local_1.member_1[0u];
+                                    if (_e3935[0] < 0f) {
+                                        phi_6578_ = -(_e3935[0]);
                                     } else {
-                                        phi_6604_ = _e3951[0];
+                                        phi_6578_ = _e3935[0];
                                     }
-                                    let _e3958 = phi_6604_;
-                                    if (_e3951[1] < 0f) {
-                                        phi_6611_ = -(_e3951[1]);
+                                    let _e3942 = phi_6578_;
+                                    if (_e3935[1] < 0f) {
+                                        phi_6585_ = -(_e3935[1]);
                                     } else {
-                                        phi_6611_ = _e3951[1];
+                                        phi_6585_ = _e3935[1];
                                     }
-                                    let _e3962 = phi_6611_;
-                                    if (_e3958 > _e3962) {
-                                        phi_6616_ = _e3958;
+                                    let _e3946 = phi_6585_;
+                                    if (_e3942 > _e3946) {
+                                        phi_6590_ = _e3942;
                                     } else {
-                                        phi_6616_ = _e3962;
+                                        phi_6590_ = _e3946;
                                     }
-                                    let _e3965 = phi_6616_;
-                                    if (_e3951[2] < 0f) {
-                                        phi_6623_ = -(_e3951[2]);
+                                    let _e3949 = phi_6590_;
+                                    if (_e3935[2] < 0f) {
+                                        phi_6597_ = -(_e3935[2]);
                                     } else {
-                                        phi_6623_ = _e3951[2];
+                                        phi_6597_ = _e3935[2];
                                     }
-                                    let _e3969 = phi_6623_;
-                                    if (_e3965 > _e3969) {
-                                        phi_6628_ = _e3965;
+                                    let _e3953 = phi_6597_;
+                                    if (_e3949 > _e3953) {
+                                        phi_6602_ = _e3949;
                                     } else {
-                                        phi_6628_ = _e3969;
+                                        phi_6602_ = _e3953;
                                     }
-                                    let _e3972 = phi_6628_;
-                                    let _e3975 = local_1.member_1[1u];
-                                    if (_e3975[0] < 0f) {
-                                        phi_6642_ = -(_e3975[0]);
+                                    let _e3956 = phi_6602_;
+                                    let _e3959 = local_1.member_1[1u];
+                                    if (_e3959[0] < 0f) {
+                                        phi_6616_ = -(_e3959[0]);
                                     } else {
-                                        phi_6642_ = _e3975[0];
+                                        phi_6616_ = _e3959[0];
                                     }
-                                    let _e3982 = phi_6642_;
-                                    if (_e3975[1] < 0f) {
-                                        phi_6649_ = -(_e3975[1]);
+                                    let _e3966 = phi_6616_;
+                                    if (_e3959[1] < 0f) {
+                                        phi_6623_ = -(_e3959[1]);
                                     } else {
-                                        phi_6649_ = _e3975[1];
+                                        phi_6623_ = _e3959[1];
                                     }
-                                    let _e3986 = phi_6649_;
-                                    if (_e3982 > _e3986) {
-                                        phi_6654_ = _e3982;
+                                    let _e3970 = phi_6623_;
+                                    if (_e3966 > _e3970) {
+                                        phi_6628_ = _e3966;
                                     } else {
-                                        phi_6654_ = _e3986;
+                                        phi_6628_ = _e3970;
                                     }
-                                    let _e3989 = phi_6654_;
-                                    if (_e3975[2] < 0f) {
-                                        phi_6661_ = -(_e3975[2]);
+                                    let _e3973 = phi_6628_;
+                                    if (_e3959[2] < 0f) {
+                                        phi_6635_ = -(_e3959[2]);
                                     } else {
-                                        phi_6661_ = _e3975[2];
+                                        phi_6635_ = _e3959[2];
                                     }
-                                    let _e3993 = phi_6661_;
-                                    if (_e3989 > _e3993) {
-                                        phi_6666_ = _e3989;
+                                    let _e3977 = phi_6635_;
+                                    if (_e3973 > _e3977) {
+                                        phi_6640_ = _e3973;
                                     } else {
-                                        phi_6666_ = _e3993;
+                                        phi_6640_ = _e3977;
                                     }
-                                    let _e3996 = phi_6666_;
-                                    if (_e3972 > _e3996) {
-                                        phi_6671_ = _e3972;
+                                    let _e3980 = phi_6640_;
+                                    if (_e3956 > _e3980) {
+                                        phi_6645_ = _e3956;
                                     } else {
-                                        phi_6671_ = _e3996;
+                                        phi_6645_ = _e3980;
                                     }
-                                    let _e3999 = phi_6671_;
-                                    let _e4001 = local_1.member_3;
-                                    let _e4002 = (_e3999 + _e4001);
-                                    let _e4005 = local_1.member_2[0u];
-                                    if (_e4005[0] < 0f) {
-                                        phi_6688_ = -(_e4005[0]);
+                                    let _e3983 = phi_6645_;
+                                    let _e3985 = local_1.member_3;
+                                    let _e3986 = (_e3983 + _e3985);
+                                    let _e3989 = local_1.member_2[0u];
+                                    if (_e3989[0] < 0f) {
+                                        phi_6662_ = -(_e3989[0]);
                                     } else {
-                                        phi_6688_ = _e4005[0];
+                                        phi_6662_ = _e3989[0];
                                     }
-                                    let _e4012 = phi_6688_;
-                                    if (_e4005[1] < 0f) {
-                                        phi_6695_ = -(_e4005[1]);
+                                    let _e3996 = phi_6662_;
+                                    if (_e3989[1] < 0f) {
+                                        phi_6669_ = -(_e3989[1]);
                                     } else {
-                                        phi_6695_ = _e4005[1];
+                                        phi_6669_ = _e3989[1];
                                     }
-                                    let _e4016 = phi_6695_;
-                                    if (_e4012 > _e4016) {
-                                        phi_6700_ = _e4012;
+                                    let _e4000 = phi_6669_;
+                                    if (_e3996 > _e4000) {
+                                        phi_6674_ = _e3996;
                                     } else {
-                                        phi_6700_ = _e4016;
+                                        phi_6674_ = _e4000;
                                     }
-                                    let _e4019 = phi_6700_;
-                                    if (_e4005[2] < 0f) {
-                                        phi_6707_ = -(_e4005[2]);
+                                    let _e4003 = phi_6674_;
+                                    if (_e3989[2] < 0f) {
+                                        phi_6681_ = -(_e3989[2]);
                                     } else {
-                                        phi_6707_ = _e4005[2];
+                                        phi_6681_ = _e3989[2];
                                     }
-                                    let _e4023 = phi_6707_;
-                                    if (_e4019 > _e4023) {
-                                        phi_6712_ = _e4019;
+                                    let _e4007 = phi_6681_;
+                                    if (_e4003 > _e4007) {
+                                        phi_6686_ = _e4003;
                                     } else {
-                                        phi_6712_ = _e4023;
+                                        phi_6686_ = _e4007;
                                     }
-                                    let _e4026 = phi_6712_;
-                                    let _e4029 = local_1.member_2[1u];
-                                    if (_e4029[0] < 0f) {
-                                        phi_6726_ = -(_e4029[0]);
+                                    let _e4010 = phi_6686_;
+                                    let _e4013 = local_1.member_2[1u];
+                                    if (_e4013[0] < 0f) {
+                                        phi_6700_ = -(_e4013[0]);
                                     } else {
-                                        phi_6726_ = _e4029[0];
+                                        phi_6700_ = _e4013[0];
                                     }
-                                    let _e4036 = phi_6726_;
-                                    if (_e4029[1] < 0f) {
-                                        phi_6733_ = -(_e4029[1]);
+                                    let _e4020 = phi_6700_;
+                                    if (_e4013[1] < 0f) {
+                                        phi_6707_ = -(_e4013[1]);
                                     } else {
-                                        phi_6733_ = _e4029[1];
+                                        phi_6707_ = _e4013[1];
                                     }
-                                    let _e4040 = phi_6733_;
-                                    if (_e4036 > _e4040) {
-                                        phi_6738_ = _e4036;
+                                    let _e4024 = phi_6707_;
+                                    if (_e4020 > _e4024) {
+                                        phi_6712_ = _e4020;
                                     } else {
-                                        phi_6738_ = _e4040;
+                                        phi_6712_ = _e4024;
                                     }
-                                    let _e4043 = phi_6738_;
-                                    if (_e4029[2] < 0f) {
-                                        phi_6745_ = -(_e4029[2]);
+                                    let _e4027 = phi_6712_;
+                                    if (_e4013[2] < 0f) {
+                                        phi_6719_ = -(_e4013[2]);
                                     } else {
-                                        phi_6745_ = _e4029[2];
+                                        phi_6719_ = _e4013[2];
                                     }
-                                    let _e4047 = phi_6745_;
-                                    if (_e4043 > _e4047) {
-                                        phi_6750_ = _e4043;
+                                    let _e4031 = phi_6719_;
+                                    if (_e4027 > _e4031) {
+                                        phi_6724_ = _e4027;
                                     } else {
-                                        phi_6750_ = _e4047;
+                                        phi_6724_ = _e4031;
                                     }
-                                    let _e4050 = phi_6750_;
-                                    if (_e4026 > _e4050) {
-                                        phi_6755_ = _e4026;
+                                    let _e4034 = phi_6724_;
+                                    if (_e4010 > _e4034) {
+                                        phi_6729_ = _e4010;
                                     } else {
-                                        phi_6755_ = _e4050;
+                                        phi_6729_ = _e4034;
                                     }
-                                    let _e4053 = phi_6755_;
-                                    let _e4055 = local_1.member_3;
-                                    let _e4056 = (_e4053 + _e4055);
-                                    let _e4058 = ((_e4002 * 8f) * _e4056);
-                                    let _e4065 = local_1.member_3;
-                                    if (_e3754 < 0f) {
-                                        phi_6786_ = -(_e3754);
+                                    let _e4037 = phi_6729_;
+                                    let _e4039 = local_1.member_3;
+                                    let _e4040 = (_e4037 + _e4039);
+                                    let _e4042 = ((_e3986 * 8f) * _e4040);
+                                    let _e4049 = local_1.member_3;
+                                    if (_e3738 < 0f) {
+                                        phi_6760_ = -(_e3738);
                                     } else {
-                                        phi_6786_ = _e3754;
+                                        phi_6760_ = _e3738;
                                     }
-                                    let _e4082 = phi_6786_;
-                                    if (_e3757 < 0f) {
-                                        phi_6792_ = -(_e3757);
+                                    let _e4066 = phi_6760_;
+                                    if (_e3741 < 0f) {
+                                        phi_6766_ = -(_e3741);
                                     } else {
-                                        phi_6792_ = _e3757;
+                                        phi_6766_ = _e3741;
                                     }
-                                    let _e4086 = phi_6792_;
-                                    if (_e3760 < 0f) {
-                                        phi_6799_ = -(_e3760);
+                                    let _e4070 = phi_6766_;
+                                    if (_e3744 < 0f) {
+                                        phi_6773_ = -(_e3744);
                                     } else {
-                                        phi_6799_ = _e3760;
+                                        phi_6773_ = _e3744;
                                     }
-                                    let _e4091 = phi_6799_;
-                                    let _e4092 = ((_e4082 + _e4086) + _e4091);
-                                    if (_e3775 < 0f) {
-                                        phi_6806_ = -(_e3775);
+                                    let _e4075 = phi_6773_;
+                                    let _e4076 = ((_e4066 + _e4070) + _e4075);
+                                    if (_e3759 < 0f) {
+                                        phi_6780_ = -(_e3759);
                                     } else {
-                                        phi_6806_ = _e3775;
+                                        phi_6780_ = _e3759;
                                     }
-                                    let _e4096 = phi_6806_;
-                                    if (_e3778 < 0f) {
-                                        phi_6812_ = -(_e3778);
+                                    let _e4080 = phi_6780_;
+                                    if (_e3762 < 0f) {
+                                        phi_6786_ = -(_e3762);
                                     } else {
-                                        phi_6812_ = _e3778;
+                                        phi_6786_ = _e3762;
                                     }
-                                    let _e4100 = phi_6812_;
-                                    if (_e3781 < 0f) {
-                                        phi_6819_ = -(_e3781);
+                                    let _e4084 = phi_6786_;
+                                    if (_e3765 < 0f) {
+                                        phi_6793_ = -(_e3765);
                                     } else {
-                                        phi_6819_ = _e3781;
+                                        phi_6793_ = _e3765;
                                     }
-                                    let _e4105 = phi_6819_;
-                                    let _e4106 = ((_e4096 + _e4100) + _e4105);
-                                    if (_e4092 > _e4106) {
-                                        phi_6825_ = _e4092;
+                                    let _e4089 = phi_6793_;
+                                    let _e4090 = ((_e4080 + _e4084) + _e4089);
+                                    if (_e4076 > _e4090) {
+                                        phi_6799_ = _e4076;
                                     } else {
-                                        phi_6825_ = _e4106;
+                                        phi_6799_ = _e4090;
                                     }
-                                    let _e4109 = phi_6825_;
-                                    if (_e3824 < 0f) {
-                                        phi_6831_ = -(_e3824);
+                                    let _e4093 = phi_6799_;
+                                    if (_e3808 < 0f) {
+                                        phi_6805_ = -(_e3808);
                                     } else {
-                                        phi_6831_ = _e3824;
+                                        phi_6805_ = _e3808;
                                     }
-                                    let _e4113 = phi_6831_;
-                                    if (_e3825 < 0f) {
-                                        phi_6837_ = -(_e3825);
+                                    let _e4097 = phi_6805_;
+                                    if (_e3809 < 0f) {
+                                        phi_6811_ = -(_e3809);
                                     } else {
-                                        phi_6837_ = _e3825;
+                                        phi_6811_ = _e3809;
                                     }
-                                    let _e4117 = phi_6837_;
-                                    if (_e3826 < 0f) {
-                                        phi_6844_ = -(_e3826);
+                                    let _e4101 = phi_6811_;
+                                    if (_e3810 < 0f) {
+                                        phi_6818_ = -(_e3810);
                                     } else {
-                                        phi_6844_ = _e3826;
+                                        phi_6818_ = _e3810;
                                     }
-                                    let _e4122 = phi_6844_;
-                                    let _e4124 = (((_e4113 + _e4117) + _e4122) * 0.5f);
-                                    if (_e4109 > _e4124) {
-                                        phi_6851_ = _e4109;
+                                    let _e4106 = phi_6818_;
+                                    let _e4108 = (((_e4097 + _e4101) + _e4106) * 0.5f);
+                                    if (_e4093 > _e4108) {
+                                        phi_6825_ = _e4093;
                                     } else {
-                                        phi_6851_ = _e4124;
+                                        phi_6825_ = _e4108;
                                     }
-                                    let _e4127 = phi_6851_;
-                                    let _e4132 = local_1.member_3;
-                                    let _e4145 = ((((_e3829[0] * _e3754) + (_e3829[1] * _e3757)) + (_e3829[2] * _e3760)) * 3f);
-                                    let _e4146 = ((((_e3886[0] * _e3775) + (_e3886[1] * _e3778)) + (_e3886[2] * _e3781)) * 3f);
-                                    if (_e4145 < _e4146) {
-                                        phi_6875_ = _e4145;
+                                    let _e4111 = phi_6825_;
+                                    let _e4116 = local_1.member_3;
+                                    let _e4129 = ((((_e3813[0] * _e3738) + (_e3813[1] * _e3741)) + (_e3813[2] * _e3744)) * 3f);
+                                    let _e4130 = ((((_e3870[0] * _e3759) + (_e3870[1] * _e3762)) + (_e3870[2] * _e3765)) * 3f);
+                                    if (_e4129 < _e4130) {
+                                        phi_6849_ = _e4129;
                                     } else {
-                                        phi_6875_ = _e4146;
+                                        phi_6849_ = _e4130;
                                     }
-                                    let _e4149 = phi_6875_;
-                                    if (_e3860 < _e3883) {
-                                        phi_6880_ = _e3860;
+                                    let _e4133 = phi_6849_;
+                                    if (_e3844 < _e3867) {
+                                        phi_6854_ = _e3844;
                                     } else {
-                                        phi_6880_ = _e3883;
+                                        phi_6854_ = _e3867;
                                     }
-                                    let _e4152 = phi_6880_;
-                                    if (_e4149 < _e4152) {
-                                        phi_6885_ = _e4149;
+                                    let _e4136 = phi_6854_;
+                                    if (_e4133 < _e4136) {
+                                        phi_6859_ = _e4133;
                                     } else {
-                                        phi_6885_ = _e4152;
+                                        phi_6859_ = _e4136;
                                     }
-                                    let _e4155 = phi_6885_;
-                                    if (_e4145 > _e4146) {
-                                        phi_6890_ = _e4145;
+                                    let _e4139 = phi_6859_;
+                                    if (_e4129 > _e4130) {
+                                        phi_6864_ = _e4129;
                                     } else {
-                                        phi_6890_ = _e4146;
+                                        phi_6864_ = _e4130;
                                     }
-                                    let _e4158 = phi_6890_;
-                                    if (_e3860 > _e3883) {
-                                        phi_6895_ = _e3860;
+                                    let _e4142 = phi_6864_;
+                                    if (_e3844 > _e3867) {
+                                        phi_6869_ = _e3844;
                                     } else {
-                                        phi_6895_ = _e3883;
+                                        phi_6869_ = _e3867;
                                     }
-                                    let _e4161 = phi_6895_;
-                                    if (_e4158 > _e4161) {
-                                        phi_6900_ = _e4158;
+                                    let _e4145 = phi_6869_;
+                                    if (_e4142 > _e4145) {
+                                        phi_6874_ = _e4142;
                                     } else {
-                                        phi_6900_ = _e4161;
+                                        phi_6874_ = _e4145;
                                     }
-                                    let _e4164 = phi_6900_;
-                                    let _e4169 = -(_e4164);
-                                    if (_e4155 > _e4169) {
-                                        phi_6910_ = _e4155;
+                                    let _e4148 = phi_6874_;
+                                    let _e4153 = -(_e4148);
+                                    if (_e4139 > _e4153) {
+                                        phi_6884_ = _e4139;
                                     } else {
-                                        phi_6910_ = _e4169;
+                                        phi_6884_ = _e4153;
                                     }
-                                    let _e4172 = phi_6910_;
-                                    let _e4174 = ((_e4172 - ((((((_e3948 * 8f) * _e4058) * (0.000000059604645f * (524f / 64f))) + ((_e4065 * 19f) * ((_e3948 * (_e4002 + _e4056)) + (_e4002 * _e4056)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3948) * ((1f + _e4002) * (1f + _e4056))))) + ((_e1450 * (((_e4127 + (_e4058 * (0.000000059604645f * 8f))) + ((_e4132 * 6f) * (_e4002 + _e4056))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4002) * (1f + _e4056))))) * (3f * 1.0001f)))) > 0f);
-                                    if _e4174 {
-                                        phi_7879_ = _e4174;
+                                    let _e4156 = phi_6884_;
+                                    let _e4158 = ((_e4156 - ((((((_e3932 * 8f) * _e4042) * (0.000000059604645f * (524f / 64f))) + ((_e4049 * 19f) * ((_e3932 * (_e3986 + _e4040)) + (_e3986 * _e4040)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3932) * ((1f + _e3986) * (1f + _e4040))))) + ((_e1434 * (((_e4111 + (_e4042 * (0.000000059604645f * 8f))) + ((_e4116 * 6f) * (_e3986 + _e4040))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3986) * (1f + _e4040))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4158 {
+                                        phi_7853_ = _e4158;
                                     } else {
-                                        let _e4177 = local_1.member_1[0u];
-                                        let _e4183 = local_1.member_1[1u];
-                                        let _e4187 = (_e4177[0] + _e4183[0]);
-                                        let _e4188 = (_e4177[1] + _e4183[1]);
-                                        let _e4189 = (_e4177[2] + _e4183[2]);
-                                        let _e4192 = local_1.member_2[0u];
-                                        let _e4198 = local_1.member_2[1u];
-                                        let _e4202 = (_e4192[0] + _e4198[0]);
-                                        let _e4203 = (_e4192[1] + _e4198[1]);
-                                        let _e4204 = (_e4192[2] + _e4198[2]);
-                                        let _e4207 = ((_e4188 * _e4204) - (_e4189 * _e4203));
-                                        let _e4210 = ((_e4189 * _e4202) - (_e4187 * _e4204));
-                                        let _e4213 = ((_e4187 * _e4203) - (_e4188 * _e4202));
-                                        let _e4216 = local_1.member[0u];
-                                        let _e4222 = local_1.member_1[0u];
-                                        let _e4228 = local_1.member_2[0u];
-                                        let _e4232 = (_e4216[0] - _e4222[0]);
-                                        let _e4233 = (_e4216[1] - _e4222[1]);
-                                        let _e4234 = (_e4216[2] - _e4222[2]);
-                                        let _e4235 = (_e4216[0] - _e4228[0]);
-                                        let _e4236 = (_e4216[1] - _e4228[1]);
-                                        let _e4237 = (_e4216[2] - _e4228[2]);
-                                        let _e4240 = local_1.member[1u];
-                                        let _e4246 = local_1.member_1[1u];
-                                        let _e4252 = local_1.member_2[1u];
-                                        let _e4256 = (_e4240[0] - _e4246[0]);
-                                        let _e4257 = (_e4240[1] - _e4246[1]);
-                                        let _e4258 = (_e4240[2] - _e4246[2]);
-                                        let _e4259 = (_e4240[0] - _e4252[0]);
-                                        let _e4260 = (_e4240[1] - _e4252[1]);
-                                        let _e4261 = (_e4240[2] - _e4252[2]);
-                                        let _e4264 = local_1.member[0u];
-                                        if (_e4264[0] < 0f) {
-                                            phi_7113_ = -(_e4264[0]);
+                                        let _e4161 = local_1.member_1[0u];
+                                        let _e4167 = local_1.member_1[1u];
+                                        let _e4171 = (_e4161[0] + _e4167[0]);
+                                        let _e4172 = (_e4161[1] + _e4167[1]);
+                                        let _e4173 = (_e4161[2] + _e4167[2]);
+                                        let _e4176 = local_1.member_2[0u];
+                                        let _e4182 = local_1.member_2[1u];
+                                        let _e4186 = (_e4176[0] + _e4182[0]);
+                                        let _e4187 = (_e4176[1] + _e4182[1]);
+                                        let _e4188 = (_e4176[2] + _e4182[2]);
+                                        let _e4191 = ((_e4172 * _e4188) - (_e4173 * _e4187));
+                                        let _e4194 = ((_e4173 * _e4186) - (_e4171 * _e4188));
+                                        let _e4197 = ((_e4171 * _e4187) - (_e4172 * _e4186));
+                                        let _e4200 = local_1.member[0u];
+                                        let _e4206 = local_1.member_1[0u];
+                                        let _e4212 = local_1.member_2[0u];
+                                        let _e4216 = (_e4200[0] - _e4206[0]);
+                                        let _e4217 = (_e4200[1] - _e4206[1]);
+                                        let _e4218 = (_e4200[2] - _e4206[2]);
+                                        let _e4219 = (_e4200[0] - _e4212[0]);
+                                        let _e4220 = (_e4200[1] - _e4212[1]);
+                                        let _e4221 = (_e4200[2] - _e4212[2]);
+                                        let _e4224 = local_1.member[1u];
+                                        let _e4230 = local_1.member_1[1u];
+                                        let _e4236 = local_1.member_2[1u];
+                                        let _e4240 = (_e4224[0] - _e4230[0]);
+                                        let _e4241 = (_e4224[1] - _e4230[1]);
+                                        let _e4242 = (_e4224[2] - _e4230[2]);
+                                        let _e4243 = (_e4224[0] - _e4236[0]);
+                                        let _e4244 = (_e4224[1] - _e4236[1]);
+                                        let _e4245 = (_e4224[2] - _e4236[2]);
+                                        let _e4248 = local_1.member[0u];
+                                        if (_e4248[0] < 0f) {
+                                            phi_7087_ = -(_e4248[0]);
                                         } else {
-                                            phi_7113_ = _e4264[0];
+                                            phi_7087_ = _e4248[0];
                                         }
-                                        let _e4271 = phi_7113_;
-                                        if (_e4264[1] < 0f) {
-                                            phi_7120_ = -(_e4264[1]);
+                                        let _e4255 = phi_7087_;
+                                        if (_e4248[1] < 0f) {
+                                            phi_7094_ = -(_e4248[1]);
                                         } else {
-                                            phi_7120_ = _e4264[1];
+                                            phi_7094_ = _e4248[1];
                                         }
-                                        let _e4275 = phi_7120_;
-                                        if (_e4271 > _e4275) {
-                                            phi_7125_ = _e4271;
+                                        let _e4259 = phi_7094_;
+                                        if (_e4255 > _e4259) {
+                                            phi_7099_ = _e4255;
                                         } else {
-                                            phi_7125_ = _e4275;
+                                            phi_7099_ = _e4259;
                                         }
-                                        let _e4278 = phi_7125_;
-                                        if (_e4264[2] < 0f) {
-                                            phi_7132_ = -(_e4264[2]);
+                                        let _e4262 = phi_7099_;
+                                        if (_e4248[2] < 0f) {
+                                            phi_7106_ = -(_e4248[2]);
                                         } else {
-                                            phi_7132_ = _e4264[2];
+                                            phi_7106_ = _e4248[2];
                                         }
-                                        let _e4282 = phi_7132_;
-                                        if (_e4278 > _e4282) {
-                                            phi_7137_ = _e4278;
+                                        let _e4266 = phi_7106_;
+                                        if (_e4262 > _e4266) {
+                                            phi_7111_ = _e4262;
                                         } else {
-                                            phi_7137_ = _e4282;
+                                            phi_7111_ = _e4266;
                                         }
-                                        let _e4285 = phi_7137_;
-                                        let _e4288 = local_1.member[1u];
-                                        if (_e4288[0] < 0f) {
-                                            phi_7150_ = -(_e4288[0]);
+                                        let _e4269 = phi_7111_;
+                                        let _e4272 = local_1.member[1u];
+                                        if (_e4272[0] < 0f) {
+                                            phi_7124_ = -(_e4272[0]);
                                         } else {
-                                            phi_7150_ = _e4288[0];
+                                            phi_7124_ = _e4272[0];
                                         }
-                                        let _e4295 = phi_7150_;
-                                        if (_e4288[1] < 0f) {
-                                            phi_7157_ = -(_e4288[1]);
+                                        let _e4279 = phi_7124_;
+                                        if (_e4272[1] < 0f) {
+                                            phi_7131_ = -(_e4272[1]);
                                         } else {
-                                            phi_7157_ = _e4288[1];
+                                            phi_7131_ = _e4272[1];
                                         }
-                                        let _e4299 = phi_7157_;
-                                        if (_e4295 > _e4299) {
-                                            phi_7162_ = _e4295;
+                                        let _e4283 = phi_7131_;
+                                        if (_e4279 > _e4283) {
+                                            phi_7136_ = _e4279;
                                         } else {
-                                            phi_7162_ = _e4299;
+                                            phi_7136_ = _e4283;
                                         }
-                                        let _e4302 = phi_7162_;
-                                        if (_e4288[2] < 0f) {
-                                            phi_7169_ = -(_e4288[2]);
+                                        let _e4286 = phi_7136_;
+                                        if (_e4272[2] < 0f) {
+                                            phi_7143_ = -(_e4272[2]);
                                         } else {
-                                            phi_7169_ = _e4288[2];
+                                            phi_7143_ = _e4272[2];
                                         }
-                                        let _e4306 = phi_7169_;
-                                        if (_e4302 > _e4306) {
-                                            phi_7174_ = _e4302;
+                                        let _e4290 = phi_7143_;
+                                        if (_e4286 > _e4290) {
+                                            phi_7148_ = _e4286;
                                         } else {
-                                            phi_7174_ = _e4306;
+                                            phi_7148_ = _e4290;
                                         }
-                                        let _e4309 = phi_7174_;
-                                        if (_e4285 > _e4309) {
-                                            phi_7179_ = _e4285;
+                                        let _e4293 = phi_7148_;
+                                        if (_e4269 > _e4293) {
+                                            phi_7153_ = _e4269;
                                         } else {
-                                            phi_7179_ = _e4309;
+                                            phi_7153_ = _e4293;
                                         }
-                                        let _e4312 = phi_7179_;
-                                        let _e4314 = local_1.member_3;
-                                        let _e4318 = local_1.member_1[0u];
-                                        if (_e4318[0] < 0f) {
-                                            phi_7196_ = -(_e4318[0]);
+                                        let _e4296 = phi_7153_;
+                                        let _e4298 = local_1.member_3;
+                                        let _e4302 = local_1.member_1[0u];
+                                        if (_e4302[0] < 0f) {
+                                            phi_7170_ = -(_e4302[0]);
                                         } else {
-                                            phi_7196_ = _e4318[0];
+                                            phi_7170_ = _e4302[0];
                                         }
-                                        let _e4325 = phi_7196_;
-                                        if (_e4318[1] < 0f) {
-                                            phi_7203_ = -(_e4318[1]);
+                                        let _e4309 = phi_7170_;
+                                        if (_e4302[1] < 0f) {
+                                            phi_7177_ = -(_e4302[1]);
                                         } else {
-                                            phi_7203_ = _e4318[1];
+                                            phi_7177_ = _e4302[1];
                                         }
-                                        let _e4329 = phi_7203_;
-                                        if (_e4325 > _e4329) {
-                                            phi_7208_ = _e4325;
+                                        let _e4313 = phi_7177_;
+                                        if (_e4309 > _e4313) {
+                                            phi_7182_ = _e4309;
                                         } else {
-                                            phi_7208_ = _e4329;
+                                            phi_7182_ = _e4313;
                                         }
-                                        let _e4332 = phi_7208_;
-                                        if (_e4318[2] < 0f) {
-                                            phi_7215_ = -(_e4318[2]);
+                                        let _e4316 = phi_7182_;
+                                        if (_e4302[2] < 0f) {
+                                            phi_7189_ = -(_e4302[2]);
                                         } else {
-                                            phi_7215_ = _e4318[2];
+                                            phi_7189_ = _e4302[2];
                                         }
-                                        let _e4336 = phi_7215_;
-                                        if (_e4332 > _e4336) {
-                                            phi_7220_ = _e4332;
+                                        let _e4320 = phi_7189_;
+                                        if (_e4316 > _e4320) {
+                                            phi_7194_ = _e4316;
                                         } else {
-                                            phi_7220_ = _e4336;
+                                            phi_7194_ = _e4320;
                                         }
-                                        let _e4339 = phi_7220_;
-                                        let _e4342 = local_1.member_1[1u];
-                                        if (_e4342[0] < 0f) {
-                                            phi_7234_ = -(_e4342[0]);
+                                        let _e4323 = phi_7194_;
+                                        let _e4326 = local_1.member_1[1u];
+                                        if (_e4326[0] < 0f) {
+                                            phi_7208_ = -(_e4326[0]);
                                         } else {
-                                            phi_7234_ = _e4342[0];
+                                            phi_7208_ = _e4326[0];
                                         }
-                                        let _e4349 = phi_7234_;
-                                        if (_e4342[1] < 0f) {
-                                            phi_7241_ = -(_e4342[1]);
+                                        let _e4333 = phi_7208_;
+                                        if (_e4326[1] < 0f) {
+                                            phi_7215_ = -(_e4326[1]);
                                         } else {
-                                            phi_7241_ = _e4342[1];
+                                            phi_7215_ = _e4326[1];
                                         }
-                                        let _e4353 = phi_7241_;
-                                        if (_e4349 > _e4353) {
-                                            phi_7246_ = _e4349;
+                                        let _e4337 = phi_7215_;
+                                        if (_e4333 > _e4337) {
+                                            phi_7220_ = _e4333;
                                         } else {
-                                            phi_7246_ = _e4353;
+                                            phi_7220_ = _e4337;
                                         }
-                                        let _e4356 = phi_7246_;
-                                        if (_e4342[2] < 0f) {
-                                            phi_7253_ = -(_e4342[2]);
+                                        let _e4340 = phi_7220_;
+                                        if (_e4326[2] < 0f) {
+                                            phi_7227_ = -(_e4326[2]);
                                         } else {
-                                            phi_7253_ = _e4342[2];
+                                            phi_7227_ = _e4326[2];
                                         }
-                                        let _e4360 = phi_7253_;
-                                        if (_e4356 > _e4360) {
-                                            phi_7258_ = _e4356;
+                                        let _e4344 = phi_7227_;
+                                        if (_e4340 > _e4344) {
+                                            phi_7232_ = _e4340;
                                         } else {
-                                            phi_7258_ = _e4360;
+                                            phi_7232_ = _e4344;
                                         }
-                                        let _e4363 = phi_7258_;
-                                        if (_e4339 > _e4363) {
-                                            phi_7263_ = _e4339;
+                                        let _e4347 = phi_7232_;
+                                        if (_e4323 > _e4347) {
+                                            phi_7237_ = _e4323;
                                         } else {
-                                            phi_7263_ = _e4363;
+                                            phi_7237_ = _e4347;
                                         }
-                                        let _e4366 = phi_7263_;
-                                        let _e4368 = local_1.member_3;
-                                        let _e4372 = local_1.member_2[0u];
-                                        if (_e4372[0] < 0f) {
-                                            phi_7280_ = -(_e4372[0]);
+                                        let _e4350 = phi_7237_;
+                                        let _e4352 = local_1.member_3;
+                                        let _e4356 = local_1.member_2[0u];
+                                        if (_e4356[0] < 0f) {
+                                            phi_7254_ = -(_e4356[0]);
                                         } else {
-                                            phi_7280_ = _e4372[0];
+                                            phi_7254_ = _e4356[0];
                                         }
-                                        let _e4379 = phi_7280_;
-                                        if (_e4372[1] < 0f) {
-                                            phi_7287_ = -(_e4372[1]);
+                                        let _e4363 = phi_7254_;
+                                        if (_e4356[1] < 0f) {
+                                            phi_7261_ = -(_e4356[1]);
                                         } else {
-                                            phi_7287_ = _e4372[1];
+                                            phi_7261_ = _e4356[1];
                                         }
-                                        let _e4383 = phi_7287_;
-                                        if (_e4379 > _e4383) {
-                                            phi_7292_ = _e4379;
+                                        let _e4367 = phi_7261_;
+                                        if (_e4363 > _e4367) {
+                                            phi_7266_ = _e4363;
                                         } else {
-                                            phi_7292_ = _e4383;
+                                            phi_7266_ = _e4367;
                                         }
-                                        let _e4386 = phi_7292_;
-                                        if (_e4372[2] < 0f) {
-                                            phi_7299_ = -(_e4372[2]);
+                                        let _e4370 = phi_7266_;
+                                        if (_e4356[2] < 0f) {
+                                            phi_7273_ = -(_e4356[2]);
                                         } else {
-                                            phi_7299_ = _e4372[2];
+                                            phi_7273_ = _e4356[2];
                                         }
-                                        let _e4390 = phi_7299_;
-                                        if (_e4386 > _e4390) {
-                                            phi_7304_ = _e4386;
+                                        let _e4374 = phi_7273_;
+                                        if (_e4370 > _e4374) {
+                                            phi_7278_ = _e4370;
                                         } else {
-                                            phi_7304_ = _e4390;
+                                            phi_7278_ = _e4374;
                                         }
-                                        let _e4393 = phi_7304_;
-                                        let _e4396 = local_1.member_2[1u];
-                                        if (_e4396[0] < 0f) {
-                                            phi_7318_ = -(_e4396[0]);
+                                        let _e4377 = phi_7278_;
+                                        let _e4380 = local_1.member_2[1u];
+                                        if (_e4380[0] < 0f) {
+                                            phi_7292_ = -(_e4380[0]);
                                         } else {
-                                            phi_7318_ = _e4396[0];
+                                            phi_7292_ = _e4380[0];
                                         }
-                                        let _e4403 = phi_7318_;
-                                        if (_e4396[1] < 0f) {
-                                            phi_7325_ = -(_e4396[1]);
+                                        let _e4387 = phi_7292_;
+                                        if (_e4380[1] < 0f) {
+                                            phi_7299_ = -(_e4380[1]);
                                         } else {
-                                            phi_7325_ = _e4396[1];
+                                            phi_7299_ = _e4380[1];
                                         }
-                                        let _e4407 = phi_7325_;
-                                        if (_e4403 > _e4407) {
-                                            phi_7330_ = _e4403;
+                                        let _e4391 = phi_7299_;
+                                        if (_e4387 > _e4391) {
+                                            phi_7304_ = _e4387;
                                         } else {
-                                            phi_7330_ = _e4407;
+                                            phi_7304_ = _e4391;
                                         }
-                                        let _e4410 = phi_7330_;
-                                        if (_e4396[2] < 0f) {
-                                            phi_7337_ = -(_e4396[2]);
+                                        let _e4394 = phi_7304_;
+                                        if (_e4380[2] < 0f) {
+                                            phi_7311_ = -(_e4380[2]);
                                         } else {
-                                            phi_7337_ = _e4396[2];
+                                            phi_7311_ = _e4380[2];
                                         }
-                                        let _e4414 = phi_7337_;
-                                        if (_e4410 > _e4414) {
-                                            phi_7342_ = _e4410;
+                                        let _e4398 = phi_7311_;
+                                        if (_e4394 > _e4398) {
+                                            phi_7316_ = _e4394;
                                         } else {
-                                            phi_7342_ = _e4414;
+                                            phi_7316_ = _e4398;
                                         }
-                                        let _e4417 = phi_7342_;
-                                        if (_e4393 > _e4417) {
-                                            phi_7347_ = _e4393;
+                                        let _e4401 = phi_7316_;
+                                        if (_e4377 > _e4401) {
+                                            phi_7321_ = _e4377;
                                         } else {
-                                            phi_7347_ = _e4417;
+                                            phi_7321_ = _e4401;
                                         }
-                                        let _e4420 = phi_7347_;
-                                        let _e4422 = local_1.member_3;
-                                        let _e4426 = ((((_e4312 + _e4314) + (_e4366 + _e4368)) + (_e4420 + _e4422)) * 2f);
-                                        let _e4429 = local_1.member_3;
-                                        let _e4433 = (((_e1450 * 1.0001f) + (_e4429 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4436 = ((_e4210 * _e4189) - (_e4213 * _e4188));
-                                        let _e4439 = ((_e4213 * _e4187) - (_e4207 * _e4189));
-                                        let _e4442 = ((_e4207 * _e4188) - (_e4210 * _e4187));
-                                        let _e4447 = (((_e4436 * _e4216[0]) + (_e4439 * _e4216[1])) + (_e4442 * _e4216[2]));
-                                        let _e4452 = (((_e4436 * _e4232) + (_e4439 * _e4233)) + (_e4442 * _e4234));
-                                        let _e4457 = (((_e4436 * _e4235) + (_e4439 * _e4236)) + (_e4442 * _e4237));
-                                        let _e4462 = (((_e4436 * _e4216[0]) + (_e4439 * _e4216[1])) + (_e4442 * _e4216[2]));
-                                        let _e4467 = (((_e4436 * _e4240[0]) + (_e4439 * _e4240[1])) + (_e4442 * _e4240[2]));
-                                        let _e4472 = (((_e4436 * _e4256) + (_e4439 * _e4257)) + (_e4442 * _e4258));
-                                        let _e4477 = (((_e4436 * _e4259) + (_e4439 * _e4260)) + (_e4442 * _e4261));
-                                        let _e4482 = (((_e4436 * _e4240[0]) + (_e4439 * _e4240[1])) + (_e4442 * _e4240[2]));
-                                        if (_e4447 < _e4452) {
-                                            phi_7426_ = _e4447;
+                                        let _e4404 = phi_7321_;
+                                        let _e4406 = local_1.member_3;
+                                        let _e4410 = ((((_e4296 + _e4298) + (_e4350 + _e4352)) + (_e4404 + _e4406)) * 2f);
+                                        let _e4413 = local_1.member_3;
+                                        let _e4417 = (((_e1434 * 1.0001f) + (_e4413 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4420 = ((_e4194 * _e4173) - (_e4197 * _e4172));
+                                        let _e4423 = ((_e4197 * _e4171) - (_e4191 * _e4173));
+                                        let _e4426 = ((_e4191 * _e4172) - (_e4194 * _e4171));
+                                        let _e4431 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
+                                        let _e4436 = (((_e4420 * _e4216) + (_e4423 * _e4217)) + (_e4426 * _e4218));
+                                        let _e4441 = (((_e4420 * _e4219) + (_e4423 * _e4220)) + (_e4426 * _e4221));
+                                        let _e4446 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
+                                        let _e4451 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
+                                        let _e4456 = (((_e4420 * _e4240) + (_e4423 * _e4241)) + (_e4426 * _e4242));
+                                        let _e4461 = (((_e4420 * _e4243) + (_e4423 * _e4244)) + (_e4426 * _e4245));
+                                        let _e4466 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
+                                        if (_e4431 < _e4436) {
+                                            phi_7400_ = _e4431;
                                         } else {
-                                            phi_7426_ = _e4452;
+                                            phi_7400_ = _e4436;
                                         }
-                                        let _e4485 = phi_7426_;
-                                        if (_e4457 < _e4462) {
-                                            phi_7431_ = _e4457;
+                                        let _e4469 = phi_7400_;
+                                        if (_e4441 < _e4446) {
+                                            phi_7405_ = _e4441;
                                         } else {
-                                            phi_7431_ = _e4462;
+                                            phi_7405_ = _e4446;
                                         }
-                                        let _e4488 = phi_7431_;
-                                        if (_e4485 < _e4488) {
-                                            phi_7436_ = _e4485;
+                                        let _e4472 = phi_7405_;
+                                        if (_e4469 < _e4472) {
+                                            phi_7410_ = _e4469;
                                         } else {
-                                            phi_7436_ = _e4488;
+                                            phi_7410_ = _e4472;
                                         }
-                                        let _e4491 = phi_7436_;
-                                        if (_e4467 < _e4472) {
-                                            phi_7441_ = _e4467;
+                                        let _e4475 = phi_7410_;
+                                        if (_e4451 < _e4456) {
+                                            phi_7415_ = _e4451;
                                         } else {
-                                            phi_7441_ = _e4472;
+                                            phi_7415_ = _e4456;
                                         }
-                                        let _e4494 = phi_7441_;
-                                        if (_e4477 < _e4482) {
-                                            phi_7446_ = _e4477;
+                                        let _e4478 = phi_7415_;
+                                        if (_e4461 < _e4466) {
+                                            phi_7420_ = _e4461;
                                         } else {
-                                            phi_7446_ = _e4482;
+                                            phi_7420_ = _e4466;
                                         }
-                                        let _e4497 = phi_7446_;
-                                        if (_e4494 < _e4497) {
-                                            phi_7451_ = _e4494;
+                                        let _e4481 = phi_7420_;
+                                        if (_e4478 < _e4481) {
+                                            phi_7425_ = _e4478;
                                         } else {
-                                            phi_7451_ = _e4497;
+                                            phi_7425_ = _e4481;
                                         }
-                                        let _e4500 = phi_7451_;
-                                        if (_e4491 < _e4500) {
-                                            phi_7456_ = _e4491;
+                                        let _e4484 = phi_7425_;
+                                        if (_e4475 < _e4484) {
+                                            phi_7430_ = _e4475;
                                         } else {
-                                            phi_7456_ = _e4500;
+                                            phi_7430_ = _e4484;
                                         }
-                                        let _e4503 = phi_7456_;
-                                        if (_e4447 > _e4452) {
-                                            phi_7461_ = _e4447;
+                                        let _e4487 = phi_7430_;
+                                        if (_e4431 > _e4436) {
+                                            phi_7435_ = _e4431;
                                         } else {
-                                            phi_7461_ = _e4452;
+                                            phi_7435_ = _e4436;
                                         }
-                                        let _e4506 = phi_7461_;
-                                        if (_e4457 > _e4462) {
-                                            phi_7466_ = _e4457;
+                                        let _e4490 = phi_7435_;
+                                        if (_e4441 > _e4446) {
+                                            phi_7440_ = _e4441;
                                         } else {
-                                            phi_7466_ = _e4462;
+                                            phi_7440_ = _e4446;
                                         }
-                                        let _e4509 = phi_7466_;
-                                        if (_e4506 > _e4509) {
-                                            phi_7471_ = _e4506;
+                                        let _e4493 = phi_7440_;
+                                        if (_e4490 > _e4493) {
+                                            phi_7445_ = _e4490;
                                         } else {
-                                            phi_7471_ = _e4509;
+                                            phi_7445_ = _e4493;
+                                        }
+                                        let _e4496 = phi_7445_;
+                                        if (_e4451 > _e4456) {
+                                            phi_7450_ = _e4451;
+                                        } else {
+                                            phi_7450_ = _e4456;
+                                        }
+                                        let _e4499 = phi_7450_;
+                                        if (_e4461 > _e4466) {
+                                            phi_7455_ = _e4461;
+                                        } else {
+                                            phi_7455_ = _e4466;
+                                        }
+                                        let _e4502 = phi_7455_;
+                                        if (_e4499 > _e4502) {
+                                            phi_7460_ = _e4499;
+                                        } else {
+                                            phi_7460_ = _e4502;
+                                        }
+                                        let _e4505 = phi_7460_;
+                                        if (_e4496 > _e4505) {
+                                            phi_7465_ = _e4496;
+                                        } else {
+                                            phi_7465_ = _e4505;
+                                        }
+                                        let _e4508 = phi_7465_;
+                                        if (_e4420 < 0f) {
+                                            phi_7471_ = -(_e4420);
+                                        } else {
+                                            phi_7471_ = _e4420;
                                         }
                                         let _e4512 = phi_7471_;
-                                        if (_e4467 > _e4472) {
-                                            phi_7476_ = _e4467;
+                                        if (_e4423 < 0f) {
+                                            phi_7477_ = -(_e4423);
                                         } else {
-                                            phi_7476_ = _e4472;
+                                            phi_7477_ = _e4423;
                                         }
-                                        let _e4515 = phi_7476_;
-                                        if (_e4477 > _e4482) {
-                                            phi_7481_ = _e4477;
+                                        let _e4516 = phi_7477_;
+                                        if (_e4426 < 0f) {
+                                            phi_7484_ = -(_e4426);
                                         } else {
-                                            phi_7481_ = _e4482;
+                                            phi_7484_ = _e4426;
                                         }
-                                        let _e4518 = phi_7481_;
-                                        if (_e4515 > _e4518) {
-                                            phi_7486_ = _e4515;
+                                        let _e4521 = phi_7484_;
+                                        let _e4522 = ((_e4512 + _e4516) + _e4521);
+                                        let _e4527 = -(_e4508);
+                                        if (_e4487 > _e4527) {
+                                            phi_7495_ = _e4487;
                                         } else {
-                                            phi_7486_ = _e4518;
+                                            phi_7495_ = _e4527;
                                         }
-                                        let _e4521 = phi_7486_;
-                                        if (_e4512 > _e4521) {
-                                            phi_7491_ = _e4512;
+                                        let _e4530 = phi_7495_;
+                                        let _e4535 = (((_e4530 - ((_e4522 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4522 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4538 = ((_e4194 * _e4188) - (_e4197 * _e4187));
+                                        let _e4541 = ((_e4197 * _e4186) - (_e4191 * _e4188));
+                                        let _e4544 = ((_e4191 * _e4187) - (_e4194 * _e4186));
+                                        let _e4549 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
+                                        let _e4554 = (((_e4538 * _e4216) + (_e4541 * _e4217)) + (_e4544 * _e4218));
+                                        let _e4559 = (((_e4538 * _e4219) + (_e4541 * _e4220)) + (_e4544 * _e4221));
+                                        let _e4564 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
+                                        let _e4569 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
+                                        let _e4574 = (((_e4538 * _e4240) + (_e4541 * _e4241)) + (_e4544 * _e4242));
+                                        let _e4579 = (((_e4538 * _e4243) + (_e4541 * _e4244)) + (_e4544 * _e4245));
+                                        let _e4584 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
+                                        if (_e4549 < _e4554) {
+                                            phi_7566_ = _e4549;
                                         } else {
-                                            phi_7491_ = _e4521;
+                                            phi_7566_ = _e4554;
                                         }
-                                        let _e4524 = phi_7491_;
-                                        if (_e4436 < 0f) {
-                                            phi_7497_ = -(_e4436);
+                                        let _e4587 = phi_7566_;
+                                        if (_e4559 < _e4564) {
+                                            phi_7571_ = _e4559;
                                         } else {
-                                            phi_7497_ = _e4436;
+                                            phi_7571_ = _e4564;
                                         }
-                                        let _e4528 = phi_7497_;
-                                        if (_e4439 < 0f) {
-                                            phi_7503_ = -(_e4439);
+                                        let _e4590 = phi_7571_;
+                                        if (_e4587 < _e4590) {
+                                            phi_7576_ = _e4587;
                                         } else {
-                                            phi_7503_ = _e4439;
+                                            phi_7576_ = _e4590;
                                         }
-                                        let _e4532 = phi_7503_;
-                                        if (_e4442 < 0f) {
-                                            phi_7510_ = -(_e4442);
+                                        let _e4593 = phi_7576_;
+                                        if (_e4569 < _e4574) {
+                                            phi_7581_ = _e4569;
                                         } else {
-                                            phi_7510_ = _e4442;
+                                            phi_7581_ = _e4574;
                                         }
-                                        let _e4537 = phi_7510_;
-                                        let _e4538 = ((_e4528 + _e4532) + _e4537);
-                                        let _e4543 = -(_e4524);
-                                        if (_e4503 > _e4543) {
-                                            phi_7521_ = _e4503;
+                                        let _e4596 = phi_7581_;
+                                        if (_e4579 < _e4584) {
+                                            phi_7586_ = _e4579;
                                         } else {
-                                            phi_7521_ = _e4543;
+                                            phi_7586_ = _e4584;
                                         }
-                                        let _e4546 = phi_7521_;
-                                        let _e4551 = (((_e4546 - ((_e4538 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4538 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4554 = ((_e4210 * _e4204) - (_e4213 * _e4203));
-                                        let _e4557 = ((_e4213 * _e4202) - (_e4207 * _e4204));
-                                        let _e4560 = ((_e4207 * _e4203) - (_e4210 * _e4202));
-                                        let _e4565 = (((_e4554 * _e4216[0]) + (_e4557 * _e4216[1])) + (_e4560 * _e4216[2]));
-                                        let _e4570 = (((_e4554 * _e4232) + (_e4557 * _e4233)) + (_e4560 * _e4234));
-                                        let _e4575 = (((_e4554 * _e4235) + (_e4557 * _e4236)) + (_e4560 * _e4237));
-                                        let _e4580 = (((_e4554 * _e4216[0]) + (_e4557 * _e4216[1])) + (_e4560 * _e4216[2]));
-                                        let _e4585 = (((_e4554 * _e4240[0]) + (_e4557 * _e4240[1])) + (_e4560 * _e4240[2]));
-                                        let _e4590 = (((_e4554 * _e4256) + (_e4557 * _e4257)) + (_e4560 * _e4258));
-                                        let _e4595 = (((_e4554 * _e4259) + (_e4557 * _e4260)) + (_e4560 * _e4261));
-                                        let _e4600 = (((_e4554 * _e4240[0]) + (_e4557 * _e4240[1])) + (_e4560 * _e4240[2]));
-                                        if (_e4565 < _e4570) {
-                                            phi_7592_ = _e4565;
+                                        let _e4599 = phi_7586_;
+                                        if (_e4596 < _e4599) {
+                                            phi_7591_ = _e4596;
                                         } else {
-                                            phi_7592_ = _e4570;
+                                            phi_7591_ = _e4599;
                                         }
-                                        let _e4603 = phi_7592_;
-                                        if (_e4575 < _e4580) {
-                                            phi_7597_ = _e4575;
+                                        let _e4602 = phi_7591_;
+                                        if (_e4593 < _e4602) {
+                                            phi_7596_ = _e4593;
                                         } else {
-                                            phi_7597_ = _e4580;
+                                            phi_7596_ = _e4602;
                                         }
-                                        let _e4606 = phi_7597_;
-                                        if (_e4603 < _e4606) {
-                                            phi_7602_ = _e4603;
+                                        let _e4605 = phi_7596_;
+                                        if (_e4549 > _e4554) {
+                                            phi_7601_ = _e4549;
                                         } else {
-                                            phi_7602_ = _e4606;
+                                            phi_7601_ = _e4554;
                                         }
-                                        let _e4609 = phi_7602_;
-                                        if (_e4585 < _e4590) {
-                                            phi_7607_ = _e4585;
+                                        let _e4608 = phi_7601_;
+                                        if (_e4559 > _e4564) {
+                                            phi_7606_ = _e4559;
                                         } else {
-                                            phi_7607_ = _e4590;
+                                            phi_7606_ = _e4564;
                                         }
-                                        let _e4612 = phi_7607_;
-                                        if (_e4595 < _e4600) {
-                                            phi_7612_ = _e4595;
+                                        let _e4611 = phi_7606_;
+                                        if (_e4608 > _e4611) {
+                                            phi_7611_ = _e4608;
                                         } else {
-                                            phi_7612_ = _e4600;
+                                            phi_7611_ = _e4611;
                                         }
-                                        let _e4615 = phi_7612_;
-                                        if (_e4612 < _e4615) {
-                                            phi_7617_ = _e4612;
+                                        let _e4614 = phi_7611_;
+                                        if (_e4569 > _e4574) {
+                                            phi_7616_ = _e4569;
                                         } else {
-                                            phi_7617_ = _e4615;
+                                            phi_7616_ = _e4574;
                                         }
-                                        let _e4618 = phi_7617_;
-                                        if (_e4609 < _e4618) {
-                                            phi_7622_ = _e4609;
+                                        let _e4617 = phi_7616_;
+                                        if (_e4579 > _e4584) {
+                                            phi_7621_ = _e4579;
                                         } else {
-                                            phi_7622_ = _e4618;
+                                            phi_7621_ = _e4584;
                                         }
-                                        let _e4621 = phi_7622_;
-                                        if (_e4565 > _e4570) {
-                                            phi_7627_ = _e4565;
+                                        let _e4620 = phi_7621_;
+                                        if (_e4617 > _e4620) {
+                                            phi_7626_ = _e4617;
                                         } else {
-                                            phi_7627_ = _e4570;
+                                            phi_7626_ = _e4620;
                                         }
-                                        let _e4624 = phi_7627_;
-                                        if (_e4575 > _e4580) {
-                                            phi_7632_ = _e4575;
+                                        let _e4623 = phi_7626_;
+                                        if (_e4614 > _e4623) {
+                                            phi_7631_ = _e4614;
                                         } else {
-                                            phi_7632_ = _e4580;
+                                            phi_7631_ = _e4623;
                                         }
-                                        let _e4627 = phi_7632_;
-                                        if (_e4624 > _e4627) {
-                                            phi_7637_ = _e4624;
+                                        let _e4626 = phi_7631_;
+                                        if (_e4538 < 0f) {
+                                            phi_7637_ = -(_e4538);
                                         } else {
-                                            phi_7637_ = _e4627;
+                                            phi_7637_ = _e4538;
                                         }
                                         let _e4630 = phi_7637_;
-                                        if (_e4585 > _e4590) {
-                                            phi_7642_ = _e4585;
+                                        if (_e4541 < 0f) {
+                                            phi_7643_ = -(_e4541);
                                         } else {
-                                            phi_7642_ = _e4590;
+                                            phi_7643_ = _e4541;
                                         }
-                                        let _e4633 = phi_7642_;
-                                        if (_e4595 > _e4600) {
-                                            phi_7647_ = _e4595;
+                                        let _e4634 = phi_7643_;
+                                        if (_e4544 < 0f) {
+                                            phi_7650_ = -(_e4544);
                                         } else {
-                                            phi_7647_ = _e4600;
+                                            phi_7650_ = _e4544;
                                         }
-                                        let _e4636 = phi_7647_;
-                                        if (_e4633 > _e4636) {
-                                            phi_7652_ = _e4633;
+                                        let _e4639 = phi_7650_;
+                                        let _e4640 = ((_e4630 + _e4634) + _e4639);
+                                        let _e4645 = -(_e4626);
+                                        if (_e4605 > _e4645) {
+                                            phi_7661_ = _e4605;
                                         } else {
-                                            phi_7652_ = _e4636;
+                                            phi_7661_ = _e4645;
                                         }
-                                        let _e4639 = phi_7652_;
-                                        if (_e4630 > _e4639) {
-                                            phi_7657_ = _e4630;
+                                        let _e4648 = phi_7661_;
+                                        let _e4653 = (((_e4648 - ((_e4640 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4640 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4535 > _e4653) {
+                                            phi_7671_ = _e4535;
                                         } else {
-                                            phi_7657_ = _e4639;
+                                            phi_7671_ = _e4653;
                                         }
-                                        let _e4642 = phi_7657_;
-                                        if (_e4554 < 0f) {
-                                            phi_7663_ = -(_e4554);
+                                        let _e4656 = phi_7671_;
+                                        let _e4657 = (_e4186 - _e4171);
+                                        let _e4658 = (_e4187 - _e4172);
+                                        let _e4659 = (_e4188 - _e4173);
+                                        let _e4662 = ((_e4194 * _e4659) - (_e4197 * _e4658));
+                                        let _e4665 = ((_e4197 * _e4657) - (_e4191 * _e4659));
+                                        let _e4668 = ((_e4191 * _e4658) - (_e4194 * _e4657));
+                                        let _e4673 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
+                                        let _e4678 = (((_e4662 * _e4216) + (_e4665 * _e4217)) + (_e4668 * _e4218));
+                                        let _e4683 = (((_e4662 * _e4219) + (_e4665 * _e4220)) + (_e4668 * _e4221));
+                                        let _e4688 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
+                                        let _e4693 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
+                                        let _e4698 = (((_e4662 * _e4240) + (_e4665 * _e4241)) + (_e4668 * _e4242));
+                                        let _e4703 = (((_e4662 * _e4243) + (_e4665 * _e4244)) + (_e4668 * _e4245));
+                                        let _e4708 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
+                                        if (_e4673 < _e4678) {
+                                            phi_7744_ = _e4673;
                                         } else {
-                                            phi_7663_ = _e4554;
+                                            phi_7744_ = _e4678;
                                         }
-                                        let _e4646 = phi_7663_;
-                                        if (_e4557 < 0f) {
-                                            phi_7669_ = -(_e4557);
+                                        let _e4711 = phi_7744_;
+                                        if (_e4683 < _e4688) {
+                                            phi_7749_ = _e4683;
                                         } else {
-                                            phi_7669_ = _e4557;
+                                            phi_7749_ = _e4688;
                                         }
-                                        let _e4650 = phi_7669_;
-                                        if (_e4560 < 0f) {
-                                            phi_7676_ = -(_e4560);
+                                        let _e4714 = phi_7749_;
+                                        if (_e4711 < _e4714) {
+                                            phi_7754_ = _e4711;
                                         } else {
-                                            phi_7676_ = _e4560;
+                                            phi_7754_ = _e4714;
                                         }
-                                        let _e4655 = phi_7676_;
-                                        let _e4656 = ((_e4646 + _e4650) + _e4655);
-                                        let _e4661 = -(_e4642);
-                                        if (_e4621 > _e4661) {
-                                            phi_7687_ = _e4621;
+                                        let _e4717 = phi_7754_;
+                                        if (_e4693 < _e4698) {
+                                            phi_7759_ = _e4693;
                                         } else {
-                                            phi_7687_ = _e4661;
+                                            phi_7759_ = _e4698;
                                         }
-                                        let _e4664 = phi_7687_;
-                                        let _e4669 = (((_e4664 - ((_e4656 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4656 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4551 > _e4669) {
-                                            phi_7697_ = _e4551;
+                                        let _e4720 = phi_7759_;
+                                        if (_e4703 < _e4708) {
+                                            phi_7764_ = _e4703;
                                         } else {
-                                            phi_7697_ = _e4669;
+                                            phi_7764_ = _e4708;
                                         }
-                                        let _e4672 = phi_7697_;
-                                        let _e4673 = (_e4202 - _e4187);
-                                        let _e4674 = (_e4203 - _e4188);
-                                        let _e4675 = (_e4204 - _e4189);
-                                        let _e4678 = ((_e4210 * _e4675) - (_e4213 * _e4674));
-                                        let _e4681 = ((_e4213 * _e4673) - (_e4207 * _e4675));
-                                        let _e4684 = ((_e4207 * _e4674) - (_e4210 * _e4673));
-                                        let _e4689 = (((_e4678 * _e4216[0]) + (_e4681 * _e4216[1])) + (_e4684 * _e4216[2]));
-                                        let _e4694 = (((_e4678 * _e4232) + (_e4681 * _e4233)) + (_e4684 * _e4234));
-                                        let _e4699 = (((_e4678 * _e4235) + (_e4681 * _e4236)) + (_e4684 * _e4237));
-                                        let _e4704 = (((_e4678 * _e4216[0]) + (_e4681 * _e4216[1])) + (_e4684 * _e4216[2]));
-                                        let _e4709 = (((_e4678 * _e4240[0]) + (_e4681 * _e4240[1])) + (_e4684 * _e4240[2]));
-                                        let _e4714 = (((_e4678 * _e4256) + (_e4681 * _e4257)) + (_e4684 * _e4258));
-                                        let _e4719 = (((_e4678 * _e4259) + (_e4681 * _e4260)) + (_e4684 * _e4261));
-                                        let _e4724 = (((_e4678 * _e4240[0]) + (_e4681 * _e4240[1])) + (_e4684 * _e4240[2]));
-                                        if (_e4689 < _e4694) {
-                                            phi_7770_ = _e4689;
+                                        let _e4723 = phi_7764_;
+                                        if (_e4720 < _e4723) {
+                                            phi_7769_ = _e4720;
                                         } else {
-                                            phi_7770_ = _e4694;
+                                            phi_7769_ = _e4723;
                                         }
-                                        let _e4727 = phi_7770_;
-                                        if (_e4699 < _e4704) {
-                                            phi_7775_ = _e4699;
+                                        let _e4726 = phi_7769_;
+                                        if (_e4717 < _e4726) {
+                                            phi_7774_ = _e4717;
                                         } else {
-                                            phi_7775_ = _e4704;
+                                            phi_7774_ = _e4726;
                                         }
-                                        let _e4730 = phi_7775_;
-                                        if (_e4727 < _e4730) {
-                                            phi_7780_ = _e4727;
+                                        let _e4729 = phi_7774_;
+                                        if (_e4673 > _e4678) {
+                                            phi_7779_ = _e4673;
                                         } else {
-                                            phi_7780_ = _e4730;
+                                            phi_7779_ = _e4678;
                                         }
-                                        let _e4733 = phi_7780_;
-                                        if (_e4709 < _e4714) {
-                                            phi_7785_ = _e4709;
+                                        let _e4732 = phi_7779_;
+                                        if (_e4683 > _e4688) {
+                                            phi_7784_ = _e4683;
                                         } else {
-                                            phi_7785_ = _e4714;
+                                            phi_7784_ = _e4688;
                                         }
-                                        let _e4736 = phi_7785_;
-                                        if (_e4719 < _e4724) {
-                                            phi_7790_ = _e4719;
+                                        let _e4735 = phi_7784_;
+                                        if (_e4732 > _e4735) {
+                                            phi_7789_ = _e4732;
                                         } else {
-                                            phi_7790_ = _e4724;
+                                            phi_7789_ = _e4735;
                                         }
-                                        let _e4739 = phi_7790_;
-                                        if (_e4736 < _e4739) {
-                                            phi_7795_ = _e4736;
+                                        let _e4738 = phi_7789_;
+                                        if (_e4693 > _e4698) {
+                                            phi_7794_ = _e4693;
                                         } else {
-                                            phi_7795_ = _e4739;
+                                            phi_7794_ = _e4698;
                                         }
-                                        let _e4742 = phi_7795_;
-                                        if (_e4733 < _e4742) {
-                                            phi_7800_ = _e4733;
+                                        let _e4741 = phi_7794_;
+                                        if (_e4703 > _e4708) {
+                                            phi_7799_ = _e4703;
                                         } else {
-                                            phi_7800_ = _e4742;
+                                            phi_7799_ = _e4708;
                                         }
-                                        let _e4745 = phi_7800_;
-                                        if (_e4689 > _e4694) {
-                                            phi_7805_ = _e4689;
+                                        let _e4744 = phi_7799_;
+                                        if (_e4741 > _e4744) {
+                                            phi_7804_ = _e4741;
                                         } else {
-                                            phi_7805_ = _e4694;
+                                            phi_7804_ = _e4744;
                                         }
-                                        let _e4748 = phi_7805_;
-                                        if (_e4699 > _e4704) {
-                                            phi_7810_ = _e4699;
+                                        let _e4747 = phi_7804_;
+                                        if (_e4738 > _e4747) {
+                                            phi_7809_ = _e4738;
                                         } else {
-                                            phi_7810_ = _e4704;
+                                            phi_7809_ = _e4747;
                                         }
-                                        let _e4751 = phi_7810_;
-                                        if (_e4748 > _e4751) {
-                                            phi_7815_ = _e4748;
+                                        let _e4750 = phi_7809_;
+                                        if (_e4662 < 0f) {
+                                            phi_7815_ = -(_e4662);
                                         } else {
-                                            phi_7815_ = _e4751;
+                                            phi_7815_ = _e4662;
                                         }
                                         let _e4754 = phi_7815_;
-                                        if (_e4709 > _e4714) {
-                                            phi_7820_ = _e4709;
+                                        if (_e4665 < 0f) {
+                                            phi_7821_ = -(_e4665);
                                         } else {
-                                            phi_7820_ = _e4714;
+                                            phi_7821_ = _e4665;
                                         }
-                                        let _e4757 = phi_7820_;
-                                        if (_e4719 > _e4724) {
-                                            phi_7825_ = _e4719;
+                                        let _e4758 = phi_7821_;
+                                        if (_e4668 < 0f) {
+                                            phi_7828_ = -(_e4668);
                                         } else {
-                                            phi_7825_ = _e4724;
+                                            phi_7828_ = _e4668;
                                         }
-                                        let _e4760 = phi_7825_;
-                                        if (_e4757 > _e4760) {
-                                            phi_7830_ = _e4757;
+                                        let _e4763 = phi_7828_;
+                                        let _e4764 = ((_e4754 + _e4758) + _e4763);
+                                        let _e4769 = -(_e4750);
+                                        if (_e4729 > _e4769) {
+                                            phi_7839_ = _e4729;
                                         } else {
-                                            phi_7830_ = _e4760;
+                                            phi_7839_ = _e4769;
                                         }
-                                        let _e4763 = phi_7830_;
-                                        if (_e4754 > _e4763) {
-                                            phi_7835_ = _e4754;
+                                        let _e4772 = phi_7839_;
+                                        let _e4777 = (((_e4772 - ((_e4764 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4764 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4656 > _e4777) {
+                                            phi_7849_ = _e4656;
                                         } else {
-                                            phi_7835_ = _e4763;
+                                            phi_7849_ = _e4777;
                                         }
-                                        let _e4766 = phi_7835_;
-                                        if (_e4678 < 0f) {
-                                            phi_7841_ = -(_e4678);
-                                        } else {
-                                            phi_7841_ = _e4678;
-                                        }
-                                        let _e4770 = phi_7841_;
-                                        if (_e4681 < 0f) {
-                                            phi_7847_ = -(_e4681);
-                                        } else {
-                                            phi_7847_ = _e4681;
-                                        }
-                                        let _e4774 = phi_7847_;
-                                        if (_e4684 < 0f) {
-                                            phi_7854_ = -(_e4684);
-                                        } else {
-                                            phi_7854_ = _e4684;
-                                        }
-                                        let _e4779 = phi_7854_;
-                                        let _e4780 = ((_e4770 + _e4774) + _e4779);
-                                        let _e4785 = -(_e4766);
-                                        if (_e4745 > _e4785) {
-                                            phi_7865_ = _e4745;
-                                        } else {
-                                            phi_7865_ = _e4785;
-                                        }
-                                        let _e4788 = phi_7865_;
-                                        let _e4793 = (((_e4788 - ((_e4780 * _e4426) * (0.000000059604645f * (17f / 2f)))) - (_e4780 * _e4433)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4672 > _e4793) {
-                                            phi_7875_ = _e4672;
-                                        } else {
-                                            phi_7875_ = _e4793;
-                                        }
-                                        let _e4796 = phi_7875_;
-                                        phi_7879_ = (_e4174 || (_e4796 > 0f));
+                                        let _e4780 = phi_7849_;
+                                        phi_7853_ = (_e4158 || (_e4780 > 0f));
                                     }
-                                    let _e4800 = phi_7879_;
-                                    phi_7881_ = (_e3739 && _e4800);
+                                    let _e4784 = phi_7853_;
+                                    phi_7855_ = (_e3723 && _e4784);
                                 } else {
-                                    phi_7881_ = _e3739;
+                                    phi_7855_ = _e3723;
                                 }
-                                let _e4803 = phi_7881_;
-                                phi_7883_ = (_e2588 || _e4803);
+                                let _e4787 = phi_7855_;
+                                phi_7857_ = (_e2572 || _e4787);
                             }
-                            let _e4806 = phi_7883_;
-                            if !(_e4806) {
-                                let _e4809 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e993] = ((2147483648u | (_e4809 << bitcast<u32>(12i))) | _e996);
+                            let _e4790 = phi_7857_;
+                            if !(_e4790) {
+                                let _e4793 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e985] = ((2147483648u | (_e4793 << bitcast<u32>(12i))) | _e988);
                             }
                         }
-                        phi_7894_ = true;
+                        phi_7868_ = true;
                     }
-                    let _e4816 = phi_7894_;
-                    phi_7895_ = _e4816;
+                    let _e4800 = phi_7868_;
+                    phi_7869_ = _e4800;
                 } else {
-                    phi_7895_ = false;
+                    phi_7869_ = false;
                 }
-                let _e4818 = phi_7895_;
+                let _e4802 = phi_7869_;
                 continue;
                 continuing {
-                    phi_1862_ = _e985;
-                    break if !(_e4818);
+                    phi_1849_ = _e977;
+                    break if !(_e4802);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4822 = atomicLoad((&counters[5u]));
-                if (_e4822 > 0u) {
-                    let _e4825 = atomicAdd((&output.member[0u]), _e4822);
-                    if ((_e4825 + _e4822) < _e4825) {
-                        let _e4829 = atomicAdd((&output.member[2u]), 1u);
+                let _e4806 = atomicLoad((&counters[5u]));
+                if (_e4806 > 0u) {
+                    let _e4809 = atomicAdd((&output.member[0u]), _e4806);
+                    if ((_e4809 + _e4806) < _e4809) {
+                        let _e4813 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4825);
+                    atomicStore((&counters[6u]), _e4809);
                 }
             }
             workgroupBarrier();
-            let _e4832 = atomicLoad((&counters[6u]));
+            let _e4816 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4835 = atomicLoad((&counters[7u]));
-                if (_e4835 > 0u) {
-                    let _e4838 = atomicAdd((&output.member[1u]), _e4835);
-                    if ((_e4838 + _e4835) < _e4838) {
-                        let _e4842 = atomicAdd((&output.member[3u]), 1u);
+                let _e4819 = atomicLoad((&counters[7u]));
+                if (_e4819 > 0u) {
+                    let _e4822 = atomicAdd((&output.member[1u]), _e4819);
+                    if ((_e4822 + _e4819) < _e4822) {
+                        let _e4826 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7945_ = type_9(0u, 16u);
+            phi_7919_ = type_9(0u, 16u);
             loop {
-                let _e4844 = phi_7945_;
-                if (_e4844.member < _e4844.member_1) {
-                    phi_7946_ = type_9((_e4844.member + 1u), _e4844.member_1);
-                    phi_7969_ = type_9(1u, _e4844.member);
+                let _e4828 = phi_7919_;
+                if (_e4828.member < _e4828.member_1) {
+                    phi_7920_ = type_9((_e4828.member + 1u), _e4828.member_1);
+                    phi_7943_ = type_9(1u, _e4828.member);
                 } else {
-                    phi_7946_ = _e4844;
-                    phi_7969_ = type_9(0u, type_9().member_1);
+                    phi_7920_ = _e4828;
+                    phi_7943_ = type_9(0u, type_9().member_1);
                 }
-                let _e4856 = phi_7946_;
-                let _e4858 = phi_7969_;
-                if (bitcast<i32>(_e4858.member) != 0i) {
-                    let _e4864 = (_e67 + (_e4858.member_1 * 128u));
-                    if (_e4864 >= _e971) {
-                        phi_8066_ = false;
+                let _e4840 = phi_7920_;
+                let _e4842 = phi_7943_;
+                if (bitcast<i32>(_e4842.member) != 0i) {
+                    let _e4848 = (_e67 + (_e4842.member_1 * 128u));
+                    if (_e4848 >= _e963) {
+                        phi_8040_ = false;
                     } else {
-                        let _e4867 = hits[_e4864];
-                        if ((_e4867 & 2147483648u) == 0u) {
-                            phi_7992_ = 4294967295u;
+                        let _e4851 = hits[_e4848];
+                        if ((_e4851 & 2147483648u) == 0u) {
+                            phi_7966_ = 4294967295u;
                         } else {
-                            phi_7992_ = ((_e4867 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7966_ = ((_e4851 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4874 = phi_7992_;
-                        if (_e4874 != 4294967295u) {
-                            let _e4878 = ((_e4867 >> bitcast<u32>(10i)) & 3u);
-                            let _e4885 = firsts[(2u * _e4878)];
-                            let _e4888 = leaves.member[(_e4885 + ((_e4867 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4892 = firsts[((2u * _e4878) + 1u)];
-                            let _e4895 = leaves.member[(_e4892 + (_e4867 & 31u))];
-                            let _e4900 = params.member.member_1.member_3;
-                            let _e4901 = (_e4832 + _e4874);
-                            if (_e4901 < _e4900) {
-                                let _e4903 = (2u * _e4901);
-                                atomicStore((&output.member[(4u + _e4903)]), _e4888.member_1);
-                                atomicStore((&output.member[(_e4903 + 5u)]), _e4895.member_1);
+                        let _e4858 = phi_7966_;
+                        if (_e4858 != 4294967295u) {
+                            let _e4862 = ((_e4851 >> bitcast<u32>(10i)) & 3u);
+                            let _e4869 = firsts[(2u * _e4862)];
+                            let _e4872 = leaves.member[(_e4869 + ((_e4851 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4876 = firsts[((2u * _e4862) + 1u)];
+                            let _e4879 = leaves.member[(_e4876 + (_e4851 & 31u))];
+                            let _e4884 = params.member.member_1.member_3;
+                            let _e4885 = (_e4816 + _e4858);
+                            if (_e4885 < _e4884) {
+                                let _e4887 = (2u * _e4885);
+                                atomicStore((&output.member[(4u + _e4887)]), _e4872.member_1);
+                                atomicStore((&output.member[(_e4887 + 5u)]), _e4879.member_1);
                             }
                         }
-                        phi_8066_ = true;
+                        phi_8040_ = true;
                     }
-                    let _e4909 = phi_8066_;
-                    phi_8067_ = _e4909;
+                    let _e4893 = phi_8040_;
+                    phi_8041_ = _e4893;
                 } else {
-                    phi_8067_ = false;
+                    phi_8041_ = false;
                 }
-                let _e4911 = phi_8067_;
+                let _e4895 = phi_8041_;
                 continue;
                 continuing {
-                    phi_7945_ = _e4856;
-                    break if !(_e4911);
+                    phi_7919_ = _e4840;
+                    break if !(_e4895);
                 }
             }
             workgroupBarrier();

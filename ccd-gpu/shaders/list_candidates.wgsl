@@ -93,158 +93,158 @@ var<storage> input: type_11;
 var<storage, read_write> output: type_35;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2862_: bool;
-    var phi_2863_: bool;
-    var phi_2867_: array<u32, 2>;
+    var phi_2836_: bool;
+    var phi_2837_: bool;
+    var phi_2841_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2863_ = true;
+        phi_2837_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2862_ = (param_1[0] > param[0]);
+            phi_2836_ = (param_1[0] > param[0]);
         } else {
-            phi_2862_ = false;
+            phi_2836_ = false;
         }
-        let _e14 = phi_2862_;
-        phi_2863_ = _e14;
+        let _e14 = phi_2836_;
+        phi_2837_ = _e14;
     }
-    let _e16 = phi_2863_;
+    let _e16 = phi_2837_;
     if _e16 {
-        phi_2867_ = param_1;
+        phi_2841_ = param_1;
     } else {
-        phi_2867_ = param;
+        phi_2841_ = param;
     }
-    let _e18 = phi_2867_;
+    let _e18 = phi_2841_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2838_: bool;
-    var phi_2839_: bool;
-    var phi_2843_: array<u32, 2>;
+    var phi_2812_: bool;
+    var phi_2813_: bool;
+    var phi_2817_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2839_ = true;
+        phi_2813_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2838_ = (param_2[0] > param_3[0]);
+            phi_2812_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2838_ = false;
+            phi_2812_ = false;
         }
-        let _e14 = phi_2838_;
-        phi_2839_ = _e14;
+        let _e14 = phi_2812_;
+        phi_2813_ = _e14;
     }
-    let _e16 = phi_2839_;
+    let _e16 = phi_2813_;
     if _e16 {
-        phi_2843_ = param_3;
+        phi_2817_ = param_3;
     } else {
-        phi_2843_ = param_2;
+        phi_2817_ = param_2;
     }
-    let _e18 = phi_2843_;
+    let _e18 = phi_2817_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2819_: array<u32, 2>;
+    var phi_2788_: bool;
+    var phi_2789_: bool;
+    var phi_2793_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2815_ = true;
+        phi_2789_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2814_ = (param_5[0] > param_4[0]);
+            phi_2788_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2814_ = false;
+            phi_2788_ = false;
         }
-        let _e14 = phi_2814_;
-        phi_2815_ = _e14;
+        let _e14 = phi_2788_;
+        phi_2789_ = _e14;
     }
-    let _e16 = phi_2815_;
+    let _e16 = phi_2789_;
     if _e16 {
-        phi_2819_ = param_5;
+        phi_2793_ = param_5;
     } else {
-        phi_2819_ = param_4;
+        phi_2793_ = param_4;
     }
-    let _e18 = phi_2819_;
+    let _e18 = phi_2793_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2790_: bool;
-    var phi_2791_: bool;
-    var phi_2795_: array<u32, 2>;
+    var phi_2764_: bool;
+    var phi_2765_: bool;
+    var phi_2769_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2791_ = true;
+        phi_2765_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2790_ = (param_6[0] > param_7[0]);
+            phi_2764_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2790_ = false;
+            phi_2764_ = false;
         }
-        let _e14 = phi_2790_;
-        phi_2791_ = _e14;
+        let _e14 = phi_2764_;
+        phi_2765_ = _e14;
     }
-    let _e16 = phi_2791_;
+    let _e16 = phi_2765_;
     if _e16 {
-        phi_2795_ = param_7;
+        phi_2769_ = param_7;
     } else {
-        phi_2795_ = param_6;
+        phi_2769_ = param_6;
     }
-    let _e18 = phi_2795_;
+    let _e18 = phi_2769_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2766_: bool;
-    var phi_2767_: bool;
-    var phi_2771_: array<u32, 2>;
+    var phi_2740_: bool;
+    var phi_2741_: bool;
+    var phi_2745_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2767_ = true;
+        phi_2741_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2766_ = (param_9[0] > param_8[0]);
+            phi_2740_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2766_ = false;
+            phi_2740_ = false;
         }
-        let _e14 = phi_2766_;
-        phi_2767_ = _e14;
+        let _e14 = phi_2740_;
+        phi_2741_ = _e14;
     }
-    let _e16 = phi_2767_;
+    let _e16 = phi_2741_;
     if _e16 {
-        phi_2771_ = param_9;
+        phi_2745_ = param_9;
     } else {
-        phi_2771_ = param_8;
+        phi_2745_ = param_8;
     }
-    let _e18 = phi_2771_;
+    let _e18 = phi_2745_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2742_: bool;
-    var phi_2743_: bool;
-    var phi_2747_: array<u32, 2>;
+    var phi_2716_: bool;
+    var phi_2717_: bool;
+    var phi_2721_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2743_ = true;
+        phi_2717_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2742_ = (param_10[0] > param_11[0]);
+            phi_2716_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2742_ = false;
+            phi_2716_ = false;
         }
-        let _e14 = phi_2742_;
-        phi_2743_ = _e14;
+        let _e14 = phi_2716_;
+        phi_2717_ = _e14;
     }
-    let _e16 = phi_2743_;
+    let _e16 = phi_2717_;
     if _e16 {
-        phi_2747_ = param_11;
+        phi_2721_ = param_11;
     } else {
-        phi_2747_ = param_10;
+        phi_2721_ = param_10;
     }
-    let _e18 = phi_2747_;
+    let _e18 = phi_2721_;
     return _e18;
 }
 
@@ -285,104 +285,90 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_768_: u32;
     var phi_766_: type_9;
     var phi_791_: type_9;
-    var phi_908_: bool;
-    var phi_909_: bool;
-    var phi_910_: bool;
+    var phi_899_: bool;
+    var phi_905_: bool;
+    var phi_873_: bool;
+    var phi_880_: bool;
+    var phi_888_: bool;
+    var phi_907_: bool;
     var phi_911_: bool;
     var phi_912_: bool;
-    var phi_916_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_886_: bool;
-    var phi_917_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_966_: bool;
-    var phi_976_: bool;
-    var phi_977_: bool;
-    var phi_981_: bool;
-    var phi_982_: bool;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1307_: bool;
-    var phi_1308_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
-    var phi_1497_: bool;
-    var phi_1498_: bool;
+    var phi_958_: bool;
+    var phi_965_: bool;
+    var phi_969_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1199_: bool;
+    var phi_1200_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1484_: bool;
+    var phi_1485_: bool;
+    var phi_1578_: bool;
+    var phi_1579_: bool;
+    var phi_1583_: bool;
+    var phi_1584_: bool;
+    var phi_1585_: bool;
+    var phi_1589_: bool;
+    var phi_1590_: bool;
     var phi_1591_: bool;
     var phi_1592_: bool;
-    var phi_1596_: bool;
+    var phi_1593_: bool;
     var phi_1597_: bool;
-    var phi_1598_: bool;
-    var phi_1602_: bool;
-    var phi_1603_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1606_: bool;
-    var phi_1610_: bool;
-    var phi_1629_: type_9;
-    var phi_1634_: type_9;
-    var phi_1672_: u32;
-    var phi_1673_: bool;
+    var phi_1616_: type_9;
+    var phi_1621_: type_9;
+    var phi_1659_: u32;
+    var phi_1660_: bool;
     var phi_769_: u32;
-    var phi_1674_: bool;
-    var phi_1681_: u32;
-    var phi_1684_: type_9;
-    var phi_1685_: type_9;
-    var phi_1708_: type_9;
-    var phi_1833_: bool;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1836_: bool;
-    var phi_1837_: bool;
-    var phi_1841_: bool;
-    var phi_1805_: bool;
-    var phi_1806_: bool;
-    var phi_1807_: bool;
+    var phi_1661_: bool;
+    var phi_1668_: u32;
+    var phi_1671_: type_9;
+    var phi_1672_: type_9;
+    var phi_1695_: type_9;
     var phi_1811_: bool;
-    var phi_1842_: bool;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1891_: bool;
-    var phi_1901_: bool;
-    var phi_1902_: bool;
-    var phi_1906_: bool;
-    var phi_1907_: bool;
-    var phi_2043_: bool;
-    var phi_2044_: bool;
-    var phi_2137_: bool;
-    var phi_2138_: bool;
-    var phi_2232_: bool;
-    var phi_2233_: bool;
-    var phi_2326_: bool;
-    var phi_2327_: bool;
-    var phi_2422_: bool;
-    var phi_2423_: bool;
-    var phi_2516_: bool;
-    var phi_2517_: bool;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2523_: bool;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2531_: bool;
-    var phi_2535_: bool;
-    var phi_2550_: bool;
-    var phi_2551_: bool;
-    var phi_2601_: type_9;
-    var phi_2602_: type_9;
-    var phi_2625_: type_9;
-    var phi_2648_: u32;
-    var phi_2703_: type_9;
-    var phi_2708_: type_9;
-    var phi_2722_: bool;
-    var phi_2723_: bool;
+    var phi_1817_: bool;
+    var phi_1785_: bool;
+    var phi_1792_: bool;
+    var phi_1800_: bool;
+    var phi_1819_: bool;
+    var phi_1823_: bool;
+    var phi_1824_: bool;
+    var phi_1870_: bool;
+    var phi_1877_: bool;
+    var phi_1881_: bool;
+    var phi_2017_: bool;
+    var phi_2018_: bool;
+    var phi_2111_: bool;
+    var phi_2112_: bool;
+    var phi_2206_: bool;
+    var phi_2207_: bool;
+    var phi_2300_: bool;
+    var phi_2301_: bool;
+    var phi_2396_: bool;
+    var phi_2397_: bool;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
+    var phi_2495_: bool;
+    var phi_2496_: bool;
+    var phi_2497_: bool;
+    var phi_2501_: bool;
+    var phi_2502_: bool;
+    var phi_2503_: bool;
+    var phi_2504_: bool;
+    var phi_2505_: bool;
+    var phi_2509_: bool;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var phi_2575_: type_9;
+    var phi_2576_: type_9;
+    var phi_2599_: type_9;
+    var phi_2622_: u32;
+    var phi_2677_: type_9;
+    var phi_2682_: type_9;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -670,8 +656,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
             }
             phi_765_ = type_9(0u, 32u);
-            let _e1681 = local;
-            phi_768_ = _e1681;
+            let _e1635 = local;
+            phi_768_ = _e1635;
             loop {
                 let _e474 = phi_765_;
                 let _e476 = phi_768_;
@@ -686,8 +672,8 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 let _e490 = phi_791_;
                 if (bitcast<i32>(_e490.member) != 0i) {
                     if (_e476 == 0u) {
-                        phi_1672_ = u32();
-                        phi_1673_ = false;
+                        phi_1659_ = u32();
+                        phi_1660_ = false;
                     } else {
                         let _e501 = names[((_e71 * 32u) + select(firstTrailingBit(_e476), 32u, (_e476 == 0u)))];
                         let _e504 = (_e204 + _e72);
@@ -699,761 +685,691 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         let _e516 = params.member.member.member_1;
                         if ((_e516 & 1u) != 0u) {
                             if (_e75 == 0u) {
-                                if (_e507.member[0] == _e509.member[0]) {
-                                    phi_881_ = bool();
-                                    phi_882_ = true;
+                                if (_e509.member[0] == _e507.member[0]) {
+                                    phi_873_ = true;
                                 } else {
-                                    let _e561 = (_e507.member[0] == _e509.member[1]);
-                                    if _e561 {
-                                        phi_880_ = bool();
-                                    } else {
-                                        phi_880_ = (_e507.member[0] == _e509.member[2]);
-                                    }
-                                    let _e568 = phi_880_;
-                                    phi_881_ = _e568;
-                                    phi_882_ = _e561;
+                                    phi_873_ = (_e509.member[0] == _e507.member[0]);
                                 }
-                                let _e570 = phi_881_;
-                                let _e572 = phi_882_;
-                                if _e572 {
-                                    phi_886_ = true;
+                                let _e544 = phi_873_;
+                                if (_e509.member[1] == _e507.member[0]) {
+                                    phi_880_ = true;
                                 } else {
-                                    phi_886_ = _e570;
+                                    phi_880_ = (_e509.member[1] == _e507.member[0]);
                                 }
-                                let _e574 = phi_886_;
-                                phi_917_ = _e574;
+                                let _e549 = phi_880_;
+                                if (_e509.member[2] == _e507.member[0]) {
+                                    phi_888_ = true;
+                                } else {
+                                    phi_888_ = (_e509.member[2] == _e507.member[0]);
+                                }
+                                let _e555 = phi_888_;
+                                phi_907_ = ((_e544 || _e549) || _e555);
                             } else {
-                                if (_e507.member[0] == _e509.member[0]) {
-                                    phi_911_ = bool();
-                                    phi_912_ = true;
+                                if (_e509.member[0] == _e507.member[0]) {
+                                    phi_899_ = true;
                                 } else {
-                                    if (_e507.member[0] == _e509.member[1]) {
-                                        phi_909_ = bool();
-                                        phi_910_ = true;
-                                    } else {
-                                        let _e534 = (_e507.member[1] == _e509.member[0]);
-                                        if _e534 {
-                                            phi_908_ = bool();
-                                        } else {
-                                            phi_908_ = (_e507.member[1] == _e509.member[1]);
-                                        }
-                                        let _e541 = phi_908_;
-                                        phi_909_ = _e541;
-                                        phi_910_ = _e534;
-                                    }
-                                    let _e543 = phi_909_;
-                                    let _e545 = phi_910_;
-                                    phi_911_ = _e543;
-                                    phi_912_ = _e545;
+                                    phi_899_ = (_e509.member[0] == _e507.member[1]);
                                 }
-                                let _e547 = phi_911_;
-                                let _e549 = phi_912_;
-                                if _e549 {
-                                    phi_916_ = true;
+                                let _e531 = phi_899_;
+                                if (_e509.member[1] == _e507.member[0]) {
+                                    phi_905_ = true;
                                 } else {
-                                    phi_916_ = _e547;
+                                    phi_905_ = (_e509.member[1] == _e507.member[1]);
                                 }
-                                let _e551 = phi_916_;
-                                phi_917_ = _e551;
+                                let _e535 = phi_905_;
+                                phi_907_ = (_e531 || _e535);
                             }
-                            let _e576 = phi_917_;
-                            if _e576 {
-                                phi_921_ = false;
+                            let _e558 = phi_907_;
+                            if _e558 {
+                                phi_911_ = false;
                             } else {
-                                phi_921_ = true;
+                                phi_911_ = true;
                             }
-                            let _e578 = phi_921_;
-                            phi_922_ = _e578;
+                            let _e560 = phi_911_;
+                            phi_912_ = _e560;
                         } else {
-                            phi_922_ = true;
+                            phi_912_ = true;
                         }
-                        let _e580 = phi_922_;
-                        if _e580 {
-                            let _e582 = params.member.member.member_1;
-                            if ((_e582 & 2u) != 0u) {
-                                let _e588 = bodies.member[_e507.member[0]];
-                                let _e592 = bodies.member[_e509.member[0]];
-                                if ((_e588 / 2u) == (_e592 / 2u)) {
-                                    let _e597 = params.member.member.member_1;
-                                    phi_966_ = !(((_e597 & 4u) != 0u));
+                        let _e562 = phi_912_;
+                        if _e562 {
+                            let _e564 = params.member.member.member_1;
+                            if ((_e564 & 2u) != 0u) {
+                                let _e568 = params.member.member.member_1;
+                                let _e574 = bodies.member[_e507.member[0]];
+                                let _e578 = bodies.member[_e509.member[0]];
+                                if ((_e574 / 2u) != (_e578 / 2u)) {
+                                    phi_958_ = true;
                                 } else {
-                                    phi_966_ = false;
+                                    phi_958_ = ((_e568 & 4u) != 0u);
                                 }
-                                let _e602 = phi_966_;
-                                if _e602 {
-                                    phi_977_ = true;
+                                let _e583 = phi_958_;
+                                if _e583 {
+                                    phi_965_ = (((_e574 & _e578) & 1u) == 0u);
                                 } else {
-                                    if (((_e588 & _e592) & 1u) == 0u) {
-                                        phi_976_ = false;
-                                    } else {
-                                        phi_976_ = true;
-                                    }
-                                    let _e607 = phi_976_;
-                                    phi_977_ = _e607;
+                                    phi_965_ = false;
                                 }
-                                let _e609 = phi_977_;
-                                if _e609 {
-                                    phi_981_ = false;
-                                } else {
-                                    phi_981_ = true;
-                                }
-                                let _e611 = phi_981_;
-                                phi_982_ = _e611;
+                                let _e588 = phi_965_;
+                                phi_969_ = _e588;
                             } else {
-                                phi_982_ = true;
+                                phi_969_ = true;
                             }
-                            let _e613 = phi_982_;
-                            if _e613 {
-                                let _e615 = params.member.member.member_1;
-                                if ((_e615 & 32u) != 0u) {
-                                    let _e619 = params.member.member.member_6;
-                                    let _e660 = (((((((_e511.member_1[0] - _e513.member[0]) > _e619) && ((_e513.member_1[0] - _e511.member[0]) > _e619)) && ((_e511.member_1[1] - _e513.member[1]) > _e619)) && ((_e513.member_1[1] - _e511.member[1]) > _e619)) && ((_e511.member_1[2] - _e513.member[2]) > _e619)) && ((_e513.member_1[2] - _e511.member[2]) > _e619));
-                                    if _e660 {
-                                        phi_1596_ = bool();
+                            let _e590 = phi_969_;
+                            if _e590 {
+                                let _e592 = params.member.member.member_1;
+                                if ((_e592 & 32u) != 0u) {
+                                    let _e596 = params.member.member.member_6;
+                                    let _e637 = (((((_e511.member_1[0] - _e513.member[0]) > _e596) && ((_e513.member_1[0] - _e511.member[0]) > _e596)) && (((_e511.member_1[1] - _e513.member[1]) > _e596) && ((_e513.member_1[1] - _e511.member[1]) > _e596))) && (((_e511.member_1[2] - _e513.member[2]) > _e596) && ((_e513.member_1[2] - _e511.member[2]) > _e596)));
+                                    if _e637 {
+                                        phi_1583_ = bool();
                                     } else {
-                                        let _e664 = keys.member[_e507.member[0]];
-                                        let _e669 = keys.member[_e507.member[1]];
-                                        let _e671 = function_5(_e664[0], _e669[0]);
-                                        let _e675 = keys.member[_e507.member[2]];
-                                        let _e677 = function_5(_e671, _e675[0]);
-                                        let _e681 = keys.member[_e509.member[0]];
-                                        let _e686 = keys.member[_e509.member[1]];
-                                        let _e688 = function_4(_e681[3], _e686[3]);
-                                        let _e692 = keys.member[_e509.member[2]];
-                                        let _e694 = function_4(_e688, _e692[3]);
-                                        if (_e677[1] > _e694[1]) {
-                                            phi_1119_ = true;
+                                        let _e641 = keys.member[_e507.member[0]];
+                                        let _e646 = keys.member[_e507.member[1]];
+                                        let _e648 = function_5(_e641[0], _e646[0]);
+                                        let _e652 = keys.member[_e507.member[2]];
+                                        let _e654 = function_5(_e648, _e652[0]);
+                                        let _e658 = keys.member[_e509.member[0]];
+                                        let _e663 = keys.member[_e509.member[1]];
+                                        let _e665 = function_4(_e658[3], _e663[3]);
+                                        let _e669 = keys.member[_e509.member[2]];
+                                        let _e671 = function_4(_e665, _e669[3]);
+                                        if (_e654[1] > _e671[1]) {
+                                            phi_1106_ = true;
                                         } else {
-                                            if (_e677[1] == _e694[1]) {
-                                                phi_1118_ = (_e677[0] > _e694[0]);
+                                            if (_e654[1] == _e671[1]) {
+                                                phi_1105_ = (_e654[0] > _e671[0]);
                                             } else {
-                                                phi_1118_ = false;
+                                                phi_1105_ = false;
                                             }
-                                            let _e705 = phi_1118_;
-                                            phi_1119_ = _e705;
+                                            let _e682 = phi_1105_;
+                                            phi_1106_ = _e682;
                                         }
-                                        let _e707 = phi_1119_;
-                                        let _e712 = keys.member[_e509.member[0]];
-                                        let _e717 = keys.member[_e509.member[1]];
-                                        let _e719 = function_5(_e712[0], _e717[0]);
-                                        let _e723 = keys.member[_e509.member[2]];
-                                        let _e725 = function_5(_e719, _e723[0]);
-                                        let _e729 = keys.member[_e507.member[0]];
-                                        let _e734 = keys.member[_e507.member[1]];
-                                        let _e736 = function_4(_e729[3], _e734[3]);
-                                        let _e740 = keys.member[_e507.member[2]];
-                                        let _e742 = function_4(_e736, _e740[3]);
-                                        if (_e725[1] > _e742[1]) {
-                                            phi_1213_ = true;
+                                        let _e684 = phi_1106_;
+                                        let _e689 = keys.member[_e509.member[0]];
+                                        let _e694 = keys.member[_e509.member[1]];
+                                        let _e696 = function_5(_e689[0], _e694[0]);
+                                        let _e700 = keys.member[_e509.member[2]];
+                                        let _e702 = function_5(_e696, _e700[0]);
+                                        let _e706 = keys.member[_e507.member[0]];
+                                        let _e711 = keys.member[_e507.member[1]];
+                                        let _e713 = function_4(_e706[3], _e711[3]);
+                                        let _e717 = keys.member[_e507.member[2]];
+                                        let _e719 = function_4(_e713, _e717[3]);
+                                        if (_e702[1] > _e719[1]) {
+                                            phi_1200_ = true;
                                         } else {
-                                            if (_e725[1] == _e742[1]) {
-                                                phi_1212_ = (_e725[0] > _e742[0]);
+                                            if (_e702[1] == _e719[1]) {
+                                                phi_1199_ = (_e702[0] > _e719[0]);
                                             } else {
-                                                phi_1212_ = false;
+                                                phi_1199_ = false;
                                             }
-                                            let _e753 = phi_1212_;
-                                            phi_1213_ = _e753;
+                                            let _e730 = phi_1199_;
+                                            phi_1200_ = _e730;
                                         }
-                                        let _e755 = phi_1213_;
-                                        let _e761 = keys.member[_e507.member[0]];
-                                        let _e766 = keys.member[_e507.member[1]];
-                                        let _e768 = function_3(_e761[1], _e766[1]);
-                                        let _e772 = keys.member[_e507.member[2]];
-                                        let _e774 = function_3(_e768, _e772[1]);
-                                        let _e778 = keys.member[_e509.member[0]];
-                                        let _e783 = keys.member[_e509.member[1]];
-                                        let _e785 = function_2(_e778[4], _e783[4]);
-                                        let _e789 = keys.member[_e509.member[2]];
-                                        let _e791 = function_2(_e785, _e789[4]);
-                                        if (_e774[1] > _e791[1]) {
-                                            phi_1308_ = true;
+                                        let _e732 = phi_1200_;
+                                        let _e738 = keys.member[_e507.member[0]];
+                                        let _e743 = keys.member[_e507.member[1]];
+                                        let _e745 = function_3(_e738[1], _e743[1]);
+                                        let _e749 = keys.member[_e507.member[2]];
+                                        let _e751 = function_3(_e745, _e749[1]);
+                                        let _e755 = keys.member[_e509.member[0]];
+                                        let _e760 = keys.member[_e509.member[1]];
+                                        let _e762 = function_2(_e755[4], _e760[4]);
+                                        let _e766 = keys.member[_e509.member[2]];
+                                        let _e768 = function_2(_e762, _e766[4]);
+                                        if (_e751[1] > _e768[1]) {
+                                            phi_1295_ = true;
                                         } else {
-                                            if (_e774[1] == _e791[1]) {
-                                                phi_1307_ = (_e774[0] > _e791[0]);
+                                            if (_e751[1] == _e768[1]) {
+                                                phi_1294_ = (_e751[0] > _e768[0]);
                                             } else {
-                                                phi_1307_ = false;
+                                                phi_1294_ = false;
                                             }
-                                            let _e802 = phi_1307_;
-                                            phi_1308_ = _e802;
+                                            let _e779 = phi_1294_;
+                                            phi_1295_ = _e779;
                                         }
-                                        let _e804 = phi_1308_;
-                                        let _e809 = keys.member[_e509.member[0]];
-                                        let _e814 = keys.member[_e509.member[1]];
-                                        let _e816 = function_3(_e809[1], _e814[1]);
-                                        let _e820 = keys.member[_e509.member[2]];
-                                        let _e822 = function_3(_e816, _e820[1]);
-                                        let _e826 = keys.member[_e507.member[0]];
-                                        let _e831 = keys.member[_e507.member[1]];
-                                        let _e833 = function_2(_e826[4], _e831[4]);
-                                        let _e837 = keys.member[_e507.member[2]];
-                                        let _e839 = function_2(_e833, _e837[4]);
-                                        if (_e822[1] > _e839[1]) {
-                                            phi_1402_ = true;
+                                        let _e781 = phi_1295_;
+                                        let _e786 = keys.member[_e509.member[0]];
+                                        let _e791 = keys.member[_e509.member[1]];
+                                        let _e793 = function_3(_e786[1], _e791[1]);
+                                        let _e797 = keys.member[_e509.member[2]];
+                                        let _e799 = function_3(_e793, _e797[1]);
+                                        let _e803 = keys.member[_e507.member[0]];
+                                        let _e808 = keys.member[_e507.member[1]];
+                                        let _e810 = function_2(_e803[4], _e808[4]);
+                                        let _e814 = keys.member[_e507.member[2]];
+                                        let _e816 = function_2(_e810, _e814[4]);
+                                        if (_e799[1] > _e816[1]) {
+                                            phi_1389_ = true;
                                         } else {
-                                            if (_e822[1] == _e839[1]) {
-                                                phi_1401_ = (_e822[0] > _e839[0]);
+                                            if (_e799[1] == _e816[1]) {
+                                                phi_1388_ = (_e799[0] > _e816[0]);
                                             } else {
-                                                phi_1401_ = false;
+                                                phi_1388_ = false;
                                             }
-                                            let _e850 = phi_1401_;
-                                            phi_1402_ = _e850;
+                                            let _e827 = phi_1388_;
+                                            phi_1389_ = _e827;
                                         }
-                                        let _e852 = phi_1402_;
-                                        let _e859 = keys.member[_e507.member[0]];
-                                        let _e864 = keys.member[_e507.member[1]];
-                                        let _e866 = function_1(_e859[2], _e864[2]);
-                                        let _e870 = keys.member[_e507.member[2]];
-                                        let _e872 = function_1(_e866, _e870[2]);
-                                        let _e876 = keys.member[_e509.member[0]];
-                                        let _e881 = keys.member[_e509.member[1]];
-                                        let _e883 = function_(_e876[5], _e881[5]);
-                                        let _e887 = keys.member[_e509.member[2]];
-                                        let _e889 = function_(_e883, _e887[5]);
-                                        if (_e872[1] > _e889[1]) {
-                                            phi_1498_ = true;
+                                        let _e829 = phi_1389_;
+                                        let _e836 = keys.member[_e507.member[0]];
+                                        let _e841 = keys.member[_e507.member[1]];
+                                        let _e843 = function_1(_e836[2], _e841[2]);
+                                        let _e847 = keys.member[_e507.member[2]];
+                                        let _e849 = function_1(_e843, _e847[2]);
+                                        let _e853 = keys.member[_e509.member[0]];
+                                        let _e858 = keys.member[_e509.member[1]];
+                                        let _e860 = function_(_e853[5], _e858[5]);
+                                        let _e864 = keys.member[_e509.member[2]];
+                                        let _e866 = function_(_e860, _e864[5]);
+                                        if (_e849[1] > _e866[1]) {
+                                            phi_1485_ = true;
                                         } else {
-                                            if (_e872[1] == _e889[1]) {
-                                                phi_1497_ = (_e872[0] > _e889[0]);
+                                            if (_e849[1] == _e866[1]) {
+                                                phi_1484_ = (_e849[0] > _e866[0]);
                                             } else {
-                                                phi_1497_ = false;
+                                                phi_1484_ = false;
                                             }
-                                            let _e900 = phi_1497_;
-                                            phi_1498_ = _e900;
+                                            let _e877 = phi_1484_;
+                                            phi_1485_ = _e877;
                                         }
-                                        let _e902 = phi_1498_;
-                                        let _e907 = keys.member[_e509.member[0]];
-                                        let _e912 = keys.member[_e509.member[1]];
-                                        let _e914 = function_1(_e907[2], _e912[2]);
-                                        let _e918 = keys.member[_e509.member[2]];
-                                        let _e920 = function_1(_e914, _e918[2]);
-                                        let _e924 = keys.member[_e507.member[0]];
-                                        let _e929 = keys.member[_e507.member[1]];
-                                        let _e931 = function_(_e924[5], _e929[5]);
-                                        let _e935 = keys.member[_e507.member[2]];
-                                        let _e937 = function_(_e931, _e935[5]);
-                                        if (_e920[1] > _e937[1]) {
-                                            phi_1592_ = true;
+                                        let _e879 = phi_1485_;
+                                        let _e884 = keys.member[_e509.member[0]];
+                                        let _e889 = keys.member[_e509.member[1]];
+                                        let _e891 = function_1(_e884[2], _e889[2]);
+                                        let _e895 = keys.member[_e509.member[2]];
+                                        let _e897 = function_1(_e891, _e895[2]);
+                                        let _e901 = keys.member[_e507.member[0]];
+                                        let _e906 = keys.member[_e507.member[1]];
+                                        let _e908 = function_(_e901[5], _e906[5]);
+                                        let _e912 = keys.member[_e507.member[2]];
+                                        let _e914 = function_(_e908, _e912[5]);
+                                        if (_e897[1] > _e914[1]) {
+                                            phi_1579_ = true;
                                         } else {
-                                            if (_e920[1] == _e937[1]) {
-                                                phi_1591_ = (_e920[0] > _e937[0]);
+                                            if (_e897[1] == _e914[1]) {
+                                                phi_1578_ = (_e897[0] > _e914[0]);
                                             } else {
-                                                phi_1591_ = false;
+                                                phi_1578_ = false;
                                             }
-                                            let _e948 = phi_1591_;
-                                            phi_1592_ = _e948;
+                                            let _e925 = phi_1578_;
+                                            phi_1579_ = _e925;
                                         }
-                                        let _e950 = phi_1592_;
-                                        phi_1596_ = (((!(_e707) && !(_e755)) && (!(_e804) && !(_e852))) && (!(_e902) && !(_e950)));
+                                        let _e927 = phi_1579_;
+                                        phi_1583_ = (((!(_e684) && !(_e732)) && (!(_e781) && !(_e829))) && (!(_e879) && !(_e927)));
                                     }
-                                    let _e955 = phi_1596_;
-                                    phi_1597_ = _e955;
-                                    phi_1598_ = _e660;
+                                    let _e932 = phi_1583_;
+                                    phi_1584_ = _e932;
+                                    phi_1585_ = _e637;
                                 } else {
-                                    phi_1597_ = bool();
-                                    phi_1598_ = true;
+                                    phi_1584_ = bool();
+                                    phi_1585_ = true;
                                 }
-                                let _e957 = phi_1597_;
-                                let _e959 = phi_1598_;
-                                if _e959 {
-                                    phi_1602_ = false;
+                                let _e934 = phi_1584_;
+                                let _e936 = phi_1585_;
+                                if _e936 {
+                                    phi_1589_ = false;
                                 } else {
-                                    phi_1602_ = true;
+                                    phi_1589_ = true;
                                 }
-                                let _e961 = phi_1602_;
-                                phi_1603_ = _e957;
-                                phi_1604_ = _e961;
+                                let _e938 = phi_1589_;
+                                phi_1590_ = _e934;
+                                phi_1591_ = _e938;
                             } else {
-                                phi_1603_ = false;
-                                phi_1604_ = true;
+                                phi_1590_ = false;
+                                phi_1591_ = true;
                             }
-                            let _e963 = phi_1603_;
-                            let _e965 = phi_1604_;
-                            phi_1605_ = _e963;
-                            phi_1606_ = _e965;
+                            let _e940 = phi_1590_;
+                            let _e942 = phi_1591_;
+                            phi_1592_ = _e940;
+                            phi_1593_ = _e942;
                         } else {
-                            phi_1605_ = false;
-                            phi_1606_ = true;
+                            phi_1592_ = false;
+                            phi_1593_ = true;
                         }
-                        let _e967 = phi_1605_;
-                        let _e969 = phi_1606_;
-                        if _e969 {
-                            phi_1610_ = _e967;
+                        let _e944 = phi_1592_;
+                        let _e946 = phi_1593_;
+                        if _e946 {
+                            phi_1597_ = _e944;
                         } else {
-                            phi_1610_ = true;
+                            phi_1597_ = true;
                         }
-                        let _e971 = phi_1610_;
-                        if _e971 {
-                            let _e974 = params.member.member_1.member_3;
+                        let _e948 = phi_1597_;
+                        if _e948 {
+                            let _e951 = params.member.member_1.member_3;
                             if (_e78[0] == _e78[1]) {
                                 if (_e507.member_1 < _e509.member_1) {
-                                    phi_1629_ = type_9(_e507.member_1, _e509.member_1);
+                                    phi_1616_ = type_9(_e507.member_1, _e509.member_1);
                                 } else {
-                                    phi_1629_ = type_9(_e509.member_1, _e507.member_1);
+                                    phi_1616_ = type_9(_e509.member_1, _e507.member_1);
                                 }
-                                let _e983 = phi_1629_;
-                                phi_1634_ = _e983;
+                                let _e960 = phi_1616_;
+                                phi_1621_ = _e960;
                             } else {
-                                phi_1634_ = type_9(_e507.member_1, _e509.member_1);
+                                phi_1621_ = type_9(_e507.member_1, _e509.member_1);
                             }
-                            let _e985 = phi_1634_;
-                            let _e989 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e989 + 1u) < _e989) {
-                                let _e993 = atomicAdd((&output.member[2u]), 1u);
+                            let _e962 = phi_1621_;
+                            let _e966 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e966 + 1u) < _e966) {
+                                let _e970 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e989 < _e974) {
-                                let _e995 = (2u * _e989);
-                                atomicStore((&output.member[(4u + _e995)]), _e985.member);
-                                atomicStore((&output.member[(_e995 + 5u)]), _e985.member_1);
+                            if (_e966 < _e951) {
+                                let _e972 = (2u * _e966);
+                                atomicStore((&output.member[(4u + _e972)]), _e962.member);
+                                atomicStore((&output.member[(_e972 + 5u)]), _e962.member_1);
                             }
-                            let _e1001 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e1001 + 1u) < _e1001) {
-                                let _e1005 = atomicAdd((&output.member[3u]), 1u);
+                            let _e978 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e978 + 1u) < _e978) {
+                                let _e982 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1672_ = (_e476 & (_e476 - 1u));
-                        phi_1673_ = true;
+                        phi_1659_ = (_e476 & (_e476 - 1u));
+                        phi_1660_ = true;
                     }
-                    let _e1007 = phi_1672_;
-                    let _e1009 = phi_1673_;
-                    phi_769_ = _e1007;
-                    phi_1674_ = _e1009;
+                    let _e984 = phi_1659_;
+                    let _e986 = phi_1660_;
+                    phi_769_ = _e984;
+                    phi_1661_ = _e986;
                 } else {
                     phi_769_ = u32();
-                    phi_1674_ = false;
+                    phi_1661_ = false;
                 }
-                let _e1011 = phi_769_;
-                let _e1013 = phi_1674_;
+                let _e988 = phi_769_;
+                let _e990 = phi_1661_;
                 continue;
                 continuing {
                     phi_765_ = _e488;
-                    phi_768_ = _e1011;
-                    break if !(_e1013);
+                    phi_768_ = _e988;
+                    break if !(_e990);
                 }
             }
             workgroupBarrier();
-            let _e1016 = atomicLoad((&counters[4u]));
-            if (2048u < _e1016) {
-                phi_1681_ = 2048u;
+            let _e993 = atomicLoad((&counters[4u]));
+            if (2048u < _e993) {
+                phi_1668_ = 2048u;
             } else {
-                phi_1681_ = _e1016;
+                phi_1668_ = _e993;
             }
-            let _e1019 = phi_1681_;
-            phi_1684_ = type_9(0u, 16u);
+            let _e996 = phi_1668_;
+            phi_1671_ = type_9(0u, 16u);
             loop {
-                let _e1021 = phi_1684_;
-                if (_e1021.member < _e1021.member_1) {
-                    phi_1685_ = type_9((_e1021.member + 1u), _e1021.member_1);
-                    phi_1708_ = type_9(1u, _e1021.member);
+                let _e998 = phi_1671_;
+                if (_e998.member < _e998.member_1) {
+                    phi_1672_ = type_9((_e998.member + 1u), _e998.member_1);
+                    phi_1695_ = type_9(1u, _e998.member);
                 } else {
-                    phi_1685_ = _e1021;
-                    phi_1708_ = type_9(0u, type_9().member_1);
+                    phi_1672_ = _e998;
+                    phi_1695_ = type_9(0u, type_9().member_1);
                 }
-                let _e1033 = phi_1685_;
-                let _e1035 = phi_1708_;
-                if (bitcast<i32>(_e1035.member) != 0i) {
-                    let _e1041 = (_e47 + (_e1035.member_1 * 128u));
-                    if (_e1041 >= _e1019) {
-                        phi_2550_ = false;
+                let _e1010 = phi_1672_;
+                let _e1012 = phi_1695_;
+                if (bitcast<i32>(_e1012.member) != 0i) {
+                    let _e1018 = (_e47 + (_e1012.member_1 * 128u));
+                    if (_e1018 >= _e996) {
+                        phi_2524_ = false;
                     } else {
-                        let _e1044 = hits[_e1041];
-                        let _e1047 = ((_e1044 >> bitcast<u32>(10i)) & 3u);
-                        let _e1054 = firsts[(2u * _e1047)];
-                        let _e1055 = (_e1054 + ((_e1044 >> bitcast<u32>(5i)) & 31u));
-                        let _e1059 = firsts[((2u * _e1047) + 1u)];
-                        let _e1060 = (_e1059 + (_e1044 & 31u));
-                        let _e1062 = leaves.member[_e1055];
-                        let _e1064 = leaves.member[_e1060];
-                        let _e1066 = nodes.member[_e1055];
-                        let _e1068 = nodes.member[_e1060];
-                        let _e1071 = params.member.member.member_1;
-                        if ((_e1071 & 1u) != 0u) {
+                        let _e1021 = hits[_e1018];
+                        let _e1024 = ((_e1021 >> bitcast<u32>(10i)) & 3u);
+                        let _e1031 = firsts[(2u * _e1024)];
+                        let _e1032 = (_e1031 + ((_e1021 >> bitcast<u32>(5i)) & 31u));
+                        let _e1036 = firsts[((2u * _e1024) + 1u)];
+                        let _e1037 = (_e1036 + (_e1021 & 31u));
+                        let _e1039 = leaves.member[_e1032];
+                        let _e1041 = leaves.member[_e1037];
+                        let _e1043 = nodes.member[_e1032];
+                        let _e1045 = nodes.member[_e1037];
+                        let _e1048 = params.member.member.member_1;
+                        if ((_e1048 & 1u) != 0u) {
                             if (_e75 == 0u) {
-                                if (_e1062.member[0] == _e1064.member[0]) {
-                                    phi_1806_ = bool();
-                                    phi_1807_ = true;
+                                if (_e1041.member[0] == _e1039.member[0]) {
+                                    phi_1785_ = true;
                                 } else {
-                                    let _e1116 = (_e1062.member[0] == _e1064.member[1]);
-                                    if _e1116 {
-                                        phi_1805_ = bool();
-                                    } else {
-                                        phi_1805_ = (_e1062.member[0] == _e1064.member[2]);
-                                    }
-                                    let _e1123 = phi_1805_;
-                                    phi_1806_ = _e1123;
-                                    phi_1807_ = _e1116;
+                                    phi_1785_ = (_e1041.member[0] == _e1039.member[0]);
                                 }
-                                let _e1125 = phi_1806_;
-                                let _e1127 = phi_1807_;
-                                if _e1127 {
+                                let _e1076 = phi_1785_;
+                                if (_e1041.member[1] == _e1039.member[0]) {
+                                    phi_1792_ = true;
+                                } else {
+                                    phi_1792_ = (_e1041.member[1] == _e1039.member[0]);
+                                }
+                                let _e1081 = phi_1792_;
+                                if (_e1041.member[2] == _e1039.member[0]) {
+                                    phi_1800_ = true;
+                                } else {
+                                    phi_1800_ = (_e1041.member[2] == _e1039.member[0]);
+                                }
+                                let _e1087 = phi_1800_;
+                                phi_1819_ = ((_e1076 || _e1081) || _e1087);
+                            } else {
+                                if (_e1041.member[0] == _e1039.member[0]) {
                                     phi_1811_ = true;
                                 } else {
-                                    phi_1811_ = _e1125;
+                                    phi_1811_ = (_e1041.member[0] == _e1039.member[1]);
                                 }
-                                let _e1129 = phi_1811_;
-                                phi_1842_ = _e1129;
-                            } else {
-                                if (_e1062.member[0] == _e1064.member[0]) {
-                                    phi_1836_ = bool();
-                                    phi_1837_ = true;
+                                let _e1063 = phi_1811_;
+                                if (_e1041.member[1] == _e1039.member[0]) {
+                                    phi_1817_ = true;
                                 } else {
-                                    if (_e1062.member[0] == _e1064.member[1]) {
-                                        phi_1834_ = bool();
-                                        phi_1835_ = true;
-                                    } else {
-                                        let _e1089 = (_e1062.member[1] == _e1064.member[0]);
-                                        if _e1089 {
-                                            phi_1833_ = bool();
-                                        } else {
-                                            phi_1833_ = (_e1062.member[1] == _e1064.member[1]);
-                                        }
-                                        let _e1096 = phi_1833_;
-                                        phi_1834_ = _e1096;
-                                        phi_1835_ = _e1089;
-                                    }
-                                    let _e1098 = phi_1834_;
-                                    let _e1100 = phi_1835_;
-                                    phi_1836_ = _e1098;
-                                    phi_1837_ = _e1100;
+                                    phi_1817_ = (_e1041.member[1] == _e1039.member[1]);
                                 }
-                                let _e1102 = phi_1836_;
-                                let _e1104 = phi_1837_;
-                                if _e1104 {
-                                    phi_1841_ = true;
-                                } else {
-                                    phi_1841_ = _e1102;
-                                }
-                                let _e1106 = phi_1841_;
-                                phi_1842_ = _e1106;
+                                let _e1067 = phi_1817_;
+                                phi_1819_ = (_e1063 || _e1067);
                             }
-                            let _e1131 = phi_1842_;
-                            if _e1131 {
-                                phi_1846_ = false;
+                            let _e1090 = phi_1819_;
+                            if _e1090 {
+                                phi_1823_ = false;
                             } else {
-                                phi_1846_ = true;
+                                phi_1823_ = true;
                             }
-                            let _e1133 = phi_1846_;
-                            phi_1847_ = _e1133;
+                            let _e1092 = phi_1823_;
+                            phi_1824_ = _e1092;
                         } else {
-                            phi_1847_ = true;
+                            phi_1824_ = true;
                         }
-                        let _e1135 = phi_1847_;
-                        if _e1135 {
-                            let _e1137 = params.member.member.member_1;
-                            if ((_e1137 & 2u) != 0u) {
-                                let _e1143 = bodies.member[_e1062.member[0]];
-                                let _e1147 = bodies.member[_e1064.member[0]];
-                                if ((_e1143 / 2u) == (_e1147 / 2u)) {
-                                    let _e1152 = params.member.member.member_1;
-                                    phi_1891_ = !(((_e1152 & 4u) != 0u));
+                        let _e1094 = phi_1824_;
+                        if _e1094 {
+                            let _e1096 = params.member.member.member_1;
+                            if ((_e1096 & 2u) != 0u) {
+                                let _e1100 = params.member.member.member_1;
+                                let _e1106 = bodies.member[_e1039.member[0]];
+                                let _e1110 = bodies.member[_e1041.member[0]];
+                                if ((_e1106 / 2u) != (_e1110 / 2u)) {
+                                    phi_1870_ = true;
                                 } else {
-                                    phi_1891_ = false;
+                                    phi_1870_ = ((_e1100 & 4u) != 0u);
                                 }
-                                let _e1157 = phi_1891_;
-                                if _e1157 {
-                                    phi_1902_ = true;
+                                let _e1115 = phi_1870_;
+                                if _e1115 {
+                                    phi_1877_ = (((_e1106 & _e1110) & 1u) == 0u);
                                 } else {
-                                    if (((_e1143 & _e1147) & 1u) == 0u) {
-                                        phi_1901_ = false;
-                                    } else {
-                                        phi_1901_ = true;
-                                    }
-                                    let _e1162 = phi_1901_;
-                                    phi_1902_ = _e1162;
+                                    phi_1877_ = false;
                                 }
-                                let _e1164 = phi_1902_;
-                                if _e1164 {
-                                    phi_1906_ = false;
-                                } else {
-                                    phi_1906_ = true;
-                                }
-                                let _e1166 = phi_1906_;
-                                phi_1907_ = _e1166;
+                                let _e1120 = phi_1877_;
+                                phi_1881_ = _e1120;
                             } else {
-                                phi_1907_ = true;
+                                phi_1881_ = true;
                             }
-                            let _e1168 = phi_1907_;
-                            if _e1168 {
-                                let _e1170 = params.member.member.member_1;
-                                if ((_e1170 & 32u) != 0u) {
-                                    let _e1174 = params.member.member.member_6;
-                                    let _e1215 = (((((((_e1066.member_1[0] - _e1068.member[0]) > _e1174) && ((_e1068.member_1[0] - _e1066.member[0]) > _e1174)) && ((_e1066.member_1[1] - _e1068.member[1]) > _e1174)) && ((_e1068.member_1[1] - _e1066.member[1]) > _e1174)) && ((_e1066.member_1[2] - _e1068.member[2]) > _e1174)) && ((_e1068.member_1[2] - _e1066.member[2]) > _e1174));
-                                    if _e1215 {
-                                        phi_2521_ = bool();
+                            let _e1122 = phi_1881_;
+                            if _e1122 {
+                                let _e1124 = params.member.member.member_1;
+                                if ((_e1124 & 32u) != 0u) {
+                                    let _e1128 = params.member.member.member_6;
+                                    let _e1169 = (((((_e1043.member_1[0] - _e1045.member[0]) > _e1128) && ((_e1045.member_1[0] - _e1043.member[0]) > _e1128)) && (((_e1043.member_1[1] - _e1045.member[1]) > _e1128) && ((_e1045.member_1[1] - _e1043.member[1]) > _e1128))) && (((_e1043.member_1[2] - _e1045.member[2]) > _e1128) && ((_e1045.member_1[2] - _e1043.member[2]) > _e1128)));
+                                    if _e1169 {
+                                        phi_2495_ = bool();
                                     } else {
-                                        let _e1219 = keys.member[_e1062.member[0]];
-                                        let _e1224 = keys.member[_e1062.member[1]];
-                                        let _e1226 = function_5(_e1219[0], _e1224[0]);
-                                        let _e1230 = keys.member[_e1062.member[2]];
-                                        let _e1232 = function_5(_e1226, _e1230[0]);
-                                        let _e1236 = keys.member[_e1064.member[0]];
-                                        let _e1241 = keys.member[_e1064.member[1]];
-                                        let _e1243 = function_4(_e1236[3], _e1241[3]);
-                                        let _e1247 = keys.member[_e1064.member[2]];
-                                        let _e1249 = function_4(_e1243, _e1247[3]);
-                                        if (_e1232[1] > _e1249[1]) {
-                                            phi_2044_ = true;
+                                        let _e1173 = keys.member[_e1039.member[0]];
+                                        let _e1178 = keys.member[_e1039.member[1]];
+                                        let _e1180 = function_5(_e1173[0], _e1178[0]);
+                                        let _e1184 = keys.member[_e1039.member[2]];
+                                        let _e1186 = function_5(_e1180, _e1184[0]);
+                                        let _e1190 = keys.member[_e1041.member[0]];
+                                        let _e1195 = keys.member[_e1041.member[1]];
+                                        let _e1197 = function_4(_e1190[3], _e1195[3]);
+                                        let _e1201 = keys.member[_e1041.member[2]];
+                                        let _e1203 = function_4(_e1197, _e1201[3]);
+                                        if (_e1186[1] > _e1203[1]) {
+                                            phi_2018_ = true;
                                         } else {
-                                            if (_e1232[1] == _e1249[1]) {
-                                                phi_2043_ = (_e1232[0] > _e1249[0]);
+                                            if (_e1186[1] == _e1203[1]) {
+                                                phi_2017_ = (_e1186[0] > _e1203[0]);
                                             } else {
-                                                phi_2043_ = false;
+                                                phi_2017_ = false;
                                             }
-                                            let _e1260 = phi_2043_;
-                                            phi_2044_ = _e1260;
+                                            let _e1214 = phi_2017_;
+                                            phi_2018_ = _e1214;
                                         }
-                                        let _e1262 = phi_2044_;
-                                        let _e1267 = keys.member[_e1064.member[0]];
-                                        let _e1272 = keys.member[_e1064.member[1]];
-                                        let _e1274 = function_5(_e1267[0], _e1272[0]);
-                                        let _e1278 = keys.member[_e1064.member[2]];
-                                        let _e1280 = function_5(_e1274, _e1278[0]);
-                                        let _e1284 = keys.member[_e1062.member[0]];
-                                        let _e1289 = keys.member[_e1062.member[1]];
-                                        let _e1291 = function_4(_e1284[3], _e1289[3]);
-                                        let _e1295 = keys.member[_e1062.member[2]];
-                                        let _e1297 = function_4(_e1291, _e1295[3]);
-                                        if (_e1280[1] > _e1297[1]) {
-                                            phi_2138_ = true;
+                                        let _e1216 = phi_2018_;
+                                        let _e1221 = keys.member[_e1041.member[0]];
+                                        let _e1226 = keys.member[_e1041.member[1]];
+                                        let _e1228 = function_5(_e1221[0], _e1226[0]);
+                                        let _e1232 = keys.member[_e1041.member[2]];
+                                        let _e1234 = function_5(_e1228, _e1232[0]);
+                                        let _e1238 = keys.member[_e1039.member[0]];
+                                        let _e1243 = keys.member[_e1039.member[1]];
+                                        let _e1245 = function_4(_e1238[3], _e1243[3]);
+                                        let _e1249 = keys.member[_e1039.member[2]];
+                                        let _e1251 = function_4(_e1245, _e1249[3]);
+                                        if (_e1234[1] > _e1251[1]) {
+                                            phi_2112_ = true;
                                         } else {
-                                            if (_e1280[1] == _e1297[1]) {
-                                                phi_2137_ = (_e1280[0] > _e1297[0]);
+                                            if (_e1234[1] == _e1251[1]) {
+                                                phi_2111_ = (_e1234[0] > _e1251[0]);
                                             } else {
-                                                phi_2137_ = false;
+                                                phi_2111_ = false;
                                             }
-                                            let _e1308 = phi_2137_;
-                                            phi_2138_ = _e1308;
+                                            let _e1262 = phi_2111_;
+                                            phi_2112_ = _e1262;
                                         }
-                                        let _e1310 = phi_2138_;
-                                        let _e1316 = keys.member[_e1062.member[0]];
-                                        let _e1321 = keys.member[_e1062.member[1]];
-                                        let _e1323 = function_3(_e1316[1], _e1321[1]);
-                                        let _e1327 = keys.member[_e1062.member[2]];
-                                        let _e1329 = function_3(_e1323, _e1327[1]);
-                                        let _e1333 = keys.member[_e1064.member[0]];
-                                        let _e1338 = keys.member[_e1064.member[1]];
-                                        let _e1340 = function_2(_e1333[4], _e1338[4]);
-                                        let _e1344 = keys.member[_e1064.member[2]];
-                                        let _e1346 = function_2(_e1340, _e1344[4]);
-                                        if (_e1329[1] > _e1346[1]) {
-                                            phi_2233_ = true;
+                                        let _e1264 = phi_2112_;
+                                        let _e1270 = keys.member[_e1039.member[0]];
+                                        let _e1275 = keys.member[_e1039.member[1]];
+                                        let _e1277 = function_3(_e1270[1], _e1275[1]);
+                                        let _e1281 = keys.member[_e1039.member[2]];
+                                        let _e1283 = function_3(_e1277, _e1281[1]);
+                                        let _e1287 = keys.member[_e1041.member[0]];
+                                        let _e1292 = keys.member[_e1041.member[1]];
+                                        let _e1294 = function_2(_e1287[4], _e1292[4]);
+                                        let _e1298 = keys.member[_e1041.member[2]];
+                                        let _e1300 = function_2(_e1294, _e1298[4]);
+                                        if (_e1283[1] > _e1300[1]) {
+                                            phi_2207_ = true;
                                         } else {
-                                            if (_e1329[1] == _e1346[1]) {
-                                                phi_2232_ = (_e1329[0] > _e1346[0]);
+                                            if (_e1283[1] == _e1300[1]) {
+                                                phi_2206_ = (_e1283[0] > _e1300[0]);
                                             } else {
-                                                phi_2232_ = false;
+                                                phi_2206_ = false;
                                             }
-                                            let _e1357 = phi_2232_;
-                                            phi_2233_ = _e1357;
+                                            let _e1311 = phi_2206_;
+                                            phi_2207_ = _e1311;
                                         }
-                                        let _e1359 = phi_2233_;
-                                        let _e1364 = keys.member[_e1064.member[0]];
-                                        let _e1369 = keys.member[_e1064.member[1]];
-                                        let _e1371 = function_3(_e1364[1], _e1369[1]);
-                                        let _e1375 = keys.member[_e1064.member[2]];
-                                        let _e1377 = function_3(_e1371, _e1375[1]);
-                                        let _e1381 = keys.member[_e1062.member[0]];
-                                        let _e1386 = keys.member[_e1062.member[1]];
-                                        let _e1388 = function_2(_e1381[4], _e1386[4]);
-                                        let _e1392 = keys.member[_e1062.member[2]];
-                                        let _e1394 = function_2(_e1388, _e1392[4]);
-                                        if (_e1377[1] > _e1394[1]) {
-                                            phi_2327_ = true;
+                                        let _e1313 = phi_2207_;
+                                        let _e1318 = keys.member[_e1041.member[0]];
+                                        let _e1323 = keys.member[_e1041.member[1]];
+                                        let _e1325 = function_3(_e1318[1], _e1323[1]);
+                                        let _e1329 = keys.member[_e1041.member[2]];
+                                        let _e1331 = function_3(_e1325, _e1329[1]);
+                                        let _e1335 = keys.member[_e1039.member[0]];
+                                        let _e1340 = keys.member[_e1039.member[1]];
+                                        let _e1342 = function_2(_e1335[4], _e1340[4]);
+                                        let _e1346 = keys.member[_e1039.member[2]];
+                                        let _e1348 = function_2(_e1342, _e1346[4]);
+                                        if (_e1331[1] > _e1348[1]) {
+                                            phi_2301_ = true;
                                         } else {
-                                            if (_e1377[1] == _e1394[1]) {
-                                                phi_2326_ = (_e1377[0] > _e1394[0]);
+                                            if (_e1331[1] == _e1348[1]) {
+                                                phi_2300_ = (_e1331[0] > _e1348[0]);
                                             } else {
-                                                phi_2326_ = false;
+                                                phi_2300_ = false;
                                             }
-                                            let _e1405 = phi_2326_;
-                                            phi_2327_ = _e1405;
+                                            let _e1359 = phi_2300_;
+                                            phi_2301_ = _e1359;
                                         }
-                                        let _e1407 = phi_2327_;
-                                        let _e1414 = keys.member[_e1062.member[0]];
-                                        let _e1419 = keys.member[_e1062.member[1]];
-                                        let _e1421 = function_1(_e1414[2], _e1419[2]);
-                                        let _e1425 = keys.member[_e1062.member[2]];
-                                        let _e1427 = function_1(_e1421, _e1425[2]);
-                                        let _e1431 = keys.member[_e1064.member[0]];
-                                        let _e1436 = keys.member[_e1064.member[1]];
-                                        let _e1438 = function_(_e1431[5], _e1436[5]);
-                                        let _e1442 = keys.member[_e1064.member[2]];
-                                        let _e1444 = function_(_e1438, _e1442[5]);
-                                        if (_e1427[1] > _e1444[1]) {
-                                            phi_2423_ = true;
+                                        let _e1361 = phi_2301_;
+                                        let _e1368 = keys.member[_e1039.member[0]];
+                                        let _e1373 = keys.member[_e1039.member[1]];
+                                        let _e1375 = function_1(_e1368[2], _e1373[2]);
+                                        let _e1379 = keys.member[_e1039.member[2]];
+                                        let _e1381 = function_1(_e1375, _e1379[2]);
+                                        let _e1385 = keys.member[_e1041.member[0]];
+                                        let _e1390 = keys.member[_e1041.member[1]];
+                                        let _e1392 = function_(_e1385[5], _e1390[5]);
+                                        let _e1396 = keys.member[_e1041.member[2]];
+                                        let _e1398 = function_(_e1392, _e1396[5]);
+                                        if (_e1381[1] > _e1398[1]) {
+                                            phi_2397_ = true;
                                         } else {
-                                            if (_e1427[1] == _e1444[1]) {
-                                                phi_2422_ = (_e1427[0] > _e1444[0]);
+                                            if (_e1381[1] == _e1398[1]) {
+                                                phi_2396_ = (_e1381[0] > _e1398[0]);
                                             } else {
-                                                phi_2422_ = false;
+                                                phi_2396_ = false;
                                             }
-                                            let _e1455 = phi_2422_;
-                                            phi_2423_ = _e1455;
+                                            let _e1409 = phi_2396_;
+                                            phi_2397_ = _e1409;
                                         }
-                                        let _e1457 = phi_2423_;
-                                        let _e1462 = keys.member[_e1064.member[0]];
-                                        let _e1467 = keys.member[_e1064.member[1]];
-                                        let _e1469 = function_1(_e1462[2], _e1467[2]);
-                                        let _e1473 = keys.member[_e1064.member[2]];
-                                        let _e1475 = function_1(_e1469, _e1473[2]);
-                                        let _e1479 = keys.member[_e1062.member[0]];
-                                        let _e1484 = keys.member[_e1062.member[1]];
-                                        let _e1486 = function_(_e1479[5], _e1484[5]);
-                                        let _e1490 = keys.member[_e1062.member[2]];
-                                        let _e1492 = function_(_e1486, _e1490[5]);
-                                        if (_e1475[1] > _e1492[1]) {
-                                            phi_2517_ = true;
+                                        let _e1411 = phi_2397_;
+                                        let _e1416 = keys.member[_e1041.member[0]];
+                                        let _e1421 = keys.member[_e1041.member[1]];
+                                        let _e1423 = function_1(_e1416[2], _e1421[2]);
+                                        let _e1427 = keys.member[_e1041.member[2]];
+                                        let _e1429 = function_1(_e1423, _e1427[2]);
+                                        let _e1433 = keys.member[_e1039.member[0]];
+                                        let _e1438 = keys.member[_e1039.member[1]];
+                                        let _e1440 = function_(_e1433[5], _e1438[5]);
+                                        let _e1444 = keys.member[_e1039.member[2]];
+                                        let _e1446 = function_(_e1440, _e1444[5]);
+                                        if (_e1429[1] > _e1446[1]) {
+                                            phi_2491_ = true;
                                         } else {
-                                            if (_e1475[1] == _e1492[1]) {
-                                                phi_2516_ = (_e1475[0] > _e1492[0]);
+                                            if (_e1429[1] == _e1446[1]) {
+                                                phi_2490_ = (_e1429[0] > _e1446[0]);
                                             } else {
-                                                phi_2516_ = false;
+                                                phi_2490_ = false;
                                             }
-                                            let _e1503 = phi_2516_;
-                                            phi_2517_ = _e1503;
+                                            let _e1457 = phi_2490_;
+                                            phi_2491_ = _e1457;
                                         }
-                                        let _e1505 = phi_2517_;
-                                        phi_2521_ = (((!(_e1262) && !(_e1310)) && (!(_e1359) && !(_e1407))) && (!(_e1457) && !(_e1505)));
+                                        let _e1459 = phi_2491_;
+                                        phi_2495_ = (((!(_e1216) && !(_e1264)) && (!(_e1313) && !(_e1361))) && (!(_e1411) && !(_e1459)));
                                     }
-                                    let _e1510 = phi_2521_;
-                                    phi_2522_ = _e1510;
-                                    phi_2523_ = _e1215;
+                                    let _e1464 = phi_2495_;
+                                    phi_2496_ = _e1464;
+                                    phi_2497_ = _e1169;
                                 } else {
-                                    phi_2522_ = bool();
-                                    phi_2523_ = true;
+                                    phi_2496_ = bool();
+                                    phi_2497_ = true;
                                 }
-                                let _e1512 = phi_2522_;
-                                let _e1514 = phi_2523_;
-                                if _e1514 {
-                                    phi_2527_ = false;
+                                let _e1466 = phi_2496_;
+                                let _e1468 = phi_2497_;
+                                if _e1468 {
+                                    phi_2501_ = false;
                                 } else {
-                                    phi_2527_ = true;
+                                    phi_2501_ = true;
                                 }
-                                let _e1516 = phi_2527_;
-                                phi_2528_ = _e1512;
-                                phi_2529_ = _e1516;
+                                let _e1470 = phi_2501_;
+                                phi_2502_ = _e1466;
+                                phi_2503_ = _e1470;
                             } else {
-                                phi_2528_ = false;
-                                phi_2529_ = true;
+                                phi_2502_ = false;
+                                phi_2503_ = true;
                             }
-                            let _e1518 = phi_2528_;
-                            let _e1520 = phi_2529_;
-                            phi_2530_ = _e1518;
-                            phi_2531_ = _e1520;
+                            let _e1472 = phi_2502_;
+                            let _e1474 = phi_2503_;
+                            phi_2504_ = _e1472;
+                            phi_2505_ = _e1474;
                         } else {
-                            phi_2530_ = false;
-                            phi_2531_ = true;
+                            phi_2504_ = false;
+                            phi_2505_ = true;
                         }
-                        let _e1522 = phi_2530_;
-                        let _e1524 = phi_2531_;
-                        if _e1524 {
-                            phi_2535_ = _e1522;
+                        let _e1476 = phi_2504_;
+                        let _e1478 = phi_2505_;
+                        if _e1478 {
+                            phi_2509_ = _e1476;
                         } else {
-                            phi_2535_ = true;
+                            phi_2509_ = true;
                         }
-                        let _e1526 = phi_2535_;
-                        if _e1526 {
-                            let _e1528 = atomicAdd((&counters[7u]), 1u);
-                            let _e1530 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1041] = ((2147483648u | (_e1530 << bitcast<u32>(12i))) | _e1044);
+                        let _e1480 = phi_2509_;
+                        if _e1480 {
+                            let _e1482 = atomicAdd((&counters[7u]), 1u);
+                            let _e1484 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1018] = ((2147483648u | (_e1484 << bitcast<u32>(12i))) | _e1021);
                         }
-                        phi_2550_ = true;
+                        phi_2524_ = true;
                     }
-                    let _e1537 = phi_2550_;
-                    phi_2551_ = _e1537;
+                    let _e1491 = phi_2524_;
+                    phi_2525_ = _e1491;
                 } else {
-                    phi_2551_ = false;
+                    phi_2525_ = false;
                 }
-                let _e1539 = phi_2551_;
+                let _e1493 = phi_2525_;
                 continue;
                 continuing {
-                    phi_1684_ = _e1033;
-                    break if !(_e1539);
+                    phi_1671_ = _e1010;
+                    break if !(_e1493);
                 }
             }
             workgroupBarrier();
             if (_e47 == 0u) {
-                let _e1543 = atomicLoad((&counters[5u]));
-                if (_e1543 > 0u) {
-                    let _e1546 = atomicAdd((&output.member[0u]), _e1543);
-                    if ((_e1546 + _e1543) < _e1546) {
-                        let _e1550 = atomicAdd((&output.member[2u]), 1u);
+                let _e1497 = atomicLoad((&counters[5u]));
+                if (_e1497 > 0u) {
+                    let _e1500 = atomicAdd((&output.member[0u]), _e1497);
+                    if ((_e1500 + _e1497) < _e1500) {
+                        let _e1504 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e1546);
+                    atomicStore((&counters[6u]), _e1500);
                 }
             }
             workgroupBarrier();
-            let _e1553 = atomicLoad((&counters[6u]));
+            let _e1507 = atomicLoad((&counters[6u]));
             if (_e47 == 0u) {
-                let _e1556 = atomicLoad((&counters[7u]));
-                if (_e1556 > 0u) {
-                    let _e1559 = atomicAdd((&output.member[1u]), _e1556);
-                    if ((_e1559 + _e1556) < _e1559) {
-                        let _e1563 = atomicAdd((&output.member[3u]), 1u);
+                let _e1510 = atomicLoad((&counters[7u]));
+                if (_e1510 > 0u) {
+                    let _e1513 = atomicAdd((&output.member[1u]), _e1510);
+                    if ((_e1513 + _e1510) < _e1513) {
+                        let _e1517 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_2601_ = type_9(0u, 16u);
+            phi_2575_ = type_9(0u, 16u);
             loop {
-                let _e1565 = phi_2601_;
-                if (_e1565.member < _e1565.member_1) {
-                    phi_2602_ = type_9((_e1565.member + 1u), _e1565.member_1);
-                    phi_2625_ = type_9(1u, _e1565.member);
+                let _e1519 = phi_2575_;
+                if (_e1519.member < _e1519.member_1) {
+                    phi_2576_ = type_9((_e1519.member + 1u), _e1519.member_1);
+                    phi_2599_ = type_9(1u, _e1519.member);
                 } else {
-                    phi_2602_ = _e1565;
-                    phi_2625_ = type_9(0u, type_9().member_1);
+                    phi_2576_ = _e1519;
+                    phi_2599_ = type_9(0u, type_9().member_1);
                 }
-                let _e1577 = phi_2602_;
-                let _e1579 = phi_2625_;
-                if (bitcast<i32>(_e1579.member) != 0i) {
-                    let _e1585 = (_e47 + (_e1579.member_1 * 128u));
-                    if (_e1585 >= _e1019) {
-                        phi_2722_ = false;
+                let _e1531 = phi_2576_;
+                let _e1533 = phi_2599_;
+                if (bitcast<i32>(_e1533.member) != 0i) {
+                    let _e1539 = (_e47 + (_e1533.member_1 * 128u));
+                    if (_e1539 >= _e996) {
+                        phi_2696_ = false;
                     } else {
-                        let _e1588 = hits[_e1585];
-                        if ((_e1588 & 2147483648u) == 0u) {
-                            phi_2648_ = 4294967295u;
+                        let _e1542 = hits[_e1539];
+                        if ((_e1542 & 2147483648u) == 0u) {
+                            phi_2622_ = 4294967295u;
                         } else {
-                            phi_2648_ = ((_e1588 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_2622_ = ((_e1542 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e1595 = phi_2648_;
-                        if (_e1595 != 4294967295u) {
-                            let _e1599 = ((_e1588 >> bitcast<u32>(10i)) & 3u);
-                            let _e1606 = firsts[(2u * _e1599)];
-                            let _e1609 = leaves.member[(_e1606 + ((_e1588 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1613 = firsts[((2u * _e1599) + 1u)];
-                            let _e1616 = leaves.member[(_e1613 + (_e1588 & 31u))];
-                            let _e1621 = params.member.member_1.member_3;
-                            let _e1622 = (_e1553 + _e1595);
+                        let _e1549 = phi_2622_;
+                        if (_e1549 != 4294967295u) {
+                            let _e1553 = ((_e1542 >> bitcast<u32>(10i)) & 3u);
+                            let _e1560 = firsts[(2u * _e1553)];
+                            let _e1563 = leaves.member[(_e1560 + ((_e1542 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1567 = firsts[((2u * _e1553) + 1u)];
+                            let _e1570 = leaves.member[(_e1567 + (_e1542 & 31u))];
+                            let _e1575 = params.member.member_1.member_3;
+                            let _e1576 = (_e1507 + _e1549);
                             if (_e78[0] == _e78[1]) {
-                                if (_e1609.member_1 < _e1616.member_1) {
-                                    phi_2703_ = type_9(_e1609.member_1, _e1616.member_1);
+                                if (_e1563.member_1 < _e1570.member_1) {
+                                    phi_2677_ = type_9(_e1563.member_1, _e1570.member_1);
                                 } else {
-                                    phi_2703_ = type_9(_e1616.member_1, _e1609.member_1);
+                                    phi_2677_ = type_9(_e1570.member_1, _e1563.member_1);
                                 }
-                                let _e1629 = phi_2703_;
-                                phi_2708_ = _e1629;
+                                let _e1583 = phi_2677_;
+                                phi_2682_ = _e1583;
                             } else {
-                                phi_2708_ = type_9(_e1609.member_1, _e1616.member_1);
+                                phi_2682_ = type_9(_e1563.member_1, _e1570.member_1);
                             }
-                            let _e1631 = phi_2708_;
-                            if (_e1622 < _e1621) {
-                                let _e1635 = (2u * _e1622);
-                                atomicStore((&output.member[(4u + _e1635)]), _e1631.member);
-                                atomicStore((&output.member[(_e1635 + 5u)]), _e1631.member_1);
+                            let _e1585 = phi_2682_;
+                            if (_e1576 < _e1575) {
+                                let _e1589 = (2u * _e1576);
+                                atomicStore((&output.member[(4u + _e1589)]), _e1585.member);
+                                atomicStore((&output.member[(_e1589 + 5u)]), _e1585.member_1);
                             }
                         }
-                        phi_2722_ = true;
+                        phi_2696_ = true;
                     }
-                    let _e1641 = phi_2722_;
-                    phi_2723_ = _e1641;
+                    let _e1595 = phi_2696_;
+                    phi_2697_ = _e1595;
                 } else {
-                    phi_2723_ = false;
+                    phi_2697_ = false;
                 }
-                let _e1643 = phi_2723_;
+                let _e1597 = phi_2697_;
                 continue;
                 continuing {
-                    phi_2601_ = _e1577;
-                    break if !(_e1643);
+                    phi_2575_ = _e1531;
+                    break if !(_e1597);
                 }
             }
             workgroupBarrier();

@@ -2,7 +2,7 @@
 //!
 //! For devices with `f64`; a host does the same for the others. Positions of all vertices at the start of the step come first, then those at its end.
 
-use super::block_bvh::bound_key;
+use super::candidate::bound_key;
 use super::swept_box::swept;
 use crate::kernel::memory::at;
 use crate::layout::{Frame, Path, join, split};

@@ -177,7 +177,7 @@ impl<const WITHIN: bool> Rows for Listing<'_, WITHIN> {
         let ids = lane_ids(self.b.order(), b);
         if let Some(confirm) = self.confirm {
             let (block_a, block_b) = (&self.a.level(0)[a], &self.b.level(0)[b]);
-            let sure = simd.overlaps_shrunk(block_a, lane, block_b, self.slack);
+            let sure = simd.overlaps_surely(block_a, lane, block_b, self.slack);
             mask = mask & sure | keep(mask & !sure, |j| confirm(id, ids[j]));
         }
         simd.append::<WITHIN>(&mut lister.pairs, id, &ids, mask);

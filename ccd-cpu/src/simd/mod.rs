@@ -29,10 +29,11 @@ pub use avx512::Avx512;
 pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 
+use ccd_core::broad_phase::candidate::overlap_surely;
 use ccd_core::layout::Pair;
 pub use ccd_core::math::real::Mask;
-use ccd_core::math::vec3::{add, sub};
 use ccd_core::{Aabb, Num};
+use std::ops::{BitAnd, BitOr};
 
 /// Boxes side by side in a block, and lanes of a row.
 pub const WIDTH: usize = 8;
@@ -44,6 +45,34 @@ pub type Block = Aabb<F32x8>;
 
 /// Eight empty boxes.
 pub const EMPTY: Block = Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
+
+/// Answers in eight lanes, a bit each.
+#[derive(Clone, Copy, Debug)]
+pub struct Bits(pub u32);
+
+impl BitAnd for Bits {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl BitOr for Bits {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl Mask for Bits {
+    const ALL: u32 = 0xff;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0
+    }
+}
 
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.
@@ -94,13 +123,10 @@ pub trait RowSimd: Simd {
         !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
     }
 
-    /// The same after each bound of lane `i` of `a` was moved inward by `shrink`.
+    /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
     #[inline(always)]
-    fn overlaps_shrunk(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
-        let shrink = [Self::Lanes::splat(shrink); 3];
-        let Aabb { min, max } = self.one(a, i);
-        let a = Aabb { min: add(min, shrink), max: sub(max, shrink) };
-        !a.separated(&self.boxes(b)).bits() & 0xff
+    fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
+        overlap_surely(&self.one(a, i), &self.boxes(b), Self::Lanes::splat(slack)).bits()
     }
 }
 

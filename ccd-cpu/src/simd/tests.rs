@@ -57,7 +57,7 @@ impl<S: RowSimd> Work<S> for Rows {
             };
             for i in 0..WIDTH {
                 out.push(simd.overlaps(&a, i, &b));
-                out.push(simd.overlaps_shrunk(&a, i, &b, 0.5));
+                out.push(simd.overlaps_surely(&a, i, &b, 0.5));
                 let one = simd.one(&a, i);
                 let (one, needed) = ([one.min, one.max], S::Lanes::splat(0.125));
                 let mask = axis_separated(&one, &bounds(&b), &bounds(&c), &bounds(&d), needed);

@@ -5,8 +5,9 @@
 use crate::broad_phase::block_bvh::{BlockBvh, lane_ids};
 use crate::broad_phase::pair_descent::{Rows, keep};
 use crate::broad_phase::pair_list::Lister;
-use crate::simd::{Block, EMPTY, Mask, RowSimd, WIDTH, Work};
+use crate::simd::{Bits, Block, EMPTY, Mask, RowSimd, WIDTH, Work};
 use crate::threads::Threads;
+use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::contact::Kind;
@@ -185,12 +186,13 @@ impl<W: Take> Rows for EdgeRows<'_, W> {
         // Two numbers and not an array: one that a call refers to would live in memory.
         let (a0, a1) = (self.leaves.vertices[a][0][lane], self.leaves.vertices[a][1][lane]);
         let ends_b = &self.leaves.vertices[b];
-        mask &= !(simd.equals(&ends_b[0], [a0, a1]) | simd.equals(&ends_b[1], [a0, a1]));
+        let b01 = [Row { simd, ids: &ends_b[0] }, Row { simd, ids: &ends_b[1] }];
+        mask &= !share_vertex([a0, a1], b01).bits();
         if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(bodies.body(a0), bodies.body(ends_b[0][j])));
+            mask = keep(mask, |j| bodies.wants(a0, ends_b[0][j]));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_shrunk(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
+            let sure = simd.overlaps_surely(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
                 mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]]));
@@ -222,12 +224,14 @@ impl<W: Take> Rows for FaceRows<'_, W> {
     fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
         let vertex = self.vertex_leaves.vertices[a][0][lane];
         let corners = &self.face_leaves.vertices[b];
-        mask &= !(simd.equals(&corners[0], [vertex; 2]) | simd.equals(&corners[1], [vertex; 2]) | simd.equals(&corners[2], [vertex; 2]));
+        let [f0, f1, f2] = corners;
+        let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
+        mask &= !is_corner(vertex, face).bits();
         if let Some(bodies) = self.scene.bodies {
-            mask = keep(mask, |j| bodies.wants(bodies.body(vertex), bodies.body(corners[0][j])));
+            mask = keep(mask, |j| bodies.wants(vertex, corners[0][j]));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_shrunk(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
+            let sure = simd.overlaps_surely(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
                 let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
@@ -249,6 +253,21 @@ impl<W: Take> Rows for FaceRows<'_, W> {
 
     fn end(&self, worker: &mut W) {
         worker.finish(self.scene, Kind::VertexFace);
+    }
+}
+
+/// Ids of a row, compared by an instruction set.
+#[derive(Clone, Copy)]
+struct Row<'a, S> {
+    simd: S,
+    ids: &'a [u32; WIDTH],
+}
+
+impl<S: RowSimd> Ids for Row<'_, S> {
+    type Mask = Bits;
+    #[inline(always)]
+    fn is_one_of(self, a: u32, b: u32) -> Bits {
+        Bits(self.simd.equals(self.ids, [a, b]))
     }
 }
 

@@ -189,7 +189,7 @@ impl Prepared {
         }
         if loose {
             self.built = true;
-            let fixed = |v: u32| bodies.is_some_and(|b| b.fixed(b.body(v)));
+            let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
             let any = bodies.is_some_and(Bodies::any_fixed);
             let (of_vertex, of_edge, of_face) =
                 (|i: usize| fixed(i as u32), |i: usize| fixed(mesh.edges()[i][0]), |i: usize| fixed(mesh.faces()[i][0]));

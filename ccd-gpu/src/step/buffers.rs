@@ -8,7 +8,6 @@ use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use ccd_core::layout::{Frame, Path, Touch};
-use ccd_core::model::bodies::Bodies;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use wgpu::BufferUsages as U;
@@ -51,7 +50,9 @@ impl Buffers {
             device.queue().write_buffer(&buffer, 0, bytes);
             Ok(buffer)
         };
-        let (bodies, body_flags) = options.bodies.as_ref().map_or((Vec::new(), 0), |bodies| number_bodies(bodies, count[0]));
+        let (bodies, body_flags) = options.bodies.as_ref().map_or((&[][..], 0), |bodies| {
+            (bodies.words(), Frame::FLAG_BODIES | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 })
+        });
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
@@ -60,7 +61,7 @@ impl Buffers {
             shortened: device.buffer("paths", count[0] as u64 * size_of::<Path>() as u64, U::STORAGE)?,
             edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
             faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
-            bodies: fixed("bodies", bytemuck::cast_slice(&bodies))?,
+            bodies: fixed("bodies", bytemuck::cast_slice(bodies))?,
             body_flags,
             survivors: [list("filtered vertex-face pairs", 2, features / 2)?, list("filtered edge-edge pairs", 2, features)?],
             undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
@@ -103,18 +104,4 @@ impl Buffers {
         self.positions.describe(&mut frame, options.min_distance);
         frame
     }
-}
-
-/// For each of `n` vertices twice the number of its body, plus one if that is fixed; and the flags
-/// that go with that. Bodies are numbered anew, because their own numbers may need all bits of a
-/// word.
-fn number_bodies(bodies: &Bodies, n: u32) -> (Vec<u32>, u32) {
-    let mut names: Vec<u32> = (0..n).map(|v| bodies.body(v)).collect();
-    names.sort_unstable();
-    names.dedup();
-    // A body against itself is wanted if it is wanted of any.
-    let self_contact = names.iter().any(|&b| !bodies.fixed(b) && bodies.wants(b, b));
-    let number = |name: u32| names.partition_point(|&n| n < name) as u32;
-    let words = (0..n).map(|v| number(bodies.body(v)) << 1 | bodies.fixed(bodies.body(v)) as u32).collect();
-    (words, Frame::FLAG_BODIES | if self_contact { Frame::FLAG_SELF_CONTACT } else { 0 })
 }
