@@ -195,6 +195,7 @@ impl<A: Pod> Params<A> {
 /// | `start` | 16..32 | | `distance_bits` | 48..56 |
 /// | `margin` | 32..36 | | `origin` | 56..80 |
 /// | `path_error` | 36..40 | | `margin_bits` | 80..88 |
+/// | | | | `scale_bits` | 88..96 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
@@ -204,11 +205,11 @@ pub struct Frame {
     pub flags: u32,
     /// First box of each set among all boxes, then their number.
     pub start: [u32; 4],
-    /// By how much boxes are grown, in the unit of the coordinates.
+    /// By how much boxes of paths are grown, in the unit of paths.
     pub margin: f32,
-    /// How far a coordinate of a [`Path`] may be from the true one.
+    /// How far a coordinate of a [`Path`] may be from the true one, in the unit of paths.
     pub path_error: f32,
-    /// Contact means at most this distance; rounded up.
+    /// Contact means at most this distance, in the unit of paths; rounded up.
     pub min_distance: f32,
     /// Boxes that overlap by less may overlap only because they were rounded.
     pub slack: f32,
@@ -218,6 +219,9 @@ pub struct Frame {
     pub origin: [[u32; 2]; 3],
     /// By how much exact boxes are grown: bits of an `f64`, low word first.
     pub margin_bits: [u32; 2],
+    /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`, low word first. See
+    /// [`Table`](crate::model::quantization::Table).
+    pub scale_bits: [u32; 2],
 }
 
 impl Frame {
@@ -323,10 +327,10 @@ pub struct ContactSort {
 }
 
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
-const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 88);
+const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
-const _: () = assert!(size_of::<Params<Blocks>>() == 88 + 16 + 144);
-const _: () = assert!(size_of::<Params>() == 88 + 16 + 4);
+const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
+const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
 const _: () = assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -10,6 +10,7 @@ struct type_7 {
     member_7: array<u32, 2>,
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
 }
 
 struct type_8 {
@@ -88,126 +89,126 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local_4: type_15;
     var local_5: type_29;
     var local_6: type_29;
-    var phi_171_: f64;
-    var phi_178_: f64;
-    var phi_185_: f64;
-    var phi_193_: f64;
-    var phi_200_: f64;
-    var phi_207_: f64;
-    var phi_237_: type_9;
+    var phi_172_: f64;
+    var phi_179_: f64;
+    var phi_186_: f64;
+    var phi_194_: f64;
+    var phi_201_: f64;
+    var phi_208_: f64;
     var phi_238_: type_9;
-    var phi_261_: type_9;
-    var phi_288_: bool;
-    var phi_305_: f64;
+    var phi_239_: type_9;
+    var phi_262_: type_9;
+    var phi_289_: bool;
     var phi_306_: f64;
     var phi_307_: f64;
-    var phi_334_: bool;
-    var phi_351_: f64;
+    var phi_308_: f64;
+    var phi_335_: bool;
     var phi_352_: f64;
     var phi_353_: f64;
-    var phi_408_: type_9;
+    var phi_354_: f64;
     var phi_409_: type_9;
-    var phi_432_: type_9;
-    var phi_480_: bool;
-    var phi_497_: f32;
-    var phi_498_: f32;
-    var phi_499_: f32;
-    var phi_501_: f32;
-    var phi_518_: bool;
-    var phi_535_: f32;
-    var phi_536_: f32;
-    var phi_537_: f32;
-    var phi_538_: f32;
-    var phi_557_: bool;
-    var phi_558_: bool;
-    var phi_562_: bool;
-    var phi_563_: bool;
-    var phi_567_: f32;
-    var phi_599_: bool;
-    var phi_616_: f32;
-    var phi_617_: f32;
-    var phi_618_: f32;
-    var phi_620_: f32;
-    var phi_637_: bool;
-    var phi_654_: f32;
-    var phi_655_: f32;
-    var phi_656_: f32;
-    var phi_657_: f32;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_686_: f32;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_748_: array<u32, 2>;
-    var phi_749_: bool;
-    var phi_750_: array<u32, 2>;
-    var phi_751_: bool;
-    var phi_757_: array<u32, 2>;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_784_: array<u32, 2>;
-    var phi_785_: bool;
-    var phi_786_: array<u32, 2>;
-    var phi_787_: bool;
-    var phi_793_: array<u32, 2>;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_820_: array<u32, 2>;
-    var phi_821_: bool;
-    var phi_822_: array<u32, 2>;
-    var phi_823_: bool;
-    var phi_829_: array<u32, 2>;
-    var phi_848_: bool;
-    var phi_849_: bool;
-    var phi_856_: array<u32, 2>;
-    var phi_857_: bool;
-    var phi_858_: array<u32, 2>;
-    var phi_859_: bool;
-    var phi_865_: array<u32, 2>;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_892_: array<u32, 2>;
-    var phi_893_: bool;
-    var phi_894_: array<u32, 2>;
-    var phi_895_: bool;
-    var phi_901_: array<u32, 2>;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_928_: array<u32, 2>;
-    var phi_929_: bool;
-    var phi_930_: array<u32, 2>;
-    var phi_931_: bool;
-    var phi_937_: array<u32, 2>;
-    var phi_943_: type_9;
-    var phi_944_: type_9;
-    var phi_967_: type_9;
-    var phi_999_: bool;
-    var phi_1016_: f32;
-    var phi_1017_: f32;
-    var phi_1018_: f32;
-    var phi_1020_: f32;
-    var phi_1026_: f32;
-    var phi_1031_: f32;
-    var phi_1062_: bool;
-    var phi_1079_: f32;
-    var phi_1080_: f32;
-    var phi_1081_: f32;
-    var phi_1082_: f32;
-    var phi_1088_: f32;
+    var phi_410_: type_9;
+    var phi_433_: type_9;
+    var phi_491_: bool;
+    var phi_508_: f32;
+    var phi_509_: f32;
+    var phi_510_: f32;
+    var phi_512_: f32;
+    var phi_529_: bool;
+    var phi_546_: f32;
+    var phi_547_: f32;
+    var phi_548_: f32;
+    var phi_549_: f32;
+    var phi_568_: bool;
+    var phi_569_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_578_: f32;
+    var phi_611_: bool;
+    var phi_628_: f32;
+    var phi_629_: f32;
+    var phi_630_: f32;
+    var phi_632_: f32;
+    var phi_649_: bool;
+    var phi_666_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
+    var phi_698_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_760_: array<u32, 2>;
+    var phi_761_: bool;
+    var phi_762_: array<u32, 2>;
+    var phi_763_: bool;
+    var phi_769_: array<u32, 2>;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_796_: array<u32, 2>;
+    var phi_797_: bool;
+    var phi_798_: array<u32, 2>;
+    var phi_799_: bool;
+    var phi_805_: array<u32, 2>;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_832_: array<u32, 2>;
+    var phi_833_: bool;
+    var phi_834_: array<u32, 2>;
+    var phi_835_: bool;
+    var phi_841_: array<u32, 2>;
+    var phi_860_: bool;
+    var phi_861_: bool;
+    var phi_868_: array<u32, 2>;
+    var phi_869_: bool;
+    var phi_870_: array<u32, 2>;
+    var phi_871_: bool;
+    var phi_877_: array<u32, 2>;
+    var phi_896_: bool;
+    var phi_897_: bool;
+    var phi_904_: array<u32, 2>;
+    var phi_905_: bool;
+    var phi_906_: array<u32, 2>;
+    var phi_907_: bool;
+    var phi_913_: array<u32, 2>;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_940_: array<u32, 2>;
+    var phi_941_: bool;
+    var phi_942_: array<u32, 2>;
+    var phi_943_: bool;
+    var phi_949_: array<u32, 2>;
+    var phi_955_: type_9;
+    var phi_956_: type_9;
+    var phi_979_: type_9;
+    var phi_1011_: bool;
+    var phi_1028_: f32;
+    var phi_1029_: f32;
+    var phi_1030_: f32;
+    var phi_1032_: f32;
+    var phi_1038_: f32;
+    var phi_1043_: f32;
+    var phi_1074_: bool;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
     var phi_1093_: f32;
-    var phi_1126_: type_9;
-    var phi_1127_: type_9;
-    var phi_1150_: type_9;
-    var phi_1171_: bool;
-    var phi_1194_: bool;
-    var phi_1198_: f32;
-    var phi_1207_: f32;
-    var phi_1228_: bool;
-    var phi_1251_: bool;
-    var phi_1255_: f32;
-    var phi_1264_: f32;
+    var phi_1094_: f32;
+    var phi_1100_: f32;
+    var phi_1105_: f32;
+    var phi_1138_: type_9;
+    var phi_1139_: type_9;
+    var phi_1162_: type_9;
+    var phi_1183_: bool;
+    var phi_1206_: bool;
+    var phi_1210_: f32;
+    var phi_1219_: f32;
+    var phi_1240_: bool;
+    var phi_1263_: bool;
+    var phi_1267_: f32;
+    var phi_1276_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -225,119 +226,119 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e63 = params.member.member.member[0u];
         let _e66 = positions.member[(_e63 + _e52)];
         if (_e60[0] < _e66[0]) {
-            phi_171_ = _e60[0];
+            phi_172_ = _e60[0];
         } else {
-            phi_171_ = _e66[0];
+            phi_172_ = _e66[0];
         }
-        let _e72 = phi_171_;
+        let _e72 = phi_172_;
         if (_e60[1] < _e66[1]) {
-            phi_178_ = _e60[1];
+            phi_179_ = _e60[1];
         } else {
-            phi_178_ = _e66[1];
+            phi_179_ = _e66[1];
         }
-        let _e77 = phi_178_;
+        let _e77 = phi_179_;
         if (_e60[2] < _e66[2]) {
-            phi_185_ = _e60[2];
+            phi_186_ = _e60[2];
         } else {
-            phi_185_ = _e66[2];
+            phi_186_ = _e66[2];
         }
-        let _e82 = phi_185_;
+        let _e82 = phi_186_;
         if (_e60[0] > _e66[0]) {
-            phi_193_ = _e60[0];
+            phi_194_ = _e60[0];
         } else {
-            phi_193_ = _e66[0];
+            phi_194_ = _e66[0];
         }
-        let _e87 = phi_193_;
+        let _e87 = phi_194_;
         if (_e60[1] > _e66[1]) {
-            phi_200_ = _e60[1];
+            phi_201_ = _e60[1];
         } else {
-            phi_200_ = _e66[1];
+            phi_201_ = _e66[1];
         }
-        let _e92 = phi_200_;
+        let _e92 = phi_201_;
         if (_e60[2] > _e66[2]) {
-            phi_207_ = _e60[2];
+            phi_208_ = _e60[2];
         } else {
-            phi_207_ = _e66[2];
+            phi_208_ = _e66[2];
         }
-        let _e97 = phi_207_;
+        let _e97 = phi_208_;
         let _e99 = params.member.member.member_9;
         let _e106 = bitcast<f64>(((u64(_e99[1]) * 4294967296lu) + u64(_e99[0])));
         if (_e106 > f64(0f)) {
             local_5 = type_29(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
-            phi_237_ = type_9(0u, 3u);
+            phi_238_ = type_9(0u, 3u);
             loop {
-                let _e116 = phi_237_;
+                let _e116 = phi_238_;
                 if (_e116.member < _e116.member_1) {
-                    phi_238_ = type_9((_e116.member + 1u), _e116.member_1);
-                    phi_261_ = type_9(1u, _e116.member);
+                    phi_239_ = type_9((_e116.member + 1u), _e116.member_1);
+                    phi_262_ = type_9(1u, _e116.member);
                 } else {
-                    phi_238_ = _e116;
-                    phi_261_ = type_9(0u, type_9().member_1);
+                    phi_239_ = _e116;
+                    phi_262_ = type_9(0u, type_9().member_1);
                 }
-                let _e128 = phi_238_;
-                let _e130 = phi_261_;
+                let _e128 = phi_239_;
+                let _e130 = phi_262_;
                 let _e134 = (bitcast<i32>(_e130.member) != 0i);
                 if _e134 {
                     let _e137 = local_5.member[_e130.member_1];
                     let _e139 = -((_e137 - _e106));
                     let _e140 = bitcast<u64>(_e139);
                     if ((_e140 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_288_ = (_e139 < 0.0lf);
+                        phi_289_ = (_e139 < 0.0lf);
                     } else {
-                        phi_288_ = true;
+                        phi_289_ = true;
                     }
-                    let _e145 = phi_288_;
+                    let _e145 = phi_289_;
                     if _e145 {
                         if (_e139 > 0.0lf) {
-                            phi_306_ = bitcast<f64>((_e140 + 1lu));
+                            phi_307_ = bitcast<f64>((_e140 + 1lu));
                         } else {
                             if (_e139 < 0.0lf) {
-                                phi_305_ = bitcast<f64>((_e140 - 1lu));
+                                phi_306_ = bitcast<f64>((_e140 - 1lu));
                             } else {
-                                phi_305_ = 5e-324lf;
+                                phi_306_ = 5e-324lf;
                             }
-                            let _e151 = phi_305_;
-                            phi_306_ = _e151;
+                            let _e151 = phi_306_;
+                            phi_307_ = _e151;
                         }
-                        let _e155 = phi_306_;
-                        phi_307_ = _e155;
+                        let _e155 = phi_307_;
+                        phi_308_ = _e155;
                     } else {
-                        phi_307_ = _e139;
+                        phi_308_ = _e139;
                     }
-                    let _e157 = phi_307_;
+                    let _e157 = phi_308_;
                     local_5.member[_e130.member_1] = -(_e157);
                     let _e163 = local_5.member_1[_e130.member_1];
                     let _e164 = (_e163 + _e106);
                     let _e165 = bitcast<u64>(_e164);
                     if ((_e165 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_334_ = (_e164 < 0.0lf);
+                        phi_335_ = (_e164 < 0.0lf);
                     } else {
-                        phi_334_ = true;
+                        phi_335_ = true;
                     }
-                    let _e170 = phi_334_;
+                    let _e170 = phi_335_;
                     if _e170 {
                         if (_e164 > 0.0lf) {
-                            phi_352_ = bitcast<f64>((_e165 + 1lu));
+                            phi_353_ = bitcast<f64>((_e165 + 1lu));
                         } else {
                             if (_e164 < 0.0lf) {
-                                phi_351_ = bitcast<f64>((_e165 - 1lu));
+                                phi_352_ = bitcast<f64>((_e165 - 1lu));
                             } else {
-                                phi_351_ = 5e-324lf;
+                                phi_352_ = 5e-324lf;
                             }
-                            let _e176 = phi_351_;
-                            phi_352_ = _e176;
+                            let _e176 = phi_352_;
+                            phi_353_ = _e176;
                         }
-                        let _e180 = phi_352_;
-                        phi_353_ = _e180;
+                        let _e180 = phi_353_;
+                        phi_354_ = _e180;
                     } else {
-                        phi_353_ = _e164;
+                        phi_354_ = _e164;
                     }
-                    let _e182 = phi_353_;
+                    let _e182 = phi_354_;
                     local_5.member_1[_e130.member_1] = _e182;
                 }
                 continue;
                 continuing {
-                    phi_237_ = _e128;
+                    phi_238_ = _e128;
                     break if !(_e134);
                 }
             }
@@ -350,670 +351,672 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_3 = array<f64, 3>(_e66[0], _e66[1], _e66[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_408_ = type_9(0u, 3u);
+        phi_409_ = type_9(0u, 3u);
         loop {
-            let _e199 = phi_408_;
+            let _e199 = phi_409_;
             if (_e199.member < _e199.member_1) {
-                phi_409_ = type_9((_e199.member + 1u), _e199.member_1);
-                phi_432_ = type_9(1u, _e199.member);
+                phi_410_ = type_9((_e199.member + 1u), _e199.member_1);
+                phi_433_ = type_9(1u, _e199.member);
             } else {
-                phi_409_ = _e199;
-                phi_432_ = type_9(0u, type_9().member_1);
+                phi_410_ = _e199;
+                phi_433_ = type_9(0u, type_9().member_1);
             }
-            let _e211 = phi_409_;
-            let _e213 = phi_432_;
+            let _e211 = phi_410_;
+            let _e213 = phi_433_;
             let _e217 = (bitcast<i32>(_e213.member) != 0i);
             if _e217 {
                 let _e220 = params.member.member.member_8[_e213.member_1];
                 let _e227 = bitcast<f64>(((u64(_e220[1]) * 4294967296lu) + u64(_e220[0])));
-                let _e229 = local_2[_e213.member_1];
-                let _e230 = (_e229 - _e227);
-                let _e231 = f32(_e230);
-                if (f64(_e231) > _e230) {
-                    let _e234 = -(_e231);
-                    let _e235 = bitcast<u32>(_e234);
-                    if ((_e235 & 2139095040u) == 2139095040u) {
-                        phi_480_ = (_e234 < 0f);
+                let _e229 = params.member.member.member_10;
+                let _e236 = bitcast<f64>(((u64(_e229[1]) * 4294967296lu) + u64(_e229[0])));
+                let _e238 = local_2[_e213.member_1];
+                let _e240 = ((_e238 - _e227) * _e236);
+                let _e241 = f32(_e240);
+                if (f64(_e241) > _e240) {
+                    let _e244 = -(_e241);
+                    let _e245 = bitcast<u32>(_e244);
+                    if ((_e245 & 2139095040u) == 2139095040u) {
+                        phi_491_ = (_e244 < 0f);
                     } else {
-                        phi_480_ = true;
+                        phi_491_ = true;
                     }
-                    let _e240 = phi_480_;
-                    if _e240 {
-                        if (_e234 > 0f) {
-                            phi_498_ = bitcast<f32>((_e235 + 1u));
+                    let _e250 = phi_491_;
+                    if _e250 {
+                        if (_e244 > 0f) {
+                            phi_509_ = bitcast<f32>((_e245 + 1u));
                         } else {
-                            if (_e234 < 0f) {
-                                phi_497_ = bitcast<f32>((_e235 - 1u));
+                            if (_e244 < 0f) {
+                                phi_508_ = bitcast<f32>((_e245 - 1u));
                             } else {
-                                phi_497_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_508_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e246 = phi_497_;
-                            phi_498_ = _e246;
+                            let _e256 = phi_508_;
+                            phi_509_ = _e256;
                         }
-                        let _e250 = phi_498_;
-                        phi_499_ = _e250;
+                        let _e260 = phi_509_;
+                        phi_510_ = _e260;
                     } else {
-                        phi_499_ = _e234;
+                        phi_510_ = _e244;
                     }
-                    let _e252 = phi_499_;
-                    phi_501_ = -(_e252);
+                    let _e262 = phi_510_;
+                    phi_512_ = -(_e262);
                 } else {
-                    phi_501_ = _e231;
+                    phi_512_ = _e241;
                 }
-                let _e255 = phi_501_;
-                let _e256 = f32(_e230);
-                if (f64(_e256) < _e230) {
-                    let _e259 = bitcast<u32>(_e256);
-                    if ((_e259 & 2139095040u) == 2139095040u) {
-                        phi_518_ = (_e256 < 0f);
+                let _e265 = phi_512_;
+                let _e266 = f32(_e240);
+                if (f64(_e266) < _e240) {
+                    let _e269 = bitcast<u32>(_e266);
+                    if ((_e269 & 2139095040u) == 2139095040u) {
+                        phi_529_ = (_e266 < 0f);
                     } else {
-                        phi_518_ = true;
+                        phi_529_ = true;
                     }
-                    let _e264 = phi_518_;
-                    if _e264 {
-                        if (_e256 > 0f) {
-                            phi_536_ = bitcast<f32>((_e259 + 1u));
+                    let _e274 = phi_529_;
+                    if _e274 {
+                        if (_e266 > 0f) {
+                            phi_547_ = bitcast<f32>((_e269 + 1u));
                         } else {
-                            if (_e256 < 0f) {
-                                phi_535_ = bitcast<f32>((_e259 - 1u));
+                            if (_e266 < 0f) {
+                                phi_546_ = bitcast<f32>((_e269 - 1u));
                             } else {
-                                phi_535_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_546_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e270 = phi_535_;
-                            phi_536_ = _e270;
+                            let _e280 = phi_546_;
+                            phi_547_ = _e280;
                         }
-                        let _e274 = phi_536_;
-                        phi_537_ = _e274;
+                        let _e284 = phi_547_;
+                        phi_548_ = _e284;
                     } else {
-                        phi_537_ = _e256;
+                        phi_548_ = _e266;
                     }
-                    let _e276 = phi_537_;
-                    phi_538_ = _e276;
+                    let _e286 = phi_548_;
+                    phi_549_ = _e286;
                 } else {
-                    phi_538_ = _e256;
+                    phi_549_ = _e266;
                 }
-                let _e278 = phi_538_;
-                let _e280 = (_e230 - f64(_e255));
-                let _e282 = (f64(_e278) - _e230);
-                if (_e280 < _e282) {
-                    phi_563_ = true;
+                let _e288 = phi_549_;
+                let _e290 = (_e240 - f64(_e265));
+                let _e292 = (f64(_e288) - _e240);
+                if (_e290 < _e292) {
+                    phi_574_ = true;
                 } else {
-                    if (_e280 == _e282) {
-                        if ((bitcast<u32>(_e255) & 1u) == 0u) {
-                            phi_557_ = false;
+                    if (_e290 == _e292) {
+                        if ((bitcast<u32>(_e265) & 1u) == 0u) {
+                            phi_568_ = false;
                         } else {
-                            phi_557_ = true;
+                            phi_568_ = true;
                         }
-                        let _e289 = phi_557_;
-                        phi_558_ = _e289;
+                        let _e299 = phi_568_;
+                        phi_569_ = _e299;
                     } else {
-                        phi_558_ = true;
+                        phi_569_ = true;
                     }
-                    let _e291 = phi_558_;
-                    if _e291 {
-                        phi_562_ = false;
+                    let _e301 = phi_569_;
+                    if _e301 {
+                        phi_573_ = false;
                     } else {
-                        phi_562_ = true;
+                        phi_573_ = true;
                     }
-                    let _e293 = phi_562_;
-                    phi_563_ = _e293;
+                    let _e303 = phi_573_;
+                    phi_574_ = _e303;
                 }
-                let _e295 = phi_563_;
-                if _e295 {
-                    phi_567_ = _e255;
+                let _e305 = phi_574_;
+                if _e305 {
+                    phi_578_ = _e265;
                 } else {
-                    phi_567_ = _e278;
+                    phi_578_ = _e288;
                 }
-                let _e297 = phi_567_;
-                local_4.member[_e213.member_1] = _e297;
-                let _e301 = local_3[_e213.member_1];
-                let _e302 = (_e301 - _e227);
-                let _e303 = f32(_e302);
-                if (f64(_e303) > _e302) {
-                    let _e306 = -(_e303);
-                    let _e307 = bitcast<u32>(_e306);
-                    if ((_e307 & 2139095040u) == 2139095040u) {
-                        phi_599_ = (_e306 < 0f);
+                let _e307 = phi_578_;
+                local_4.member[_e213.member_1] = _e307;
+                let _e311 = local_3[_e213.member_1];
+                let _e313 = ((_e311 - _e227) * _e236);
+                let _e314 = f32(_e313);
+                if (f64(_e314) > _e313) {
+                    let _e317 = -(_e314);
+                    let _e318 = bitcast<u32>(_e317);
+                    if ((_e318 & 2139095040u) == 2139095040u) {
+                        phi_611_ = (_e317 < 0f);
                     } else {
-                        phi_599_ = true;
+                        phi_611_ = true;
                     }
-                    let _e312 = phi_599_;
-                    if _e312 {
-                        if (_e306 > 0f) {
-                            phi_617_ = bitcast<f32>((_e307 + 1u));
+                    let _e323 = phi_611_;
+                    if _e323 {
+                        if (_e317 > 0f) {
+                            phi_629_ = bitcast<f32>((_e318 + 1u));
                         } else {
-                            if (_e306 < 0f) {
-                                phi_616_ = bitcast<f32>((_e307 - 1u));
+                            if (_e317 < 0f) {
+                                phi_628_ = bitcast<f32>((_e318 - 1u));
                             } else {
-                                phi_616_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_628_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e318 = phi_616_;
-                            phi_617_ = _e318;
+                            let _e329 = phi_628_;
+                            phi_629_ = _e329;
                         }
-                        let _e322 = phi_617_;
-                        phi_618_ = _e322;
+                        let _e333 = phi_629_;
+                        phi_630_ = _e333;
                     } else {
-                        phi_618_ = _e306;
+                        phi_630_ = _e317;
                     }
-                    let _e324 = phi_618_;
-                    phi_620_ = -(_e324);
+                    let _e335 = phi_630_;
+                    phi_632_ = -(_e335);
                 } else {
-                    phi_620_ = _e303;
+                    phi_632_ = _e314;
                 }
-                let _e327 = phi_620_;
-                let _e328 = f32(_e302);
-                if (f64(_e328) < _e302) {
-                    let _e331 = bitcast<u32>(_e328);
-                    if ((_e331 & 2139095040u) == 2139095040u) {
-                        phi_637_ = (_e328 < 0f);
+                let _e338 = phi_632_;
+                let _e339 = f32(_e313);
+                if (f64(_e339) < _e313) {
+                    let _e342 = bitcast<u32>(_e339);
+                    if ((_e342 & 2139095040u) == 2139095040u) {
+                        phi_649_ = (_e339 < 0f);
                     } else {
-                        phi_637_ = true;
+                        phi_649_ = true;
                     }
-                    let _e336 = phi_637_;
-                    if _e336 {
-                        if (_e328 > 0f) {
-                            phi_655_ = bitcast<f32>((_e331 + 1u));
+                    let _e347 = phi_649_;
+                    if _e347 {
+                        if (_e339 > 0f) {
+                            phi_667_ = bitcast<f32>((_e342 + 1u));
                         } else {
-                            if (_e328 < 0f) {
-                                phi_654_ = bitcast<f32>((_e331 - 1u));
+                            if (_e339 < 0f) {
+                                phi_666_ = bitcast<f32>((_e342 - 1u));
                             } else {
-                                phi_654_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_666_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e342 = phi_654_;
-                            phi_655_ = _e342;
+                            let _e353 = phi_666_;
+                            phi_667_ = _e353;
                         }
-                        let _e346 = phi_655_;
-                        phi_656_ = _e346;
+                        let _e357 = phi_667_;
+                        phi_668_ = _e357;
                     } else {
-                        phi_656_ = _e328;
+                        phi_668_ = _e339;
                     }
-                    let _e348 = phi_656_;
-                    phi_657_ = _e348;
+                    let _e359 = phi_668_;
+                    phi_669_ = _e359;
                 } else {
-                    phi_657_ = _e328;
+                    phi_669_ = _e339;
                 }
-                let _e350 = phi_657_;
-                let _e352 = (_e302 - f64(_e327));
-                let _e354 = (f64(_e350) - _e302);
-                if (_e352 < _e354) {
-                    phi_682_ = true;
+                let _e361 = phi_669_;
+                let _e363 = (_e313 - f64(_e338));
+                let _e365 = (f64(_e361) - _e313);
+                if (_e363 < _e365) {
+                    phi_694_ = true;
                 } else {
-                    if (_e352 == _e354) {
-                        if ((bitcast<u32>(_e327) & 1u) == 0u) {
-                            phi_676_ = false;
+                    if (_e363 == _e365) {
+                        if ((bitcast<u32>(_e338) & 1u) == 0u) {
+                            phi_688_ = false;
                         } else {
-                            phi_676_ = true;
+                            phi_688_ = true;
                         }
-                        let _e361 = phi_676_;
-                        phi_677_ = _e361;
+                        let _e372 = phi_688_;
+                        phi_689_ = _e372;
                     } else {
-                        phi_677_ = true;
+                        phi_689_ = true;
                     }
-                    let _e363 = phi_677_;
-                    if _e363 {
-                        phi_681_ = false;
+                    let _e374 = phi_689_;
+                    if _e374 {
+                        phi_693_ = false;
                     } else {
-                        phi_681_ = true;
+                        phi_693_ = true;
                     }
-                    let _e365 = phi_681_;
-                    phi_682_ = _e365;
+                    let _e376 = phi_693_;
+                    phi_694_ = _e376;
                 }
-                let _e367 = phi_682_;
-                if _e367 {
-                    phi_686_ = _e327;
+                let _e378 = phi_694_;
+                if _e378 {
+                    phi_698_ = _e338;
                 } else {
-                    phi_686_ = _e350;
+                    phi_698_ = _e361;
                 }
-                let _e369 = phi_686_;
-                local_4.member_1[_e213.member_1] = _e369;
+                let _e380 = phi_698_;
+                local_4.member_1[_e213.member_1] = _e380;
             }
             continue;
             continuing {
-                phi_408_ = _e211;
+                phi_409_ = _e211;
                 break if !(_e217);
             }
         }
-        let _e373 = local_4;
-        paths.member[_e52] = type_15(array<f32, 4>(_e373.member[0], _e373.member[1], _e373.member[2], _e373.member[3]), array<f32, 4>(_e373.member_1[0], _e373.member_1[1], _e373.member_1[2], _e373.member_1[3]));
-        let _e389 = local_6.member;
-        let _e394 = local_6.member_1;
-        let _e398 = bitcast<u64>(_e389[0]);
-        let _e399 = u32(_e398);
-        let _e401 = u32((_e398 / 4294967296lu));
-        if ((_e401 >> bitcast<u32>(31i)) == 0u) {
-            phi_750_ = array<u32, 2>();
-            phi_751_ = true;
+        let _e384 = local_4;
+        paths.member[_e52] = type_15(array<f32, 4>(_e384.member[0], _e384.member[1], _e384.member[2], _e384.member[3]), array<f32, 4>(_e384.member_1[0], _e384.member_1[1], _e384.member_1[2], _e384.member_1[3]));
+        let _e400 = local_6.member;
+        let _e405 = local_6.member_1;
+        let _e409 = bitcast<u64>(_e400[0]);
+        let _e410 = u32(_e409);
+        let _e412 = u32((_e409 / 4294967296lu));
+        if ((_e412 >> bitcast<u32>(31i)) == 0u) {
+            phi_762_ = array<u32, 2>();
+            phi_763_ = true;
         } else {
-            if (_e401 == 2147483648u) {
-                if (_e399 == 0u) {
-                    phi_740_ = false;
+            if (_e412 == 2147483648u) {
+                if (_e410 == 0u) {
+                    phi_752_ = false;
                 } else {
-                    phi_740_ = true;
+                    phi_752_ = true;
                 }
-                let _e408 = phi_740_;
-                phi_741_ = _e408;
+                let _e419 = phi_752_;
+                phi_753_ = _e419;
             } else {
-                phi_741_ = true;
+                phi_753_ = true;
             }
-            let _e410 = phi_741_;
-            if _e410 {
-                phi_748_ = array<u32, 2>(~(_e399), ~(_e401));
-                phi_749_ = false;
+            let _e421 = phi_753_;
+            if _e421 {
+                phi_760_ = array<u32, 2>(~(_e410), ~(_e412));
+                phi_761_ = false;
             } else {
-                phi_748_ = array<u32, 2>();
-                phi_749_ = true;
+                phi_760_ = array<u32, 2>();
+                phi_761_ = true;
             }
-            let _e415 = phi_748_;
-            let _e417 = phi_749_;
-            phi_750_ = _e415;
-            phi_751_ = _e417;
+            let _e426 = phi_760_;
+            let _e428 = phi_761_;
+            phi_762_ = _e426;
+            phi_763_ = _e428;
         }
-        let _e419 = phi_750_;
-        let _e421 = phi_751_;
-        if _e421 {
-            phi_757_ = array<u32, 2>(_e399, (_e401 | 2147483648u));
+        let _e430 = phi_762_;
+        let _e432 = phi_763_;
+        if _e432 {
+            phi_769_ = array<u32, 2>(_e410, (_e412 | 2147483648u));
         } else {
-            phi_757_ = _e419;
+            phi_769_ = _e430;
         }
-        let _e425 = phi_757_;
-        let _e426 = bitcast<u64>(_e389[1]);
-        let _e427 = u32(_e426);
-        let _e429 = u32((_e426 / 4294967296lu));
-        if ((_e429 >> bitcast<u32>(31i)) == 0u) {
-            phi_786_ = array<u32, 2>();
-            phi_787_ = true;
+        let _e436 = phi_769_;
+        let _e437 = bitcast<u64>(_e400[1]);
+        let _e438 = u32(_e437);
+        let _e440 = u32((_e437 / 4294967296lu));
+        if ((_e440 >> bitcast<u32>(31i)) == 0u) {
+            phi_798_ = array<u32, 2>();
+            phi_799_ = true;
         } else {
-            if (_e429 == 2147483648u) {
-                if (_e427 == 0u) {
-                    phi_776_ = false;
+            if (_e440 == 2147483648u) {
+                if (_e438 == 0u) {
+                    phi_788_ = false;
                 } else {
-                    phi_776_ = true;
+                    phi_788_ = true;
                 }
-                let _e436 = phi_776_;
-                phi_777_ = _e436;
+                let _e447 = phi_788_;
+                phi_789_ = _e447;
             } else {
-                phi_777_ = true;
+                phi_789_ = true;
             }
-            let _e438 = phi_777_;
-            if _e438 {
-                phi_784_ = array<u32, 2>(~(_e427), ~(_e429));
-                phi_785_ = false;
+            let _e449 = phi_789_;
+            if _e449 {
+                phi_796_ = array<u32, 2>(~(_e438), ~(_e440));
+                phi_797_ = false;
             } else {
-                phi_784_ = array<u32, 2>();
-                phi_785_ = true;
+                phi_796_ = array<u32, 2>();
+                phi_797_ = true;
             }
-            let _e443 = phi_784_;
-            let _e445 = phi_785_;
-            phi_786_ = _e443;
-            phi_787_ = _e445;
+            let _e454 = phi_796_;
+            let _e456 = phi_797_;
+            phi_798_ = _e454;
+            phi_799_ = _e456;
         }
-        let _e447 = phi_786_;
-        let _e449 = phi_787_;
-        if _e449 {
-            phi_793_ = array<u32, 2>(_e427, (_e429 | 2147483648u));
+        let _e458 = phi_798_;
+        let _e460 = phi_799_;
+        if _e460 {
+            phi_805_ = array<u32, 2>(_e438, (_e440 | 2147483648u));
         } else {
-            phi_793_ = _e447;
+            phi_805_ = _e458;
         }
-        let _e453 = phi_793_;
-        let _e454 = bitcast<u64>(_e389[2]);
-        let _e455 = u32(_e454);
-        let _e457 = u32((_e454 / 4294967296lu));
-        if ((_e457 >> bitcast<u32>(31i)) == 0u) {
-            phi_822_ = array<u32, 2>();
-            phi_823_ = true;
+        let _e464 = phi_805_;
+        let _e465 = bitcast<u64>(_e400[2]);
+        let _e466 = u32(_e465);
+        let _e468 = u32((_e465 / 4294967296lu));
+        if ((_e468 >> bitcast<u32>(31i)) == 0u) {
+            phi_834_ = array<u32, 2>();
+            phi_835_ = true;
         } else {
-            if (_e457 == 2147483648u) {
-                if (_e455 == 0u) {
-                    phi_812_ = false;
+            if (_e468 == 2147483648u) {
+                if (_e466 == 0u) {
+                    phi_824_ = false;
                 } else {
-                    phi_812_ = true;
+                    phi_824_ = true;
                 }
-                let _e464 = phi_812_;
-                phi_813_ = _e464;
+                let _e475 = phi_824_;
+                phi_825_ = _e475;
             } else {
-                phi_813_ = true;
+                phi_825_ = true;
             }
-            let _e466 = phi_813_;
-            if _e466 {
-                phi_820_ = array<u32, 2>(~(_e455), ~(_e457));
-                phi_821_ = false;
+            let _e477 = phi_825_;
+            if _e477 {
+                phi_832_ = array<u32, 2>(~(_e466), ~(_e468));
+                phi_833_ = false;
             } else {
-                phi_820_ = array<u32, 2>();
-                phi_821_ = true;
+                phi_832_ = array<u32, 2>();
+                phi_833_ = true;
             }
-            let _e471 = phi_820_;
-            let _e473 = phi_821_;
-            phi_822_ = _e471;
-            phi_823_ = _e473;
+            let _e482 = phi_832_;
+            let _e484 = phi_833_;
+            phi_834_ = _e482;
+            phi_835_ = _e484;
         }
-        let _e475 = phi_822_;
-        let _e477 = phi_823_;
-        if _e477 {
-            phi_829_ = array<u32, 2>(_e455, (_e457 | 2147483648u));
+        let _e486 = phi_834_;
+        let _e488 = phi_835_;
+        if _e488 {
+            phi_841_ = array<u32, 2>(_e466, (_e468 | 2147483648u));
         } else {
-            phi_829_ = _e475;
+            phi_841_ = _e486;
         }
-        let _e481 = phi_829_;
-        let _e482 = bitcast<u64>(_e394[0]);
-        let _e483 = u32(_e482);
-        let _e485 = u32((_e482 / 4294967296lu));
-        if ((_e485 >> bitcast<u32>(31i)) == 0u) {
-            phi_858_ = array<u32, 2>();
-            phi_859_ = true;
+        let _e492 = phi_841_;
+        let _e493 = bitcast<u64>(_e405[0]);
+        let _e494 = u32(_e493);
+        let _e496 = u32((_e493 / 4294967296lu));
+        if ((_e496 >> bitcast<u32>(31i)) == 0u) {
+            phi_870_ = array<u32, 2>();
+            phi_871_ = true;
         } else {
-            if (_e485 == 2147483648u) {
-                if (_e483 == 0u) {
-                    phi_848_ = false;
+            if (_e496 == 2147483648u) {
+                if (_e494 == 0u) {
+                    phi_860_ = false;
                 } else {
-                    phi_848_ = true;
+                    phi_860_ = true;
                 }
-                let _e492 = phi_848_;
-                phi_849_ = _e492;
+                let _e503 = phi_860_;
+                phi_861_ = _e503;
             } else {
-                phi_849_ = true;
+                phi_861_ = true;
             }
-            let _e494 = phi_849_;
-            if _e494 {
-                phi_856_ = array<u32, 2>(~(_e483), ~(_e485));
-                phi_857_ = false;
+            let _e505 = phi_861_;
+            if _e505 {
+                phi_868_ = array<u32, 2>(~(_e494), ~(_e496));
+                phi_869_ = false;
             } else {
-                phi_856_ = array<u32, 2>();
-                phi_857_ = true;
+                phi_868_ = array<u32, 2>();
+                phi_869_ = true;
             }
-            let _e499 = phi_856_;
-            let _e501 = phi_857_;
-            phi_858_ = _e499;
-            phi_859_ = _e501;
+            let _e510 = phi_868_;
+            let _e512 = phi_869_;
+            phi_870_ = _e510;
+            phi_871_ = _e512;
         }
-        let _e503 = phi_858_;
-        let _e505 = phi_859_;
-        if _e505 {
-            phi_865_ = array<u32, 2>(_e483, (_e485 | 2147483648u));
+        let _e514 = phi_870_;
+        let _e516 = phi_871_;
+        if _e516 {
+            phi_877_ = array<u32, 2>(_e494, (_e496 | 2147483648u));
         } else {
-            phi_865_ = _e503;
+            phi_877_ = _e514;
         }
-        let _e509 = phi_865_;
-        let _e510 = bitcast<u64>(_e394[1]);
-        let _e511 = u32(_e510);
-        let _e513 = u32((_e510 / 4294967296lu));
-        if ((_e513 >> bitcast<u32>(31i)) == 0u) {
-            phi_894_ = array<u32, 2>();
-            phi_895_ = true;
+        let _e520 = phi_877_;
+        let _e521 = bitcast<u64>(_e405[1]);
+        let _e522 = u32(_e521);
+        let _e524 = u32((_e521 / 4294967296lu));
+        if ((_e524 >> bitcast<u32>(31i)) == 0u) {
+            phi_906_ = array<u32, 2>();
+            phi_907_ = true;
         } else {
-            if (_e513 == 2147483648u) {
-                if (_e511 == 0u) {
-                    phi_884_ = false;
+            if (_e524 == 2147483648u) {
+                if (_e522 == 0u) {
+                    phi_896_ = false;
                 } else {
-                    phi_884_ = true;
+                    phi_896_ = true;
                 }
-                let _e520 = phi_884_;
-                phi_885_ = _e520;
+                let _e531 = phi_896_;
+                phi_897_ = _e531;
             } else {
-                phi_885_ = true;
+                phi_897_ = true;
             }
-            let _e522 = phi_885_;
-            if _e522 {
-                phi_892_ = array<u32, 2>(~(_e511), ~(_e513));
-                phi_893_ = false;
+            let _e533 = phi_897_;
+            if _e533 {
+                phi_904_ = array<u32, 2>(~(_e522), ~(_e524));
+                phi_905_ = false;
             } else {
-                phi_892_ = array<u32, 2>();
-                phi_893_ = true;
+                phi_904_ = array<u32, 2>();
+                phi_905_ = true;
             }
-            let _e527 = phi_892_;
-            let _e529 = phi_893_;
-            phi_894_ = _e527;
-            phi_895_ = _e529;
+            let _e538 = phi_904_;
+            let _e540 = phi_905_;
+            phi_906_ = _e538;
+            phi_907_ = _e540;
         }
-        let _e531 = phi_894_;
-        let _e533 = phi_895_;
-        if _e533 {
-            phi_901_ = array<u32, 2>(_e511, (_e513 | 2147483648u));
+        let _e542 = phi_906_;
+        let _e544 = phi_907_;
+        if _e544 {
+            phi_913_ = array<u32, 2>(_e522, (_e524 | 2147483648u));
         } else {
-            phi_901_ = _e531;
+            phi_913_ = _e542;
         }
-        let _e537 = phi_901_;
-        let _e538 = bitcast<u64>(_e394[2]);
-        let _e539 = u32(_e538);
-        let _e541 = u32((_e538 / 4294967296lu));
-        if ((_e541 >> bitcast<u32>(31i)) == 0u) {
-            phi_930_ = array<u32, 2>();
-            phi_931_ = true;
+        let _e548 = phi_913_;
+        let _e549 = bitcast<u64>(_e405[2]);
+        let _e550 = u32(_e549);
+        let _e552 = u32((_e549 / 4294967296lu));
+        if ((_e552 >> bitcast<u32>(31i)) == 0u) {
+            phi_942_ = array<u32, 2>();
+            phi_943_ = true;
         } else {
-            if (_e541 == 2147483648u) {
-                if (_e539 == 0u) {
-                    phi_920_ = false;
+            if (_e552 == 2147483648u) {
+                if (_e550 == 0u) {
+                    phi_932_ = false;
                 } else {
-                    phi_920_ = true;
+                    phi_932_ = true;
                 }
-                let _e548 = phi_920_;
-                phi_921_ = _e548;
+                let _e559 = phi_932_;
+                phi_933_ = _e559;
             } else {
-                phi_921_ = true;
+                phi_933_ = true;
             }
-            let _e550 = phi_921_;
-            if _e550 {
-                phi_928_ = array<u32, 2>(~(_e539), ~(_e541));
-                phi_929_ = false;
+            let _e561 = phi_933_;
+            if _e561 {
+                phi_940_ = array<u32, 2>(~(_e550), ~(_e552));
+                phi_941_ = false;
             } else {
-                phi_928_ = array<u32, 2>();
-                phi_929_ = true;
+                phi_940_ = array<u32, 2>();
+                phi_941_ = true;
             }
-            let _e555 = phi_928_;
-            let _e557 = phi_929_;
-            phi_930_ = _e555;
-            phi_931_ = _e557;
+            let _e566 = phi_940_;
+            let _e568 = phi_941_;
+            phi_942_ = _e566;
+            phi_943_ = _e568;
         }
-        let _e559 = phi_930_;
-        let _e561 = phi_931_;
-        if _e561 {
-            phi_937_ = array<u32, 2>(_e539, (_e541 | 2147483648u));
+        let _e570 = phi_942_;
+        let _e572 = phi_943_;
+        if _e572 {
+            phi_949_ = array<u32, 2>(_e550, (_e552 | 2147483648u));
         } else {
-            phi_937_ = _e559;
+            phi_949_ = _e570;
         }
-        let _e565 = phi_937_;
-        keys.member[_e52] = array<array<u32, 2>, 6>(_e425, _e453, _e481, _e509, _e537, _e565);
+        let _e576 = phi_949_;
+        keys.member[_e52] = array<array<u32, 2>, 6>(_e436, _e464, _e492, _e520, _e548, _e576);
         local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_943_ = type_9(0u, 3u);
+        phi_955_ = type_9(0u, 3u);
         loop {
-            let _e569 = phi_943_;
-            if (_e569.member < _e569.member_1) {
-                phi_944_ = type_9((_e569.member + 1u), _e569.member_1);
-                phi_967_ = type_9(1u, _e569.member);
+            let _e580 = phi_955_;
+            if (_e580.member < _e580.member_1) {
+                phi_956_ = type_9((_e580.member + 1u), _e580.member_1);
+                phi_979_ = type_9(1u, _e580.member);
             } else {
-                phi_944_ = _e569;
-                phi_967_ = type_9(0u, type_9().member_1);
+                phi_956_ = _e580;
+                phi_979_ = type_9(0u, type_9().member_1);
             }
-            let _e581 = phi_944_;
-            let _e583 = phi_967_;
-            let _e587 = (bitcast<i32>(_e583.member) != 0i);
-            if _e587 {
-                let _e590 = local_6.member[_e583.member_1];
-                let _e591 = f32(_e590);
-                if (f64(_e591) > _e590) {
-                    let _e594 = -(_e591);
-                    let _e595 = bitcast<u32>(_e594);
-                    if ((_e595 & 2139095040u) == 2139095040u) {
-                        phi_999_ = (_e594 < 0f);
+            let _e592 = phi_956_;
+            let _e594 = phi_979_;
+            let _e598 = (bitcast<i32>(_e594.member) != 0i);
+            if _e598 {
+                let _e601 = local_6.member[_e594.member_1];
+                let _e602 = f32(_e601);
+                if (f64(_e602) > _e601) {
+                    let _e605 = -(_e602);
+                    let _e606 = bitcast<u32>(_e605);
+                    if ((_e606 & 2139095040u) == 2139095040u) {
+                        phi_1011_ = (_e605 < 0f);
                     } else {
-                        phi_999_ = true;
+                        phi_1011_ = true;
                     }
-                    let _e600 = phi_999_;
-                    if _e600 {
-                        if (_e594 > 0f) {
-                            phi_1017_ = bitcast<f32>((_e595 + 1u));
+                    let _e611 = phi_1011_;
+                    if _e611 {
+                        if (_e605 > 0f) {
+                            phi_1029_ = bitcast<f32>((_e606 + 1u));
                         } else {
-                            if (_e594 < 0f) {
-                                phi_1016_ = bitcast<f32>((_e595 - 1u));
+                            if (_e605 < 0f) {
+                                phi_1028_ = bitcast<f32>((_e606 - 1u));
                             } else {
-                                phi_1016_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1028_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e606 = phi_1016_;
-                            phi_1017_ = _e606;
+                            let _e617 = phi_1028_;
+                            phi_1029_ = _e617;
                         }
-                        let _e610 = phi_1017_;
-                        phi_1018_ = _e610;
+                        let _e621 = phi_1029_;
+                        phi_1030_ = _e621;
                     } else {
-                        phi_1018_ = _e594;
+                        phi_1030_ = _e605;
                     }
-                    let _e612 = phi_1018_;
-                    phi_1020_ = -(_e612);
+                    let _e623 = phi_1030_;
+                    phi_1032_ = -(_e623);
                 } else {
-                    phi_1020_ = _e591;
+                    phi_1032_ = _e602;
                 }
-                let _e615 = phi_1020_;
-                let _e616 = -(290000000000000000000000000000000000000f);
-                if (_e615 > _e616) {
-                    phi_1026_ = _e615;
+                let _e626 = phi_1032_;
+                let _e627 = -(290000000000000000000000000000000000000f);
+                if (_e626 > _e627) {
+                    phi_1038_ = _e626;
                 } else {
-                    phi_1026_ = _e616;
+                    phi_1038_ = _e627;
                 }
-                let _e619 = phi_1026_;
-                if (_e619 < 290000000000000000000000000000000000000f) {
-                    phi_1031_ = _e619;
+                let _e630 = phi_1038_;
+                if (_e630 < 290000000000000000000000000000000000000f) {
+                    phi_1043_ = _e630;
                 } else {
-                    phi_1031_ = 290000000000000000000000000000000000000f;
+                    phi_1043_ = 290000000000000000000000000000000000000f;
                 }
-                let _e622 = phi_1031_;
-                local_1.member[_e583.member_1] = _e622;
-                let _e627 = local_6.member_1[_e583.member_1];
-                let _e628 = f32(_e627);
-                if (f64(_e628) < _e627) {
-                    let _e631 = bitcast<u32>(_e628);
-                    if ((_e631 & 2139095040u) == 2139095040u) {
-                        phi_1062_ = (_e628 < 0f);
+                let _e633 = phi_1043_;
+                local_1.member[_e594.member_1] = _e633;
+                let _e638 = local_6.member_1[_e594.member_1];
+                let _e639 = f32(_e638);
+                if (f64(_e639) < _e638) {
+                    let _e642 = bitcast<u32>(_e639);
+                    if ((_e642 & 2139095040u) == 2139095040u) {
+                        phi_1074_ = (_e639 < 0f);
                     } else {
-                        phi_1062_ = true;
+                        phi_1074_ = true;
                     }
-                    let _e636 = phi_1062_;
-                    if _e636 {
-                        if (_e628 > 0f) {
-                            phi_1080_ = bitcast<f32>((_e631 + 1u));
+                    let _e647 = phi_1074_;
+                    if _e647 {
+                        if (_e639 > 0f) {
+                            phi_1092_ = bitcast<f32>((_e642 + 1u));
                         } else {
-                            if (_e628 < 0f) {
-                                phi_1079_ = bitcast<f32>((_e631 - 1u));
+                            if (_e639 < 0f) {
+                                phi_1091_ = bitcast<f32>((_e642 - 1u));
                             } else {
-                                phi_1079_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1091_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e642 = phi_1079_;
-                            phi_1080_ = _e642;
+                            let _e653 = phi_1091_;
+                            phi_1092_ = _e653;
                         }
-                        let _e646 = phi_1080_;
-                        phi_1081_ = _e646;
+                        let _e657 = phi_1092_;
+                        phi_1093_ = _e657;
                     } else {
-                        phi_1081_ = _e628;
+                        phi_1093_ = _e639;
                     }
-                    let _e648 = phi_1081_;
-                    phi_1082_ = _e648;
+                    let _e659 = phi_1093_;
+                    phi_1094_ = _e659;
                 } else {
-                    phi_1082_ = _e628;
+                    phi_1094_ = _e639;
                 }
-                let _e650 = phi_1082_;
-                let _e651 = -(290000000000000000000000000000000000000f);
-                if (_e650 > _e651) {
-                    phi_1088_ = _e650;
+                let _e661 = phi_1094_;
+                let _e662 = -(290000000000000000000000000000000000000f);
+                if (_e661 > _e662) {
+                    phi_1100_ = _e661;
                 } else {
-                    phi_1088_ = _e651;
+                    phi_1100_ = _e662;
                 }
-                let _e654 = phi_1088_;
-                if (_e654 < 290000000000000000000000000000000000000f) {
-                    phi_1093_ = _e654;
+                let _e665 = phi_1100_;
+                if (_e665 < 290000000000000000000000000000000000000f) {
+                    phi_1105_ = _e665;
                 } else {
-                    phi_1093_ = 290000000000000000000000000000000000000f;
+                    phi_1105_ = 290000000000000000000000000000000000000f;
                 }
-                let _e657 = phi_1093_;
-                local_1.member_1[_e583.member_1] = _e657;
+                let _e668 = phi_1105_;
+                local_1.member_1[_e594.member_1] = _e668;
             }
             continue;
             continuing {
-                phi_943_ = _e581;
-                break if !(_e587);
+                phi_955_ = _e592;
+                break if !(_e598);
             }
         }
-        let _e661 = local_1;
-        local = _e661;
-        phi_1126_ = type_9(0u, 3u);
+        let _e672 = local_1;
+        local = _e672;
+        phi_1138_ = type_9(0u, 3u);
         loop {
-            let _e663 = phi_1126_;
-            if (_e663.member < _e663.member_1) {
-                phi_1127_ = type_9((_e663.member + 1u), _e663.member_1);
-                phi_1150_ = type_9(1u, _e663.member);
+            let _e674 = phi_1138_;
+            if (_e674.member < _e674.member_1) {
+                phi_1139_ = type_9((_e674.member + 1u), _e674.member_1);
+                phi_1162_ = type_9(1u, _e674.member);
             } else {
-                phi_1127_ = _e663;
-                phi_1150_ = type_9(0u, type_9().member_1);
+                phi_1139_ = _e674;
+                phi_1162_ = type_9(0u, type_9().member_1);
             }
-            let _e675 = phi_1127_;
-            let _e677 = phi_1150_;
-            let _e681 = (bitcast<i32>(_e677.member) != 0i);
-            if _e681 {
-                let _e684 = local.member[_e677.member_1];
-                if (_e684 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1171_ = (_e684 > -(0.000000000000000000000000000000000000011754944f));
+            let _e686 = phi_1139_;
+            let _e688 = phi_1162_;
+            let _e692 = (bitcast<i32>(_e688.member) != 0i);
+            if _e692 {
+                let _e695 = local.member[_e688.member_1];
+                if (_e695 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1183_ = (_e695 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1171_ = false;
+                    phi_1183_ = false;
                 }
-                let _e689 = phi_1171_;
-                if _e689 {
-                    let _e695 = local_6.member[_e677.member_1];
-                    let _e697 = bitcast<u64>(-(_e695));
-                    let _e700 = u32((_e697 / 4294967296lu));
-                    if ((_e700 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1194_ = ((u32(_e697) | _e700) != 0u);
+                let _e700 = phi_1183_;
+                if _e700 {
+                    let _e706 = local_6.member[_e688.member_1];
+                    let _e708 = bitcast<u64>(-(_e706));
+                    let _e711 = u32((_e708 / 4294967296lu));
+                    if ((_e711 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1206_ = ((u32(_e708) | _e711) != 0u);
                     } else {
-                        phi_1194_ = false;
+                        phi_1206_ = false;
                     }
-                    let _e707 = phi_1194_;
-                    if _e707 {
-                        phi_1198_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e718 = phi_1206_;
+                    if _e718 {
+                        phi_1210_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1198_ = 0f;
+                        phi_1210_ = 0f;
                     }
-                    let _e709 = phi_1198_;
-                    phi_1207_ = -(_e709);
+                    let _e720 = phi_1210_;
+                    phi_1219_ = -(_e720);
                 } else {
-                    let _e692 = local.member[_e677.member_1];
-                    phi_1207_ = _e692;
+                    let _e703 = local.member[_e688.member_1];
+                    phi_1219_ = _e703;
                 }
-                let _e712 = phi_1207_;
-                local.member[_e677.member_1] = _e712;
-                let _e717 = local.member_1[_e677.member_1];
-                if (_e717 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1228_ = (_e717 > -(0.000000000000000000000000000000000000011754944f));
+                let _e723 = phi_1219_;
+                local.member[_e688.member_1] = _e723;
+                let _e728 = local.member_1[_e688.member_1];
+                if (_e728 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1240_ = (_e728 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1228_ = false;
+                    phi_1240_ = false;
                 }
-                let _e722 = phi_1228_;
-                if _e722 {
-                    let _e728 = local_6.member_1[_e677.member_1];
-                    let _e729 = bitcast<u64>(_e728);
-                    let _e732 = u32((_e729 / 4294967296lu));
-                    if ((_e732 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1251_ = ((u32(_e729) | _e732) != 0u);
+                let _e733 = phi_1240_;
+                if _e733 {
+                    let _e739 = local_6.member_1[_e688.member_1];
+                    let _e740 = bitcast<u64>(_e739);
+                    let _e743 = u32((_e740 / 4294967296lu));
+                    if ((_e743 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1263_ = ((u32(_e740) | _e743) != 0u);
                     } else {
-                        phi_1251_ = false;
+                        phi_1263_ = false;
                     }
-                    let _e739 = phi_1251_;
-                    if _e739 {
-                        phi_1255_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e750 = phi_1263_;
+                    if _e750 {
+                        phi_1267_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1255_ = 0f;
+                        phi_1267_ = 0f;
                     }
-                    let _e741 = phi_1255_;
-                    phi_1264_ = _e741;
+                    let _e752 = phi_1267_;
+                    phi_1276_ = _e752;
                 } else {
-                    let _e725 = local.member_1[_e677.member_1];
-                    phi_1264_ = _e725;
+                    let _e736 = local.member_1[_e688.member_1];
+                    phi_1276_ = _e736;
                 }
-                let _e743 = phi_1264_;
-                local.member_1[_e677.member_1] = _e743;
+                let _e754 = phi_1276_;
+                local.member_1[_e688.member_1] = _e754;
             }
             continue;
             continuing {
-                phi_1126_ = _e675;
-                break if !(_e681);
+                phi_1138_ = _e686;
+                break if !(_e692);
             }
         }
-        let _e747 = local;
-        boxes.member[_e52] = type_19(array<f32, 3>(_e747.member[0], _e747.member[1], _e747.member[2]), array<f32, 3>(_e747.member_1[0], _e747.member_1[1], _e747.member_1[2]));
+        let _e758 = local;
+        boxes.member[_e52] = type_19(array<f32, 3>(_e758.member[0], _e758.member[1], _e758.member[2]), array<f32, 3>(_e758.member_1[0], _e758.member_1[1], _e758.member_1[2]));
     }
     return;
 }

@@ -10,6 +10,7 @@ struct type_7 {
     member_7: array<u32, 2>,
     member_8: array<array<u32, 2>, 3>,
     member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
 }
 
 struct type_8 {

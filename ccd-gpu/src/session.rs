@@ -9,7 +9,7 @@ use crate::recorder::{Bench, Timing, submit};
 use crate::step::buffers::Buffers;
 use crate::step::contact_order::{self, ContactOrder};
 use crate::step::{Goal, SAMPLE, cpu_fallback};
-use ccd_core::Real;
+use ccd_core::Coordinate;
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
@@ -151,7 +151,7 @@ impl Session {
 
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
-    pub fn step<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(x0, x1, Goal::Contacts)?;
         Ok(&self.report)
     }
@@ -160,7 +160,7 @@ impl Session {
     /// [`Session::step`]. `None`: the whole step is free.
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
         self.run(x0, x1, goal)?;
@@ -169,7 +169,7 @@ impl Session {
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
+    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let Self { buffers, bench, readback, device, report, .. } = self;
         let PerKind { vf, ee } = report.candidates;
@@ -186,7 +186,7 @@ impl Session {
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
-    pub fn candidates_on_device<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
+    pub fn candidates_on_device<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
@@ -218,7 +218,7 @@ impl Session {
         Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
     }
 
-    fn run<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
+    fn run<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
         self.mesh.check_positions(x0, x1)?;
         let start = Instant::now();
         let distance = self.options.min_distance;
@@ -365,7 +365,7 @@ impl Session {
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take<T: Real + Sync>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
+    fn take<T: Coordinate>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;

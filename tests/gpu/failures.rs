@@ -4,7 +4,7 @@
 use crate::support::{bytes, list, not_run, read, room, run};
 use ccd::gpu::bind::{DecideEdgeEdge, DecideVertexFace};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
-use ccd::{Method, Options, Pair};
+use ccd::{BroadPhaseMethod, Options, Pair};
 use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
@@ -84,7 +84,7 @@ fn check_too_large(device: &Device) {
     if n > 20_000_000 {
         return not_run(format!("{n} boxes fit"));
     }
-    let mut broad = BroadPhase::new(device, Method::Blocks).unwrap();
+    let mut broad = BroadPhase::new(device, BroadPhaseMethod::Blocks).unwrap();
     let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];
     match broad.self_pairs(&boxes) {
         Err(Error::TooLarge { bytes, limit: named, .. }) => assert!(bytes > named && named <= limit, "{bytes} {named}"),
@@ -95,7 +95,7 @@ fn check_too_large(device: &Device) {
 }
 
 fn ccd_pairs(n: usize) -> usize {
-    let mut cpu = ccd::BroadPhase::new(1, Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
     let pairs: Vec<Pair> = cpu.self_pairs(&uniform_boxes(100_000)[..n]).unwrap().to_vec();
     pairs.len()
 }

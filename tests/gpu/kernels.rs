@@ -9,7 +9,7 @@ use ccd::gpu::bind::{
     SweepEdges, SweepFaces, SweepVertices,
 };
 use ccd::gpu::{Device, Sorter, harness};
-use ccd_core::broad_phase::{block_bvh, morton_key};
+use ccd_core::broad_phase::{candidate, morton_key};
 use ccd_core::kernel::sort;
 use ccd_core::layout::{Blocks, ContactSort, Dispatch, Frame, Leaf, Params, Path, Plain, SortPass, Touch, split};
 use ccd_core::narrow_phase::decide;
@@ -46,8 +46,9 @@ fn check_place(device: &Device) {
     };
     let n = 1000;
     let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (0..n).map(|i| (position(i), position(i))).unzip();
-    for (origin, margin) in [([0.0; 3], 0.0), ([0.7, -1.3, 2e-5], 0.01)] {
-        let frame = Frame { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), ..Frame::default() };
+    for (origin, margin, scale) in [([0.0; 3], 0.0, 1.0), ([0.7, -1.3, 2e-5], 0.01, 2f64.powi(-300))] {
+        let frame =
+            Frame { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), scale_bits: split(scale), ..Frame::default() };
         let kernel = PlaceVertices {
             positions: bytes(&[&x0[..], &x1[..]].concat()),
             paths: zeros::<Path>(n as usize),
@@ -61,7 +62,7 @@ fn check_place(device: &Device) {
             for (end, given) in [(paths[i].t0, x0[i]), (paths[i].t1, x1[i])] {
                 // What is too large for an `f32` becomes the greatest or infinity: the bound on the
                 // error is infinite then.
-                let want = |k: usize| ((given[k] - origin[k]) as f32).clamp(f32::MIN, f32::MAX);
+                let want = |k: usize| (((given[k] - origin[k]) * scale) as f32).clamp(f32::MIN, f32::MAX);
                 assert!((0..3).all(|k| same(end[k].clamp(f32::MIN, f32::MAX), want(k))) && end[3] == 0.0, "{given:?} became {end:?}");
             }
             for k in 0..3 {
@@ -69,7 +70,7 @@ fn check_place(device: &Device) {
                 let (low, high) = if margin > 0.0 { ((low - margin).next_down(), (high + margin).next_up()) } else { (low, high) };
                 assert_eq!(
                     (keys[i][k], keys[i][3 + k]),
-                    (block_bvh::bound_key(low), block_bvh::bound_key(high)),
+                    (candidate::bound_key(low), candidate::bound_key(high)),
                     "keys of {low:e} to {high:e}"
                 );
                 let clamp = |x: f64| x.clamp(-2.9e38, 2.9e38);

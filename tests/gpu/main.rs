@@ -5,13 +5,16 @@
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
 
 mod failures;
+mod grazing;
 mod kernels;
 mod pairs;
 mod poison;
 mod scalars;
 mod scenes;
 mod support;
+mod tangential;
 mod twin;
+mod units;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -66,7 +69,8 @@ fn main() {
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
-        let tests = [kernels::TESTS, pairs::TESTS, poison::TESTS, scalars::TESTS, failures::TESTS, scenes::TESTS];
+        let tests =
+            [kernels::TESTS, pairs::TESTS, poison::TESTS, scalars::TESTS, failures::TESTS, scenes::TESTS, tangential::TESTS, units::TESTS];
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
         }

@@ -6,7 +6,7 @@ use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, 
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs, TraverseAgainst, TraverseHalf};
 use ccd::gpu::{BroadPhase, Device};
-use ccd::{Aabb, Method, Pair, Verdict};
+use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
 use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path};
 use ccd_testkit::brute;
@@ -18,8 +18,8 @@ pub const TESTS: crate::Tests = &[
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("radix_tree", check_radix_tree),
-    ("uniform_boxes_by_blocks", |device| check_uniform(device, Method::Blocks)),
-    ("uniform_boxes_by_tree", |device| check_uniform(device, Method::Tree)),
+    ("uniform_boxes_by_blocks", |device| check_uniform(device, BroadPhaseMethod::Blocks)),
+    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::Tree)),
 ];
 
 fn check_node_pairs(device: &Device) {
@@ -127,6 +127,7 @@ pub fn filtered(device: &Device, twin: &Twin, paths: &[Path], kind: u32, blocks:
 }
 
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
+    use ccd::Kind;
     use ccd_core::narrow_phase::decide;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
@@ -138,10 +139,8 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
             .collect::<Vec<[f32; 3]>>()
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
-    match kind {
-        0 => decide::vertex_face(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
-        _ => decide::edge_edge(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
-    }
+    let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
 }
 
 /// Every leaf is below every node that says so, children split the range of their parent, boxes are
@@ -231,12 +230,12 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], b
     assert_eq!(read::<u32>(&pairs), [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0], "a count that runs over");
 }
 
-fn check_uniform(device: &Device, method: Method) {
+fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     let boxes = uniform_boxes(100_000);
     let mut broad = BroadPhase::new(device, method).unwrap();
     let pairs = broad.self_pairs(&boxes).unwrap();
     assert_eq!(pairs.len(), 320);
-    let mut cpu = ccd::BroadPhase::new(2, Method::Blocks).unwrap();
+    let mut cpu = ccd::BroadPhase::new(2, BroadPhaseMethod::Blocks).unwrap();
     check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();

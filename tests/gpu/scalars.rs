@@ -184,8 +184,8 @@ pub fn check_negative_control() {
 /// Offsets of the members of parameters and of their records, as the modules of the table declare
 /// them.
 pub fn check_decorations() {
-    let frame = [0, 12, 16, 32, 36, 40, 44, 48, 56, 80];
-    let (dispatch, params) = ([0, 4, 8, 12], [0, 88, 104]);
+    let frame = [0, 12, 16, 32, 36, 40, 44, 48, 56, 80, 88];
+    let (dispatch, params) = ([0, 4, 8, 12], [0, 96, 112]);
     for kernel in TABLE {
         let Some(record) = kernel.params else { continue };
         let own: &[u32] = match record {
@@ -200,7 +200,7 @@ pub fn check_decorations() {
         }
     }
     let size = |parts: [&[u8]; 3]| parts.map(<[u8]>::len);
-    assert_eq!(size(Params::<Blocks>::default().parts()), [88, 16, 144]);
+    assert_eq!(size(Params::<Blocks>::default().parts()), [96, 16, 144]);
 }
 
 /// Offsets of the members of each structure of a module.

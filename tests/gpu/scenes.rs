@@ -6,7 +6,7 @@ use ccd::gpu::{Device, Path as ShaderPath, Session};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
 use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join, split};
-use ccd_core::model::quantization::Scan;
+use ccd_core::model::quantization::{Scan, Table};
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
@@ -172,7 +172,7 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         let edges = (0..2 * count).flat_map(|i| [2 * i, 2 * i + 1]);
         (edges.collect(), (0..count).map(|i| Pair { a: 2 * i, b: 2 * i + 1 }).collect())
     };
-    let exact = if table.error == 0.0 { Frame::FLAG_EXACT } else { 0 };
+    let exact = if table == Table::AS_GIVEN { Frame::FLAG_EXACT } else { 0 };
     let frame = Frame {
         count: [4 * count, 0, 0],
         flags: Frame::FLAG_KEEP | exact,

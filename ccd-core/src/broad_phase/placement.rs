@@ -15,14 +15,14 @@ pub fn given(i: u32, frame: &Frame, positions: &[[f64; 3]]) -> ([f64; 3], [f64; 
     (at(positions, i as usize), at(positions, (frame.count[0] + i) as usize))
 }
 
-/// The path of a vertex relative to the origin.
+/// The path of a vertex relative to the origin, in the unit of paths.
 #[inline(always)]
 pub fn path(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Path {
     let mut out = Path { t0: [0.0; 4], t1: [0.0; 4] };
     for k in 0..3 {
-        let origin = join(frame.origin[k]);
-        out.t0[k] = nearest(p[k] - origin);
-        out.t1[k] = nearest(q[k] - origin);
+        let (origin, scale) = (join(frame.origin[k]), join(frame.scale_bits));
+        out.t0[k] = nearest((p[k] - origin) * scale);
+        out.t1[k] = nearest((q[k] - origin) * scale);
     }
     out
 }

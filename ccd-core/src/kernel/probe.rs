@@ -33,16 +33,18 @@ pub fn params(p: &Params<Blocks>, out: &mut [u32]) {
     }
     put(out, 20, frame.margin_bits[0]);
     put(out, 21, frame.margin_bits[1]);
-    put(out, 22, dispatch.n);
-    put(out, 23, dispatch.first);
-    put(out, 24, dispatch.room_in);
-    put(out, 25, dispatch.room_out);
+    put(out, 22, frame.scale_bits[0]);
+    put(out, 23, frame.scale_bits[1]);
+    put(out, 24, dispatch.n);
+    put(out, 25, dispatch.first);
+    put(out, 26, dispatch.room_in);
+    put(out, 27, dispatch.room_out);
     for level in 0..MAX_LEVELS {
         for k in 0..4 {
-            put(out, 26 + 4 * level + k, own.slots[level][k]);
+            put(out, 28 + 4 * level + k, own.slots[level][k]);
         }
     }
-    let n = 26 + 4 * MAX_LEVELS;
+    let n = 28 + 4 * MAX_LEVELS;
     put(out, n, own.kind);
     put(out, n + 1, own.level);
     put(out, n + 2, own.step);

@@ -137,7 +137,7 @@ impl Buffers {
     fn decide(&self, recorder: &mut Recorder, frame: &Frame, kind: usize, wide: bool) {
         recorder.stage(DECIDE[kind]);
         let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
-        let frame = Frame { path_error: self.positions.path_error, ..*frame };
+        let frame = Frame { path_error: self.positions.path_error(), ..*frame };
         let (room_in, room_out) = (input.room(), self.contacts.room());
         let dispatch = Dispatch { n: 0, first: 0, room_in, room_out };
         let groups = self.tree.groups.min(room_in.div_ceil(Id::DecideVertexFace.threads()));

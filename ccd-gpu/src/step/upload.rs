@@ -3,12 +3,13 @@
 
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::Aabb;
 use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::layout::{Frame, Path, split};
 use ccd_core::math::real::Real;
 use ccd_core::model::error;
-use ccd_core::model::quantization::{Scan, margin};
+use ccd_core::model::precision::{Points, Precision};
+use ccd_core::model::quantization::{Scan, Table, margin};
+use ccd_core::{Aabb, Coordinate};
 use wgpu::BufferUsages as U;
 
 /// Positions on the device.
@@ -21,13 +22,13 @@ pub struct Positions {
     pub boxes: Boxes,
     /// Whether paths are exact.
     pub exact: bool,
-    /// What was subtracted from paths, how far they are from the truth, and what follows from that.
-    origin: [f64; 3],
-    pub path_error: f32,
+    /// Origin, unit and error of paths.
+    table: Table,
     slack: f32,
-    /// Greatest absolute coordinate of paths.
+    /// Bound of the coordinates of paths.
     pub reach: f32,
     host_paths: Vec<Path>,
+    host_wide: Vec<[f64; 3]>,
     host_keys: Vec<[[u32; 2]; 6]>,
     host_boxes: Vec<Aabb>,
 }
@@ -54,11 +55,11 @@ impl Positions {
             keys: device.buffer("keys of exact boxes", 0, usage)?,
             boxes: Boxes::OfPaths,
             exact: true,
-            origin: [0.0; 3],
-            path_error: 0.0,
+            table: Table::AS_GIVEN,
             slack: 0.0,
             reach: 0.0,
             host_paths: Vec::new(),
+            host_wide: Vec::new(),
             host_keys: Vec::new(),
             host_boxes: Vec::new(),
         })
@@ -66,7 +67,7 @@ impl Positions {
 
     /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
     /// go if kernels cannot make them.
-    pub fn upload<T: Real>(
+    pub fn upload<T: Coordinate>(
         &mut self,
         device: &Device,
         x0: &[[T; 3]],
@@ -84,12 +85,12 @@ impl Positions {
             error::check_coordinates(1, x1)?;
         }
         let table = scan.table(true);
-        self.exact = table.error == 0.0;
-        (self.origin, self.path_error) = (table.origin, table.error);
-        let reach = if self.exact { scan.greatest() } else { (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k])) };
-        self.reach = reach.round_up();
-        // Where boxes are not rounded, input is exact in `f32`.
-        let rounded = scan.rounds_boxes::<T>(min_distance);
+        self.table = table;
+        self.exact = table == Table::AS_GIVEN;
+        let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
+        self.reach = if self.exact { scan.greatest() } else { extent * table.scale }.round_up();
+        // Boxes are made of paths only where those are the positions.
+        let rounded = scan.rounds_boxes::<T>(min_distance) || !self.exact;
         self.slack = if rounded { scan.slack(min_distance) } else { 0.0 };
         self.boxes = match (rounded, device.info().wide) {
             (false, _) => Boxes::OfPaths,
@@ -98,12 +99,20 @@ impl Positions {
         };
         let queue = device.queue();
         if self.boxes == Boxes::OfPositions {
-            // Rounded boxes are those of `f64`, which are sent as they are.
-            let bytes = size_of_val(x0) as u64;
+            let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
             let replaced = make_room(device, "positions in f64", &mut self.wide, 2 * bytes)?
                 | make_room(device, "keys of exact boxes", &mut self.keys, (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64)?;
-            queue.write_buffer(&self.wide, 0, bytemuck::cast_slice(x0));
-            queue.write_buffer(&self.wide, bytes, bytemuck::cast_slice(x1));
+            for (x, at) in [(x0, 0), (x1, bytes)] {
+                match T::slices::<Points, 1>([x]) {
+                    Precision::F64([x]) => queue.write_buffer(&self.wide, at, bytemuck::cast_slice(x)),
+                    // Rare: coordinates that are too large for the filters as they are.
+                    Precision::F32([x]) => {
+                        self.host_wide.clear();
+                        self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
+                        queue.write_buffer(&self.wide, at, bytemuck::cast_slice(&self.host_wide));
+                    }
+                }
+            }
             return Ok(replaced);
         }
         let path_end = |p: &[T; 3]| {
@@ -131,20 +140,26 @@ impl Positions {
         Ok(replaced)
     }
 
+    /// How far a coordinate of a path may be from the true one.
+    pub fn path_error(&self) -> f32 {
+        self.table.error
+    }
+
     /// Takes the paths that are there, which the caller has written, as exact.
     pub fn take_paths(&mut self) {
-        (self.boxes, self.exact, self.origin) = (Boxes::OfPaths, true, [0.0; 3]);
-        (self.path_error, self.slack) = (0.0, 0.0);
+        (self.boxes, self.exact, self.table) = (Boxes::OfPaths, true, Table::AS_GIVEN);
+        self.slack = 0.0;
     }
 
     /// Sets what kernels must know of the positions.
     pub fn describe(&self, frame: &mut Frame, min_distance: f64) {
-        frame.path_error = self.path_error;
+        frame.path_error = self.table.error;
         frame.slack = self.slack;
-        frame.margin = margin(min_distance);
-        frame.min_distance = min_distance.round_up();
+        frame.margin = margin(min_distance * self.table.scale);
+        frame.min_distance = self.table.distance(min_distance);
         frame.distance_bits = split(min_distance);
-        frame.origin = self.origin.map(split);
+        frame.origin = self.table.origin.map(split);
+        frame.scale_bits = split(self.table.scale);
         frame.margin_bits = split(margin(min_distance));
         frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
         frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
