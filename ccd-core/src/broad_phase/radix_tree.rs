@@ -1,4 +1,4 @@
-//! Map: the binary radix tree over sorted Morton codes, every internal node independently (Karras 2012, section 4).
+//! Map: the binary radix tree over sorted Morton codes, every internal node independently [Karras 2012].
 //!
 //! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index is part of the same comparison.
 

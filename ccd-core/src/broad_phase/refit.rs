@@ -1,4 +1,4 @@
-//! Meet: boxes of internal nodes from the leaves up; the second child to arrive at a node computes it (Karras 2012, section 4).
+//! Meet: boxes of internal nodes from the leaves up; the second child to arrive at a node computes it [Karras 2012].
 //!
 //! Boxes pass between threads inside one dispatch, so they live in shared words, six a node, and the visit counter carries
 //! acquire and release. Where a device has no such order across workgroups, a host runs the levels one after the other instead.

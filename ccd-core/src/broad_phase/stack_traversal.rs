@@ -1,4 +1,4 @@
-//! Emit: overlapping pairs by independent traversal with an explicit stack (Thinking Parallel 2), one node a step.
+//! Emit: overlapping pairs by independent traversal with an explicit stack [Karras 2012b], one node a step.
 //!
 //! Within one set, queries go in leaf order and each looks only at leaves after its own, so that every pair is found once.
 

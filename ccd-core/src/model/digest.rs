@@ -34,7 +34,7 @@ impl core::fmt::Display for Digest {
     }
 }
 
-/// A bijection of 64 bits with good avalanche (the finaliser of SplitMix64, Steele et al. 2014).
+/// A bijection of 64 bits with good avalanche (the finaliser of SplitMix64) [Steele 2014].
 fn mix(x: u64) -> u64 {
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

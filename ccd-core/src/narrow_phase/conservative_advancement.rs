@@ -3,7 +3,7 @@
 //! For a direction `w` the separation of the two features is `min_j w . d_j(t)` over the corners `d_j` of their difference
 //! (3 for vertex-face, 4 for edge-edge), each linear in `t`. Two certificates come from that:
 //! - one direction: the time until which a fixed `w` separates them is known in closed form. Taking `w` towards the nearest
-//!   point at the current time and advancing to that time is the conservative advancement of Mirtich (1996, chapter 2.3) with
+//!   point at the current time and advancing to that time is the conservative advancement of [Mirtich 1996] (chapter 2.3) with
 //!   the motion bound replaced by the true motion along `w`;
 //! - two directions, `w` at the start and `v` at the end of an interval `[t, e]`: along `w + x (v - w)`, which turns with the
 //!   features, the separation is a quadratic in `x` with the Bernstein values `w . d_j(t)`, `(w . d_j(e) + v . d_j(t)) / 2`

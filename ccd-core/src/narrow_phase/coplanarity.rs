@@ -1,8 +1,8 @@
 //! The Bernstein non-penetration filter with a rounding bound that any GPU or CPU keeps.
 //!
 //! `f(t) = a(t) . (b(t) x c(t))` is a cubic whose zeros are the only times at which the four points are coplanar, hence
-//! the only times of contact. In Bernstein form its control values enclose it: all of one sign means no contact (Tang,
-//! Manocha and Tong 2010; dissertation 2.3.2). Changed here: the triple products are summed per Bernstein index, so that
+//! the only times of contact. In Bernstein form its control values enclose it: all of one sign means no contact [Tang 2010],
+//! [da Silva 2013]. Changed here: the triple products are summed per Bernstein index, so that
 //! nothing is divided, and one bound covers every control value.
 //!
 //! # The bound

@@ -1,7 +1,7 @@
 //! Where a cubic can vanish: isolation into monotone pieces, then Newton-Raphson guarded by bisection.
 //!
 //! A root is not a number here but an interval outside of which the cubic is certainly not zero, rounding included
-//! (dissertation 2.3.2 takes Newton-Raphson with bisection from Press et al. 2007, chapter 9.4; changed here: the iteration looks for
+//! ([da Silva 2013] takes Newton-Raphson with bisection from [Press 2007]; changed here: the iteration looks for
 //! the two ends of the band `|f| <= bound` rather than for a root of the rounded polynomial).
 
 use crate::math::real::Real;

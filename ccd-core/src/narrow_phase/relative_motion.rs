@@ -5,7 +5,7 @@
 //! | vertex-face | `v - f0` | `f1 - f0` | `f2 - f0` | triangle: `s, r >= 0`, `s + r <= 1` |
 //! | edge-edge | `eb0 - ea0` | `ea1 - ea0` | `eb0 - eb1` | parallelogram: `0 <= s, r <= 1` |
 //!
-//! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch (Provot 1997). Taking
+//! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch [Provot 1997]. Taking
 //! differences first recentres the query: each difference has relative error of one unit roundoff, however far from the
 //! origin the query is.
 

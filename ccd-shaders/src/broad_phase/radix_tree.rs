@@ -107,10 +107,7 @@ pub fn traverse_against(
 /// Appends the pairs of box `a` with the leaves after leaf `after` that overlap `query`; `one_set`:
 /// the lesser id first.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "views cannot be put into a structure: naga refuses types that hold pointers"
-)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn traverse(
     params: &Params,
     a: u32,
