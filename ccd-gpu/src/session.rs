@@ -14,6 +14,7 @@ use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::narrow_phase::decide;
 use std::time::Instant;
@@ -152,7 +153,7 @@ impl Session {
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
     pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(x0, x1, Goal::Contacts)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Contacts)?;
         Ok(&self.report)
     }
 
@@ -163,14 +164,20 @@ impl Session {
     pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
-        self.run(x0, x1, goal)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), goal)?;
         Ok(self.report.toi)
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
     pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
-        self.run(x0, x1, Goal::Candidates)?;
+        self.list(T::slices::<Points, 2>([x0, x1]))
+    }
+
+    /// Lists candidates.
+    #[inline(never)]
+    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
+        self.run(given, Goal::Candidates)?;
         let Self { buffers, bench, readback, device, report, .. } = self;
         let PerKind { vf, ee } = report.candidates;
         let mut plan = Plan::default();
@@ -187,7 +194,7 @@ impl Session {
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
     pub fn candidates_on_device<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
-        self.run(x0, x1, Goal::Candidates)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
     }
@@ -218,13 +225,17 @@ impl Session {
         Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
     }
 
-    fn run<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
-        self.mesh.check_positions(x0, x1)?;
+    #[inline(never)]
+    fn run(&mut self, given: Given, goal: Goal) -> Result<(), Error> {
+        match given {
+            Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
+            Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
+        }?;
         let start = Instant::now();
         let distance = self.options.min_distance;
         let Buffers { positions, tree, .. } = &mut self.buffers;
         self.device.check_lost()?;
-        if positions.upload(&self.device, x0, x1, distance, &tree.boxes)? {
+        if positions.upload(&self.device, given, distance, &tree.boxes)? {
             self.bench.forget();
         }
         self.report = Report { contacts: std::mem::take(&mut self.report.contacts), rebuilt: true, ..Report::default() };
@@ -237,7 +248,7 @@ impl Session {
             }
         };
         self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        self.take(found, goal, x0, x1);
+        self.take(found, goal, given);
         self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
@@ -365,14 +376,18 @@ impl Session {
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take<T: Coordinate>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
+    fn take(&mut self, found: Found, goal: Goal, given: Given) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            cpu_fallback::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
+            let (mesh, distance) = (&self.mesh, self.options.min_distance);
+            match given {
+                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+            }
         }
         report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
         if goal != Goal::Contacts {

@@ -2,7 +2,7 @@
 
 use crate::math::aabb::{Aabb, GREATEST};
 use crate::math::real::{Num, Real};
-use crate::model::error::Error;
+use crate::model::error::{Error, check_coordinates};
 
 /// What one pass over positions finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +36,23 @@ impl Scan {
             // Written so that NaN fails.
             self.finite &= c <= Error::MAX_COORDINATE && c >= -Error::MAX_COORDINATE;
         }
+    }
+
+    /// Takes the positions of both ends of a step.
+    pub fn take_all<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) {
+        for (p, q) in x0.iter().zip(x1) {
+            self.take(*p);
+            self.take(*q);
+        }
+    }
+
+    /// Fails with the first coordinate of these positions, all of which were taken, that is not accepted.
+    pub fn check<T: Real>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
+        if self.finite {
+            return Ok(());
+        }
+        check_coordinates(0, x0)?;
+        check_coordinates(1, x1)
     }
 
     /// Of the positions of both.

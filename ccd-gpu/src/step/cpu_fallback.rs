@@ -11,17 +11,9 @@ use ccd_core::narrow_phase::decide;
 const MIN_SHARE: usize = 256;
 
 /// Decides pairs in `f64` on all cores and appends those that touch or stay undecided.
-pub fn decide<T: Real + Sync>(
-    mesh: &Mesh,
-    kind: Kind,
-    pairs: &[Pair],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    min_distance: f64,
-    out: &mut Vec<Contact>,
-) {
+pub fn decide<T: Real>(mesh: &Mesh, kind: Kind, pairs: &[Pair], x: [&[[T; 3]]; 2], min_distance: f64, out: &mut Vec<Contact>) {
     let one = |&pair: &Pair| {
-        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), [x0, x1], min_distance);
+        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), x, min_distance);
         Contact::of(kind, pair, verdict)
     };
     if pairs.len() <= MIN_SHARE {

@@ -10,7 +10,7 @@ use crate::bind::{
 use crate::broad_phase::block_bvh::Pass;
 use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
-use ccd_core::Num;
+use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Decision, Dispatch, Frame, Params, Plain};
 
@@ -58,11 +58,7 @@ impl Buffers {
         self.contacts(recorder, frame, paths, SAMPLE, wide);
         recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
         recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
-        // The end of a cut path is off by four roundings of numbers up to twice the coordinates;
-        // where denormals are flushed, also by less than the smallest normal number for what is
-        // read and each of three results, and once more for the start of the path where boxes read
-        // it.
-        let error = frame.path_error + self.positions.reach * (16.0 * f32::UNIT) + 8.0 * f32::MIN_NORMAL;
+        let error = frame.path_error + swept_box::end_error(self.positions.reach);
         let cut =
             Frame { path_error: error, margin: (frame.margin + error).next_up(), flags: frame.flags & !Frame::FLAG_CONFIRM, ..*frame };
         self.clear(recorder);

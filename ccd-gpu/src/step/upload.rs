@@ -6,8 +6,7 @@ use crate::error::Error;
 use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::layout::{Frame, Path, split};
 use ccd_core::math::real::Real;
-use ccd_core::model::error;
-use ccd_core::model::precision::{Points, Precision};
+use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::quantization::{Scan, Table, margin};
 use ccd_core::{Aabb, Coordinate};
 use wgpu::BufferUsages as U;
@@ -67,7 +66,14 @@ impl Positions {
 
     /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
     /// go if kernels cannot make them.
-    pub fn upload<T: Coordinate>(
+    pub fn upload(&mut self, device: &Device, given: Given, min_distance: f64, boxes: &wgpu::Buffer) -> Result<bool, Error> {
+        match given {
+            Precision::F32([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
+            Precision::F64([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
+        }
+    }
+
+    fn take<T: Coordinate>(
         &mut self,
         device: &Device,
         x0: &[[T; 3]],
@@ -76,14 +82,8 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let mut scan = Scan::NONE;
-        for (p, q) in x0.iter().zip(x1) {
-            scan.take(*p);
-            scan.take(*q);
-        }
-        if !scan.finite {
-            error::check_coordinates(0, x0)?;
-            error::check_coordinates(1, x1)?;
-        }
+        scan.take_all(x0, x1);
+        scan.check(x0, x1)?;
         let table = scan.table(true);
         self.table = table;
         self.exact = table == Table::AS_GIVEN;
