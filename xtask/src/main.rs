@@ -4,7 +4,6 @@ mod ci;
 #[cfg(feature = "gpu-report")]
 mod gpu;
 mod mutants;
-mod mutations;
 #[cfg(feature = "report")]
 mod report;
 mod shaders;

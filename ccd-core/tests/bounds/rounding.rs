@@ -1,6 +1,8 @@
-//! Every bound against an adversary: each operation off by one unit of roundoff either way, ascent on error over bound.
+//! Every bound against an adversary: each operation off by one unit of roundoff either way, ascent
+//! on error over bound.
 //!
-//! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that docs/ERROR-BOUNDS.md states.
+//! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that
+//! docs/ERROR-BOUNDS.md states.
 
 use crate::common::adversary::{Adversarial, UNIT, under, undisturbed};
 use crate::common::ascent::Ascent;
@@ -41,8 +43,8 @@ enum Part {
     Second,
 }
 
-/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial arithmetic, and the
-/// true `a b c`.
+/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial
+/// arithmetic, and the true `a b c`.
 fn motion(
     x: &[f64],
     patch: Patch,
@@ -180,8 +182,8 @@ fn separations_beside() {
         (Patch::Parallelogram, Part::Whole, 0.016),
         (Patch::Parallelogram, Part::Second, 0.012),
     ] {
-        // Points that touch at both ends in the same corner or along the same side: the true separation is nowhere
-        // positive.
+        // Points that touch at both ends in the same corner or along the same side: the true
+        // separation is nowhere positive.
         let ratio = |x: &[f64]| {
             let mut x = x.to_vec();
             let (s, r) = match (x[24] > 0.0, patch) {

@@ -1,5 +1,5 @@
-//! Distances of features and the first time at which they are small, by other means than the library's: projections, and
-//! steps that no feature can outrun.
+//! Distances of features and the first time at which they are small, by other means than the
+//! library's: projections, and steps that no feature can outrun.
 
 type V = [f64; 3];
 
@@ -63,7 +63,8 @@ pub enum First {
     Unclear,
 }
 
-/// `distance` of four points, of which any of the first `n` and any of the others move towards each other.
+/// `distance` of four points, of which any of the first `n` and any of the others move towards each
+/// other.
 pub fn first_within(
     distance: fn([V; 4]) -> f64,
     n: usize,

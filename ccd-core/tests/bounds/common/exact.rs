@@ -36,7 +36,8 @@ type Control = [BigInt; 4];
 struct Zeros {
     /// `k` of intervals `[k, k + 1] / 2^depth`, with the depth, ascending.
     at: Vec<(u128, u32)>,
-    /// Whether these are all zeros: none without a change of sign, none closer together than `2^-MAX_DEPTH`.
+    /// Whether these are all zeros: none without a change of sign, none closer together than
+    /// `2^-MAX_DEPTH`.
     all: bool,
 }
 
@@ -77,9 +78,9 @@ fn rounded_outward((k, depth): (u128, u32)) -> [f64; 2] {
     [f64::next_down(at(k)).max(0.0), f64::next_up(at(k + 1)).min(1.0)]
 }
 
-/// Intervals of `[0, 1]`, at most 2^-56 wide (then rounded outward to `f64`), that certainly hold a zero of
-/// `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3 + shift`, ascending. Zeros without a change of sign, or closer
-/// together than 2^-110, are left out.
+/// Intervals of `[0, 1]`, at most 2^-56 wide (then rounded outward to `f64`), that certainly hold a
+/// zero of `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3 + shift`, ascending. Zeros without a
+/// change of sign, or closer together than 2^-110, are left out.
 pub fn zeros(c: [f64; 4], shift: f64) -> Vec<[f64; 2]> {
     let [c0, c1, c2, c3, e] = integers([c[0], c[1], c[2], c[3], shift]);
     let (e3, three) = (&e * 3, BigInt::from(3));
@@ -91,14 +92,15 @@ type Vector = [BigInt; 3];
 /// Twice the control values of a quadratic.
 type Quadratic = [BigInt; 3];
 
-/// What is exactly true of a query. `oracle.rs` says the same in rational numbers, a thousand times slower near a
-/// tangent; a test compares them.
+/// What is exactly true of a query. `oracle.rs` says the same in rational numbers, a thousand times
+/// slower near a tangent; a test compares them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Contact {
     /// None in `[0, 1]`.
     Free,
-    /// There is one in this interval, and none that is certain before it.
-    At([f64; 2]),
+    /// There is one in this interval, and none that is certain before it; whether there is none at
+    /// all before it.
+    At([f64; 2], bool),
     /// Not decided: zeros that coincide, or lie on a boundary.
     Degenerate,
 }
@@ -125,7 +127,8 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
     };
     let n: [Quadratic; 3] = std::array::from_fn(|k| quadratic(&b, &c, k));
     let dot = |t: usize, i: usize| (0..3).map(|k| &a[t][k] * &n[k][i]).sum::<BigInt>();
-    // Six times the control values: index i of the product takes 1/3 or 2/3 of either way to split i.
+    // Six times the control values: index i of the product takes 1/3 or 2/3 of either way to split
+    // i.
     let control =
         [dot(0, 0) * 3, dot(1, 0) + dot(0, 1) * 2, dot(0, 2) + dot(1, 1) * 2, dot(1, 2) * 3];
     let zeros = isolate(control);
@@ -148,7 +151,7 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
             signs.iter().all(|s| *s == Some(positive)).then_some(true)
         });
         match inside {
-            Some(true) => return Contact::At(rounded_outward(at)),
+            Some(true) => return Contact::At(rounded_outward(at), certain),
             Some(false) => {}
             None => certain = false,
         }
@@ -156,7 +159,8 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
     if certain { Contact::Free } else { Contact::Degenerate }
 }
 
-/// The sign that a quadratic has all over `[k, k + 1] / 2^depth`, if its control values there show one.
+/// The sign that a quadratic has all over `[k, k + 1] / 2^depth`, if its control values there show
+/// one.
 fn sign(q: &Quadratic, (k, depth): (u128, u32)) -> Option<bool> {
     let n = BigInt::from(1u128 << depth);
     let blossom = |u: u128, v: u128| {
