@@ -1,12 +1,15 @@
-//! An engine that has its own wgpu device: its kernel moves a mesh on the device, and in the same submission `ccd` finds the contacts of that motion.
-//! Nothing crosses to the host in between. docs/engine.md explains it step by step; run it with `cargo run --release --example engine`.
+//! An engine that has its own wgpu device: its kernel moves a mesh on the device, and in the same
+//! submission `ccd` finds the contacts of that motion. Nothing crosses to the host in between.
+//! docs/engine.md explains it step by step; run it with `cargo run --release --example engine`.
+#![deny(unsafe_code)]
 
 use ccd::gpu::wgpu::{self, util::DeviceExt};
 use ccd::gpu::{Device, DeviceOptions, Session};
 use ccd::{Contact, Kind, Mesh, Options, State};
 use ccd_core::layout::{LIST_HEADER, Path, Touch, join};
 
-/// What the engine's own kernel does: every vertex of the triangle falls, and is written at both ends of the step as `ccd` reads it.
+/// What the engine's own kernel does: every vertex of the triangle falls, and is written at both
+/// ends of the step as `ccd` reads it.
 const MOVE: &str = "
 struct Path { t0: vec4f, t1: vec4f }
 @group(0) @binding(0) var<storage, read> rest: array<vec4f>;
@@ -22,7 +25,8 @@ fn move_vertices(@builtin(global_invocation_id) id: vec3u) {
     }
 }";
 
-/// x, y, z and fall of a vertex: a square that stands still, and a triangle that falls through it with one corner first.
+/// x, y, z and fall of a vertex: a square that stands still, and a triangle that falls through it
+/// with one corner first.
 const REST: [[f32; 4]; 7] = [
     [0.0, 0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0, 0.0],
@@ -44,12 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         label: Some("engine"),
         required_features: features,
         required_limits: adapter.limits(),
-        experimental_features: if passthrough {
-            // SAFETY: the one experimental feature that is asked for is the passthrough of shaders, and only ccd passes shaders through.
-            unsafe { wgpu::ExperimentalFeatures::enabled() }
-        } else {
-            wgpu::ExperimentalFeatures::disabled()
-        },
+        experimental_features: experimental_features(passthrough),
         ..Default::default()
     }))?;
 
@@ -94,7 +93,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let paths = session.paths().clone();
     let found = session.record(&mut encoder)?;
-    // Undecided pairs stay open in f32; they are contacts for an engine, too. A real one would go on with all lists on the device.
+    // Undecided pairs stay open in f32; they are contacts for an engine, too. A real one would go
+    // on with all lists on the device.
     let lists =
         [found.contacts, found.undecided[0], found.undecided[1]].map(|list| (list.buffer().clone(), list.room(), list.bytes(list.room())));
     let copies: Vec<wgpu::Buffer> = lists.iter().map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes)).collect();
@@ -125,6 +125,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     assert_eq!(contacts, want.contacts);
     println!("the CPU finds the same");
     Ok(())
+}
+
+/// What wgpu calls experimental: the passthrough of shaders, or nothing.
+#[allow(unsafe_code, reason = "wgpu has callers vouch for experimental features")]
+fn experimental_features(passthrough: bool) -> wgpu::ExperimentalFeatures {
+    if !passthrough {
+        return wgpu::ExperimentalFeatures::disabled();
+    }
+    // SAFETY: the one experimental feature that is asked for is the passthrough of shaders, and
+    // only ccd passes shaders through.
+    unsafe { wgpu::ExperimentalFeatures::enabled() }
 }
 
 /// Records a copy of the front of a buffer into one that the host can read.

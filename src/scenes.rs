@@ -184,20 +184,21 @@ mod tests {
 
     fn check_points(x: &[[f64; 3]], want: u32) {
         let found = hash(x.iter().flatten().map(|c| c.to_bits()));
-        assert_eq!(found, want, "{found:#x}, not {want:#x}: other bits than on other machines");
+        assert!(found == want, "{found:#x}, elsewhere {want:#x}");
     }
 
     #[test]
     fn scenes_have_the_same_bits_everywhere() {
         let sheet = crumpled_sheet(40, 3);
-        check_points(&sheet.x0, 0);
-        check_points(&sheet.x1, 0);
-        check_points(&triangle_soup(100, 0.1, 3).x1, 0);
-        check_points(&sphere(32), 0);
-        for (n, want) in [(1000, 0), (150_000, 0)] {
+        check_points(&sheet.x0, 0x1c26_0cb4);
+        check_points(&sheet.x1, 0x7d0f_0fe4);
+        check_points(&triangle_soup(100, 0.1, 3).x1, 0x49e7_c5e0);
+        check_points(&sphere(32), 0x1847_f18a);
+        for (n, want) in [(1000, 0x6f15_8b17), (150_000, 0x1617_7c44)] {
             let boxes = uniform_boxes(n);
             let words = boxes.iter().flat_map(|b| b.min.into_iter().chain(b.max));
-            assert_eq!(hash(words.map(|c| c.to_bits() as u64)), want, "{n} boxes");
+            let found = hash(words.map(|c| c.to_bits() as u64));
+            assert!(found == want, "{n} boxes: {found:#x}, elsewhere {want:#x}");
         }
         // The control: the last bit of one coordinate.
         let mut other = sheet.x0.clone();

@@ -1,4 +1,5 @@
 //! A warm session allocates nothing.
+#![deny(unsafe_code)]
 
 use ccd::{Options, Session};
 use ccd_testkit::generate::crumpled_sheet;
@@ -9,6 +10,7 @@ struct Counting;
 
 static CALLS: AtomicUsize = AtomicUsize::new(0);
 
+#[allow(unsafe_code, reason = "the trait of allocators is unsafe; this one only counts")]
 // SAFETY: every call goes to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
@@ -55,7 +57,8 @@ fn count(threads: usize) -> Vec<usize> {
 fn warm_sessions_allocate_nothing() {
     let alone = count(1);
     assert!(alone.iter().all(|&n| n == 0), "one thread: {alone:?}");
-    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each worker's own queue may grow once.
+    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each
+    // worker's own queue may grow once.
     let shared = count(2);
     assert!(shared.iter().sum::<usize>() <= 4, "two threads: {shared:?}");
     // The counter counts.

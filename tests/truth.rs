@@ -1,6 +1,7 @@
 //! Real scenes against published answers: candidates, contacts, times of impact, queries, digests.
 //!
-//! The data is not part of the repository (see `ccd_testkit::data`); without it every test here is reported as ignored, with the reason.
+//! The data is not part of the repository (see `ccd_testkit::data`); without it every test here is
+//! reported as ignored, with the reason.
 
 use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
@@ -50,7 +51,8 @@ fn check_sizes(data: &Path, scene: &Scene) {
     }
 }
 
-/// Both methods give the same set, in f32 a superset of that in f64; small scenes equal brute force.
+/// Both methods give the same set, in f32 a superset of that in f64; small scenes equal brute
+/// force.
 fn check_broad_phase(data: &Path, scene: &Scene) {
     let [t0, t1] = scene.load(data);
     let mesh = t0.mesh().unwrap();
@@ -122,7 +124,8 @@ fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
     ccd::step(&t0.mesh().unwrap(), &t0.positions, &t1.positions, &options).unwrap()
 }
 
-/// Every true collision is found, never late, at most the tolerance early if unflagged; false alarms are counted.
+/// Every true collision is found, never late, at most the tolerance early if unflagged; false
+/// alarms are counted.
 fn check_contacts_f64(data: &Path, scene: &Scene) {
     let [t0, t1] = scene.load(data);
     let report = run(&t0, &t1, 2);
@@ -131,7 +134,8 @@ fn check_contacts_f64(data: &Path, scene: &Scene) {
     assert!(false_alarms <= 453, "{false_alarms} false alarms");
 }
 
-/// The scene whose coordinates are no `f32`, after rounding them, against the exact answers for the rounded ones.
+/// The scene whose coordinates are no `f32`, after rounding them, against the exact answers for the
+/// rounded ones.
 fn check_rod_twist_f32(data: &Path) {
     let scene = Scene::named("rod-twist");
     let [t0, t1] = scene.load(data);
@@ -144,7 +148,8 @@ fn check_rod_twist_f32(data: &Path) {
         pairs.iter_mut().zip(&times).for_each(|(p, t)| (p.hit, p.toi) = (t.hit, t.toi));
         pairs
     });
-    // Pairs that became contacts only by rounding are not in the files, so what is left over is no count of false alarms.
+    // Pairs that became contacts only by rounding are not in the files, so what is left over is no
+    // count of false alarms.
     compare::contacts(&report, &truth[0], &truth[1]);
 }
 

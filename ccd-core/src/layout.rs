@@ -1,4 +1,5 @@
-//! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted here.
+//! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted
+//! here.
 
 use crate::math::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
@@ -21,7 +22,8 @@ impl Pair {
     }
 }
 
-/// A node of a binary tree over `n` boxes: internal nodes are `0 .. n - 1`, leaves `n - 1 .. 2 n - 1` in Morton order.
+/// A node of a binary tree over `n` boxes: internal nodes are `0 .. n - 1`, leaves
+/// `n - 1 .. 2 n - 1` in Morton order.
 ///
 /// | field | bytes |
 /// |---|---|
@@ -59,7 +61,8 @@ impl Node {
     }
 }
 
-/// What an internal node of the tree knows besides its box: children (node indices) and the range of leaves below it.
+/// What an internal node of the tree knows besides its box: children (node indices) and the range
+/// of leaves below it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Branch {
@@ -73,7 +76,8 @@ pub struct Branch {
     pub last: u32,
 }
 
-/// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is not used.
+/// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is
+/// not used.
 ///
 /// | field | bytes |
 /// |---|---|
@@ -132,7 +136,8 @@ pub struct Touch {
     pub toi: [u32; 2],
 }
 
-/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits and translators forget that.
+/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits
+/// and translators forget that.
 const TWO_32: u64 = 1 << 32;
 
 /// An `f64` from its bits, low word first.
@@ -148,8 +153,9 @@ pub fn split(x: f64) -> [u32; 2] {
     [bits as u32, (bits / TWO_32) as u32]
 }
 
-/// Words before the first entry of a list that a device writes: the number of entries wanted, which may exceed the room; the number of candidates looked at; how
-/// often each of the two exceeded 32 bits.
+/// Words before the first entry of a list that a device writes: the number of entries wanted, which
+/// may exceed the room; the number of candidates looked at; how often each of the two exceeded 32
+/// bits.
 pub const LIST_HEADER: usize = 4;
 
 /// Words of a [`Touch`].
@@ -158,69 +164,67 @@ pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
 /// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
 pub const MAX_LEVELS: usize = 8;
 
-/// What kernels are told besides their buffers. Sets are numbered 0: vertices, 1: edges, 2: faces.
+/// What kernels are told besides their buffers: what is the same for a whole frame, what one
+/// dispatch is about, and a record of one algorithm, one after the other without gaps, because all
+/// are made of 32-bit words.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Params<A = Plain> {
+    /// Of the frame.
+    pub frame: Frame,
+    /// Of the dispatch.
+    pub dispatch: Dispatch,
+    /// Of the algorithm.
+    pub own: A,
+}
+
+impl<A: Pod> Params<A> {
+    /// The bytes of each part, in their order.
+    pub fn parts(&self) -> [&[u8]; 3] {
+        let Self { frame, dispatch, own } = self;
+        [bytemuck::bytes_of(frame), bytemuck::bytes_of(dispatch), bytemuck::bytes_of(own)]
+    }
+}
+
+/// What a frame says to every kernel. Sets are numbered 0: vertices, 1: edges, 2: faces.
 ///
 /// | field | bytes | | field | bytes |
 /// |---|---|---|---|---|
-/// | `count` | 0..12 | | `shift` | 64..68 |
-/// | `flags` | 12..16 | | `n_tiles` | 68..72 |
-/// | `start` | 16..32 | | `first` | 72..76 |
-/// | `margin` | 32..36 | | `step` | 76..80 |
-/// | `path_error` | 36..40 | | `limit` | 80..84 |
-/// | `min_distance` | 40..44 | | `room_in` | 84..88 |
-/// | `slack` | 44..48 | | `room_out` | 88..92 |
-/// | `distance_bits` | 48..56 | | `n` | 92..96 |
-/// | `kind` | 56..60 | | `origin` | 96..120 |
-/// | `level` | 60..64 | | `margin_bits` | 120..128 |
-/// | | | | `slots` | 128..256 |
+/// | `count` | 0..12 | | `min_distance` | 40..44 |
+/// | `flags` | 12..16 | | `slack` | 44..48 |
+/// | `start` | 16..32 | | `distance_bits` | 48..56 |
+/// | `margin` | 32..36 | | `origin` | 56..80 |
+/// | `path_error` | 36..40 | | `margin_bits` | 80..88 |
+/// | | | | `scale_bits` | 88..96 |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
-pub struct Params {
+pub struct Frame {
     /// Boxes of each set.
     pub count: [u32; 3],
     /// The `FLAG_` constants of this type.
     pub flags: u32,
     /// First box of each set among all boxes, then their number.
     pub start: [u32; 4],
-    /// By how much boxes are grown, in the unit of the coordinates.
+    /// By how much boxes of paths are grown, in the unit of paths.
     pub margin: f32,
-    /// How far a coordinate of a [`Path`] may be from the true one.
+    /// How far a coordinate of a [`Path`] may be from the true one, in the unit of paths.
     pub path_error: f32,
-    /// Contact means at most this distance; rounded up.
+    /// Contact means at most this distance, in the unit of paths; rounded up.
     pub min_distance: f32,
     /// Boxes that overlap by less may overlap only because they were rounded.
     pub slack: f32,
     /// The minimum distance as bits of an `f64`, low word first.
     pub distance_bits: [u32; 2],
-    /// 0: vertices against faces, 1: edges against edges.
-    pub kind: u32,
-    /// Level of the block tree that a kernel reads.
-    pub level: u32,
-    /// Lowest bit of the digit that is sorted by.
-    pub shift: u32,
-    /// Tiles of the sort.
-    pub n_tiles: u32,
-    /// First entry of a list that a dispatch looks at.
-    pub first: u32,
-    /// Every so many-th entry is looked at.
-    pub step: u32,
-    /// Entries that a dispatch looks at, at most.
-    pub limit: u32,
-    /// Entries that the list which is read has room for.
-    pub room_in: u32,
-    /// Entries that the list which is written has room for.
-    pub room_out: u32,
-    /// Items of a map.
-    pub n: u32,
     /// What is subtracted from positions before they become `f32`: bits of `f64`, low words first.
     pub origin: [[u32; 2]; 3],
     /// By how much exact boxes are grown: bits of an `f64`, low word first.
     pub margin_bits: [u32; 2],
-    /// First node of each set on each level, then the first of the next level.
-    pub slots: [[u32; 4]; MAX_LEVELS],
+    /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`, low word first. See
+    /// [`Table`](crate::model::quantization::Table).
+    pub scale_bits: [u32; 2],
 }
 
-impl Params {
+impl Frame {
     /// Features that share a vertex are no pair.
     pub const FLAG_TOPOLOGY: u32 = 1;
     /// Bodies select pairs.
@@ -241,6 +245,92 @@ impl Params {
     }
 }
 
+/// What a dispatch says: which items it is about, and the rooms of the lists that it reads and
+/// writes.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `n` | 0..4 |
+/// | `first` | 4..8 |
+/// | `room_in` | 8..12 |
+/// | `room_out` | 12..16 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Dispatch {
+    /// Items of a map.
+    pub n: u32,
+    /// The first of them, or the first entry of a list that is looked at.
+    pub first: u32,
+    /// Entries that the list which is read has room for.
+    pub room_in: u32,
+    /// Entries that the list which is written has room for.
+    pub room_out: u32,
+}
+
+/// No record: for kernels that need no more than [`Frame`] and [`Dispatch`]. Shaders have no
+/// structure without a member.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Plain {
+    unused: u32,
+}
+
+/// What kernels of the block tree are told: where its nodes are, and which of them a dispatch is
+/// about.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `slots` | 0..128 |
+/// | `kind` | 128..132 |
+/// | `level` | 132..136 |
+/// | `step` | 136..140 |
+/// | `limit` | 140..144 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Blocks {
+    /// First node of each set on each level, then the first of the next level.
+    pub slots: [[u32; 4]; MAX_LEVELS],
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
+    /// Level that a kernel reads.
+    pub level: u32,
+    /// Every so many-th entry of the list that is read is looked at.
+    pub step: u32,
+    /// Entries that a dispatch looks at, at most.
+    pub limit: u32,
+}
+
+/// What one pass of the radix sort is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SortPass {
+    /// Lowest bit of the digit that is sorted by.
+    pub shift: u32,
+    /// Tiles of the sort.
+    pub n_tiles: u32,
+}
+
+/// What the kernels that decide in `f32` are told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Decision {
+    /// Entries that the list of undecided pairs has room for.
+    pub room_open: u32,
+}
+
+/// What the keys of contacts depend on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct ContactSort {
+    /// Which of two sorts: 0 by `b`, 1 by kind and `a`.
+    pub pass: u32,
+}
+
 const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
-const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Params>() == 256);
+const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
+const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
+const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
+const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
+const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
+const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
 const _: () = assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

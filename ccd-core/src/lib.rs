@@ -27,4 +27,5 @@ pub mod narrow_phase;
 pub use math::aabb::Aabb;
 pub use math::real::{Num, Real};
 pub use model::error::Error;
+pub use model::precision::Coordinate;
 pub use narrow_phase::query::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};

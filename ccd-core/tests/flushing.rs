@@ -3,8 +3,6 @@
 
 use bytemuck::{Pod, Zeroable};
 use ccd_core::broad_phase::swept_box::swept;
-use ccd_core::math::real::sealed::Sealed;
-use ccd_core::model::precision::{Record, Slices};
 use ccd_core::model::quantization::margin;
 use ccd_core::{Aabb, Num, Real};
 use core::cmp::Ordering;
@@ -81,12 +79,7 @@ impl Num for Flushed {
     }
 }
 
-impl Sealed for Flushed {}
-
 impl Real for Flushed {
-    fn slices<'a, R: Record, const N: usize>(_: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
-        unreachable!("no pipeline takes these numbers")
-    }
     fn to_f64(self) -> f64 {
         self.0 as f64
     }

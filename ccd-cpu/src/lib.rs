@@ -1,17 +1,12 @@
 //! Continuous collision detection on the CPU, over rayon.
-mod broad;
-mod narrow;
-mod order;
-mod prepare;
-mod pyramid;
-mod radix;
-mod rows;
+mod broad_phase;
 mod session;
 mod simd;
+mod sort;
+mod step;
 mod threads;
-mod traverse;
-mod tree;
 
-pub use broad::{BroadPhase, Pairs};
-pub use prepare::MAX_LOOSENESS;
+pub use broad_phase::BroadPhase;
+pub use broad_phase::pair_list::Pairs;
 pub use session::{Candidates, Session, earliest_toi, step};
+pub use step::prepare::MAX_LOOSENESS;

@@ -1,18 +1,18 @@
-//! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or rebuilt by a stated rule.
+//! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
+//! rebuilt by a stated rule.
 
-use crate::broad::{Lister, Pairs, Run, order_runs};
-use crate::narrow::Worker;
-use crate::prepare::{Positions, Prepared};
-use crate::rows::{EdgeRows, FaceRows, Given, Scene, Take};
-use crate::simd::{RowSimd, WIDTH};
+use crate::broad_phase::pair_descent::PairDescent;
+use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
+use crate::step::candidates::{EdgeRows, FaceRows, Given, Scene, Take};
+use crate::step::narrow_phase::Worker;
+use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
-use crate::traverse::Traversal;
 use ccd_core::model::contact::{Contact, Kind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Points;
 use ccd_core::model::report::Report;
-use ccd_core::{Error, Real};
+use ccd_core::{Coordinate, Error};
 use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
@@ -23,7 +23,7 @@ pub struct Session {
     options: Options,
     threads: Threads,
     prepared: Prepared,
-    traversal: Traversal,
+    traversal: PairDescent,
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
     runs: [Vec<Run>; 2],
@@ -40,7 +40,7 @@ impl Session {
             options,
             threads,
             prepared: Prepared::default(),
-            traversal: Traversal::default(),
+            traversal: PairDescent::default(),
             workers: Vec::new(),
             listers: Default::default(),
             runs: Default::default(),
@@ -74,26 +74,29 @@ impl Session {
         self.report
     }
 
-    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
+    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
+    /// vertex of the mesh.
     ///
     /// After the first steps, nothing is allocated unless there are more contacts than before.
-    pub fn step<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), false)?;
         Ok(&self.report)
     }
 
-    /// The earliest time of impact of the step, without the list of contacts: cheaper than [`Session::step`].
+    /// The earliest time of impact of the step, without the list of contacts: cheaper than
+    /// [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), true)?;
         Ok(self.report.toi)
     }
 
-    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those that share a vertex or that the bodies rule out.
+    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
+    /// that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
+    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
         self.list(T::slices::<Points, 2>([x0, x1]))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
         Ok(Candidates { vf, ee })
@@ -135,8 +138,8 @@ impl Session {
             report.times = Default::default();
             prepare(threads, prepared, mesh, options, &x, report)?;
             if earliest {
-                // A part of the tasks first; what it finds bounds the time that matters. Smaller boxes for that time are worth it if
-                // there are many candidates.
+                // A part of the tasks first; what it finds bounds the time that matters. Smaller
+                // boxes for that time are worth it if there are many candidates.
                 detect(threads, traversal, prepared, &prepared.scene(mesh, options, &x, false), SAMPLE, workers, report);
                 let n_features = mesh.n_vertices() + mesh.edges().len() + mesh.faces().len();
                 if let Some(bound) = least_toi(workers)
@@ -164,20 +167,21 @@ pub struct Candidates<'a> {
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
+pub fn step<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
     let mut session = Session::new(mesh.clone(), options.clone())?;
     session.step(x0, x1)?;
     Ok(session.into_report())
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
+pub fn earliest_toi<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
     Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
 }
 
 /// Of how many tasks one is sampled to bound the earliest time of impact.
 const SAMPLE: usize = 64;
-/// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less than it saves: both take some 25 ns each.
+/// From this many candidates per feature on, sweeping all boxes again for a shorter time costs less
+/// than it saves: both take some 25 ns each.
 const CANDIDATES_PER_FEATURE: u64 = 2;
 
 /// Boxes and trees of a step up to the time that matters.
@@ -207,7 +211,7 @@ fn least_toi(workers: &[Worker]) -> Option<f64> {
 /// Finds and decides all candidates, or those of every `part`-th task.
 fn detect(
     threads: &Threads,
-    traversal: &mut Traversal,
+    traversal: &mut PairDescent,
     prepared: &Prepared,
     scene: &Scene,
     part: usize,
@@ -233,7 +237,7 @@ fn detect(
 fn traverse<W: Take>(
     kind: Kind,
     threads: &Threads,
-    traversal: &mut Traversal,
+    traversal: &mut PairDescent,
     prepared: &Prepared,
     scene: &Scene,
     part: usize,
@@ -243,36 +247,15 @@ fn traverse<W: Take>(
     match kind {
         Kind::VertexFace => {
             let (vertex_leaves, face_leaves) = (&vertices.leaves, &faces.leaves);
-            let (vertices, faces) = (&vertices.pyramid, &faces.pyramid);
+            let (vertices, faces) = (&vertices.bvh, &faces.bvh);
             let rows = FaceRows { scene, vertices, faces, vertex_leaves, face_leaves, worker: PhantomData };
             traversal.run(threads, (vertices, Some(faces)), part, &rows, workers);
         }
         Kind::EdgeEdge => {
-            let rows = EdgeRows { scene, edges: &edges.pyramid, leaves: &edges.leaves, worker: PhantomData };
-            traversal.run(threads, (&edges.pyramid, None), part, &rows, workers);
+            let rows = EdgeRows { scene, edges: &edges.bvh, leaves: &edges.leaves, worker: PhantomData };
+            traversal.run(threads, (&edges.bvh, None), part, &rows, workers);
         }
     }
-}
-
-impl Take for Lister {
-    const FILTERED: bool = false;
-
-    #[inline(always)]
-    fn count(&mut self, _n: u64) {}
-
-    #[inline(always)]
-    fn take<S: RowSimd>(&mut self, simd: S, _scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
-        match kind {
-            Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
-        }
-    }
-
-    fn begin(&mut self, task: usize) {
-        Lister::begin(self, task);
-    }
-
-    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
 /// Joins the workers' contacts in canonical order.

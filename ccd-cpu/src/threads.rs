@@ -3,7 +3,8 @@
 use ccd_core::Error;
 use rayon::prelude::*;
 
-/// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would slow each other down.
+/// What one worker owns, alone on its cache lines: workers that write into neighbouring ones would
+/// slow each other down.
 #[derive(Debug, Default)]
 #[repr(align(128))]
 pub struct Own<T>(pub T);
@@ -16,7 +17,8 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the calling thread, with no pool at all.
+    /// `count` threads; 0 means the pool that rayon uses at the place of the call; 1 means the
+    /// calling thread, with no pool at all.
     pub fn new(count: usize) -> Result<Self, Error> {
         match count {
             0 => Ok(Self { pool: None, count: rayon::current_num_threads() }),
@@ -41,7 +43,8 @@ impl Threads {
         }
     }
 
-    /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f` shares.
+    /// Runs `f(k, worker)` once per worker, in parallel; workers pull their work from what `f`
+    /// shares.
     ///
     /// Here and below `f` is called once for much work, so that it need not be compiled into rayon.
     pub fn each<W: Send>(&self, workers: &mut [W], f: &(dyn Fn(usize, &mut W) + Sync)) {

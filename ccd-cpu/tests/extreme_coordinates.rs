@@ -1,9 +1,9 @@
 //! The unit of the coordinates decides nothing: a scene in any unit that is accepted has the contacts that it has at scale 1.
 
-use ccd_core::Real;
 use ccd_core::model::contact::Contact;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::{Coordinate, Real};
 use ccd_cpu::Session;
 
 /// Triangles that fly through each other, around a point that is not the origin.
@@ -37,7 +37,7 @@ fn keys(contacts: &[Contact]) -> Vec<Key> {
 }
 
 /// Contacts at `scale`, and the earliest time, must be those at scale 1; contacts that only a coarser arithmetic leaves open may come in addition.
-fn check_scale<R: Real + Send + Sync>(scale: f64, min_distance: f64, want: &[Key], want_toi: f64) {
+fn check_scale<R: Coordinate>(scale: f64, min_distance: f64, want: &[Key], want_toi: f64) {
     let (mesh, x0, x1) = soup(60);
     let options = Options { threads: 1, min_distance: min_distance * scale, ..Options::default() };
     let mut session = Session::new(mesh, options).expect("a session");

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,123 +8,127 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
 }
 
-struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_14 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
-struct type_16 {
-    member: array<type_14>,
-}
-
-struct type_19 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_20 {
+struct type_8 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_9 {
+    member: u32,
+    member_1: u32,
 }
 
-struct type_23 {
+struct type_13 {
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
+struct type_15 {
+    member: type_14,
+}
+
+struct type_16 {
+    member: array<u32, 3>,
+    member_1: u32,
+}
+
+struct type_18 {
+    member: array<type_16>,
+}
+
+struct type_20 {
+    member: array<type_8>,
+}
+
+struct type_22 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_24 {
+    member: array<type_22>,
+}
+
+struct type_25 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
     member_3: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_27 {
+    member: array<type_25>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_15;
 @group(0) @binding(1) 
-var<storage> branches: type_22;
+var<storage> branches: type_20;
 @group(0) @binding(2) 
-var<storage> block_nodes: type_13;
+var<storage> block_nodes: type_24;
 @group(0) @binding(3) 
-var<storage> leaves: type_16;
+var<storage> leaves: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> out: type_25;
+var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_119_: type_19;
-    var phi_122_: type_11;
-    var phi_124_: u32;
-    var phi_126_: u32;
-    var phi_120_: type_19;
-    var phi_149_: type_19;
-    var phi_168_: u32;
-    var phi_178_: bool;
-    var phi_182_: u32;
+    var phi_120_: type_9;
+    var phi_123_: type_22;
+    var phi_125_: u32;
+    var phi_127_: u32;
+    var phi_121_: type_9;
+    var phi_150_: type_9;
+    var phi_169_: u32;
+    var phi_179_: bool;
     var phi_183_: u32;
-    var phi_186_: type_19;
-    var phi_189_: type_11;
-    var phi_187_: type_19;
-    var phi_212_: type_19;
+    var phi_184_: u32;
+    var phi_187_: type_9;
+    var phi_190_: type_22;
+    var phi_188_: type_9;
+    var phi_213_: type_9;
     var phi_251_: f32;
     var phi_258_: f32;
     var phi_265_: f32;
     var phi_273_: f32;
     var phi_280_: f32;
     var phi_287_: f32;
-    var phi_190_: type_11;
-    var phi_292_: type_19;
-    var phi_295_: type_11;
-    var phi_293_: type_19;
-    var phi_318_: type_19;
-    var phi_357_: f32;
-    var phi_364_: f32;
-    var phi_371_: f32;
-    var phi_379_: f32;
-    var phi_386_: f32;
-    var phi_393_: f32;
-    var phi_296_: type_11;
-    var phi_400_: u32;
-    var phi_405_: u32;
-    var phi_123_: type_11;
-    var phi_125_: u32;
-    var phi_127_: u32;
-    var local: type_11;
-    var local_1: type_11;
-    var local_2: type_11;
-    var local_3: type_11;
+    var phi_191_: type_22;
+    var phi_292_: type_9;
+    var phi_295_: type_22;
+    var phi_293_: type_9;
+    var phi_318_: type_9;
+    var phi_356_: f32;
+    var phi_363_: f32;
+    var phi_370_: f32;
+    var phi_378_: f32;
+    var phi_385_: f32;
+    var phi_392_: f32;
+    var phi_296_: type_22;
+    var phi_399_: u32;
+    var phi_404_: u32;
+    var phi_124_: type_22;
+    var phi_126_: u32;
+    var phi_128_: u32;
+    var local: type_22;
+    var local_1: type_22;
+    var local_2: type_22;
+    var local_3: type_22;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -135,233 +140,233 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e21 = n_2;
     let _e22 = lane_2;
     let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
-    let _e37 = params.member.member[1u];
-    if ((_e34 + 1u) < _e37) {
-        let _e41 = branches.member[_e34];
-        phi_119_ = type_19(0u, 8u);
-        phi_122_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_124_ = (_e41.member_3 + 1u);
-        phi_126_ = _e41.member_2;
+    let _e38 = params.member.member.member[1u];
+    if ((_e34 + 1u) < _e38) {
+        let _e42 = branches.member[_e34];
+        phi_120_ = type_9(0u, 8u);
+        phi_123_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_125_ = (_e42.member_3 + 1u);
+        phi_127_ = _e42.member_2;
         loop {
-            let _e46 = phi_119_;
-            let _e48 = phi_122_;
-            let _e50 = phi_124_;
-            let _e52 = phi_126_;
-            local = _e48;
-            local_1 = _e48;
-            if (_e46.member < _e46.member_1) {
-                phi_120_ = type_19((_e46.member + 1u), _e46.member_1);
-                phi_149_ = type_19(1u, _e46.member);
+            let _e48 = phi_120_;
+            let _e50 = phi_123_;
+            let _e52 = phi_125_;
+            let _e54 = phi_127_;
+            local = _e50;
+            local_1 = _e50;
+            if (_e48.member < _e48.member_1) {
+                phi_121_ = type_9((_e48.member + 1u), _e48.member_1);
+                phi_150_ = type_9(1u, _e48.member);
             } else {
-                phi_120_ = _e46;
-                phi_149_ = type_19(0u, type_19().member_1);
+                phi_121_ = _e48;
+                phi_150_ = type_9(0u, type_9().member_1);
             }
-            let _e64 = phi_120_;
-            let _e66 = phi_149_;
-            let _e70 = (bitcast<i32>(_e66.member) != 0i);
-            if _e70 {
-                let _e71 = (_e52 % 32u);
-                if (_e71 == 0u) {
-                    phi_168_ = _e52;
+            let _e66 = phi_121_;
+            let _e68 = phi_150_;
+            let _e72 = (bitcast<i32>(_e68.member) != 0i);
+            if _e72 {
+                let _e73 = (_e54 % 32u);
+                if (_e73 == 0u) {
+                    phi_169_ = _e54;
                 } else {
-                    phi_168_ = (_e52 + (32u - _e71));
+                    phi_169_ = (_e54 + (32u - _e73));
                 }
-                let _e76 = phi_168_;
-                let _e78 = ((_e50 / 32u) * 32u);
-                if (_e76 < _e78) {
-                    let _e81 = params.member.member_9;
-                    phi_178_ = (_e66.member_1 < _e81);
+                let _e78 = phi_169_;
+                let _e80 = ((_e52 / 32u) * 32u);
+                if (_e78 < _e80) {
+                    let _e83 = params.member.member_2.member_2;
+                    phi_179_ = (_e68.member_1 < _e83);
                 } else {
-                    phi_178_ = false;
+                    phi_179_ = false;
                 }
-                let _e84 = phi_178_;
-                if _e84 {
-                    phi_182_ = _e78;
-                    phi_183_ = _e76;
+                let _e86 = phi_179_;
+                if _e86 {
+                    phi_183_ = _e80;
+                    phi_184_ = _e78;
                 } else {
-                    phi_182_ = _e50;
-                    phi_183_ = _e50;
+                    phi_183_ = _e52;
+                    phi_184_ = _e52;
                 }
-                let _e86 = phi_182_;
                 let _e88 = phi_183_;
-                phi_186_ = type_19(_e52, _e88);
-                phi_189_ = _e48;
+                let _e90 = phi_184_;
+                phi_187_ = type_9(_e54, _e90);
+                phi_190_ = _e50;
                 loop {
-                    let _e91 = phi_186_;
-                    let _e93 = phi_189_;
-                    local_2 = _e93;
-                    if (_e91.member < _e91.member_1) {
-                        phi_187_ = type_19((_e91.member + 1u), _e91.member_1);
-                        phi_212_ = type_19(1u, _e91.member);
+                    let _e93 = phi_187_;
+                    let _e95 = phi_190_;
+                    local_2 = _e95;
+                    if (_e93.member < _e93.member_1) {
+                        phi_188_ = type_9((_e93.member + 1u), _e93.member_1);
+                        phi_213_ = type_9(1u, _e93.member);
                     } else {
-                        phi_187_ = _e91;
-                        phi_212_ = type_19(0u, type_19().member_1);
+                        phi_188_ = _e93;
+                        phi_213_ = type_9(0u, type_9().member_1);
                     }
-                    let _e105 = phi_187_;
-                    let _e107 = phi_212_;
-                    let _e111 = (bitcast<i32>(_e107.member) != 0i);
-                    if _e111 {
-                        let _e115 = params.member.member_20[_e66.member_1][1u];
-                        let _e118 = block_nodes.member[(_e115 + _e107.member_1)];
-                        if (_e93.member[0] < _e118.member[0]) {
-                            phi_251_ = _e93.member[0];
+                    let _e107 = phi_188_;
+                    let _e109 = phi_213_;
+                    let _e113 = (bitcast<i32>(_e109.member) != 0i);
+                    if _e113 {
+                        let _e117 = params.member.member_2.member[_e68.member_1][1u];
+                        let _e120 = block_nodes.member[(_e117 + _e109.member_1)];
+                        if (_e95.member[0] < _e120.member[0]) {
+                            phi_251_ = _e95.member[0];
                         } else {
-                            phi_251_ = _e118.member[0];
+                            phi_251_ = _e120.member[0];
                         }
-                        let _e125 = phi_251_;
-                        if (_e93.member[1] < _e118.member[1]) {
-                            phi_258_ = _e93.member[1];
+                        let _e127 = phi_251_;
+                        if (_e95.member[1] < _e120.member[1]) {
+                            phi_258_ = _e95.member[1];
                         } else {
-                            phi_258_ = _e118.member[1];
+                            phi_258_ = _e120.member[1];
                         }
-                        let _e132 = phi_258_;
-                        if (_e93.member[2] < _e118.member[2]) {
-                            phi_265_ = _e93.member[2];
+                        let _e134 = phi_258_;
+                        if (_e95.member[2] < _e120.member[2]) {
+                            phi_265_ = _e95.member[2];
                         } else {
-                            phi_265_ = _e118.member[2];
+                            phi_265_ = _e120.member[2];
                         }
-                        let _e139 = phi_265_;
-                        if (_e93.member_1[0] > _e118.member_1[0]) {
-                            phi_273_ = _e93.member_1[0];
+                        let _e141 = phi_265_;
+                        if (_e95.member_1[0] > _e120.member_1[0]) {
+                            phi_273_ = _e95.member_1[0];
                         } else {
-                            phi_273_ = _e118.member_1[0];
+                            phi_273_ = _e120.member_1[0];
                         }
-                        let _e147 = phi_273_;
-                        if (_e93.member_1[1] > _e118.member_1[1]) {
-                            phi_280_ = _e93.member_1[1];
+                        let _e149 = phi_273_;
+                        if (_e95.member_1[1] > _e120.member_1[1]) {
+                            phi_280_ = _e95.member_1[1];
                         } else {
-                            phi_280_ = _e118.member_1[1];
+                            phi_280_ = _e120.member_1[1];
                         }
-                        let _e154 = phi_280_;
-                        if (_e93.member_1[2] > _e118.member_1[2]) {
-                            phi_287_ = _e93.member_1[2];
+                        let _e156 = phi_280_;
+                        if (_e95.member_1[2] > _e120.member_1[2]) {
+                            phi_287_ = _e95.member_1[2];
                         } else {
-                            phi_287_ = _e118.member_1[2];
+                            phi_287_ = _e120.member_1[2];
                         }
-                        let _e161 = phi_287_;
-                        phi_190_ = type_11(array<f32, 3>(_e125, _e132, _e139), array<f32, 3>(_e147, _e154, _e161));
+                        let _e163 = phi_287_;
+                        phi_191_ = type_22(array<f32, 3>(_e127, _e134, _e141), array<f32, 3>(_e149, _e156, _e163));
                     } else {
-                        phi_190_ = type_11();
+                        phi_191_ = type_22();
                     }
-                    let _e165 = phi_190_;
+                    let _e167 = phi_191_;
                     continue;
                     continuing {
-                        phi_186_ = _e105;
-                        phi_189_ = _e165;
-                        break if !(_e111);
+                        phi_187_ = _e107;
+                        phi_190_ = _e167;
+                        break if !(_e113);
                     }
                 }
-                phi_292_ = type_19(_e86, _e50);
-                let _e309 = local_2;
-                phi_295_ = _e309;
+                phi_292_ = type_9(_e88, _e52);
+                let _e312 = local_2;
+                phi_295_ = _e312;
                 loop {
-                    let _e169 = phi_292_;
-                    let _e171 = phi_295_;
-                    local_3 = _e171;
-                    if (_e169.member < _e169.member_1) {
-                        phi_293_ = type_19((_e169.member + 1u), _e169.member_1);
-                        phi_318_ = type_19(1u, _e169.member);
+                    let _e171 = phi_292_;
+                    let _e173 = phi_295_;
+                    local_3 = _e173;
+                    if (_e171.member < _e171.member_1) {
+                        phi_293_ = type_9((_e171.member + 1u), _e171.member_1);
+                        phi_318_ = type_9(1u, _e171.member);
                     } else {
-                        phi_293_ = _e169;
-                        phi_318_ = type_19(0u, type_19().member_1);
+                        phi_293_ = _e171;
+                        phi_318_ = type_9(0u, type_9().member_1);
                     }
-                    let _e183 = phi_293_;
-                    let _e185 = phi_318_;
-                    let _e189 = (bitcast<i32>(_e185.member) != 0i);
-                    if _e189 {
-                        let _e193 = params.member.member_20[_e66.member_1][1u];
-                        let _e196 = block_nodes.member[(_e193 + _e185.member_1)];
-                        if (_e171.member[0] < _e196.member[0]) {
-                            phi_357_ = _e171.member[0];
+                    let _e185 = phi_293_;
+                    let _e187 = phi_318_;
+                    let _e191 = (bitcast<i32>(_e187.member) != 0i);
+                    if _e191 {
+                        let _e195 = params.member.member_2.member[_e68.member_1][1u];
+                        let _e198 = block_nodes.member[(_e195 + _e187.member_1)];
+                        if (_e173.member[0] < _e198.member[0]) {
+                            phi_356_ = _e173.member[0];
                         } else {
-                            phi_357_ = _e196.member[0];
+                            phi_356_ = _e198.member[0];
                         }
-                        let _e203 = phi_357_;
-                        if (_e171.member[1] < _e196.member[1]) {
-                            phi_364_ = _e171.member[1];
+                        let _e205 = phi_356_;
+                        if (_e173.member[1] < _e198.member[1]) {
+                            phi_363_ = _e173.member[1];
                         } else {
-                            phi_364_ = _e196.member[1];
+                            phi_363_ = _e198.member[1];
                         }
-                        let _e210 = phi_364_;
-                        if (_e171.member[2] < _e196.member[2]) {
-                            phi_371_ = _e171.member[2];
+                        let _e212 = phi_363_;
+                        if (_e173.member[2] < _e198.member[2]) {
+                            phi_370_ = _e173.member[2];
                         } else {
-                            phi_371_ = _e196.member[2];
+                            phi_370_ = _e198.member[2];
                         }
-                        let _e217 = phi_371_;
-                        if (_e171.member_1[0] > _e196.member_1[0]) {
-                            phi_379_ = _e171.member_1[0];
+                        let _e219 = phi_370_;
+                        if (_e173.member_1[0] > _e198.member_1[0]) {
+                            phi_378_ = _e173.member_1[0];
                         } else {
-                            phi_379_ = _e196.member_1[0];
+                            phi_378_ = _e198.member_1[0];
                         }
-                        let _e225 = phi_379_;
-                        if (_e171.member_1[1] > _e196.member_1[1]) {
-                            phi_386_ = _e171.member_1[1];
+                        let _e227 = phi_378_;
+                        if (_e173.member_1[1] > _e198.member_1[1]) {
+                            phi_385_ = _e173.member_1[1];
                         } else {
-                            phi_386_ = _e196.member_1[1];
+                            phi_385_ = _e198.member_1[1];
                         }
-                        let _e232 = phi_386_;
-                        if (_e171.member_1[2] > _e196.member_1[2]) {
-                            phi_393_ = _e171.member_1[2];
+                        let _e234 = phi_385_;
+                        if (_e173.member_1[2] > _e198.member_1[2]) {
+                            phi_392_ = _e173.member_1[2];
                         } else {
-                            phi_393_ = _e196.member_1[2];
+                            phi_392_ = _e198.member_1[2];
                         }
-                        let _e239 = phi_393_;
-                        phi_296_ = type_11(array<f32, 3>(_e203, _e210, _e217), array<f32, 3>(_e225, _e232, _e239));
+                        let _e241 = phi_392_;
+                        phi_296_ = type_22(array<f32, 3>(_e205, _e212, _e219), array<f32, 3>(_e227, _e234, _e241));
                     } else {
-                        phi_296_ = type_11();
+                        phi_296_ = type_22();
                     }
-                    let _e243 = phi_296_;
+                    let _e245 = phi_296_;
                     continue;
                     continuing {
-                        phi_292_ = _e183;
-                        phi_295_ = _e243;
-                        break if !(_e189);
+                        phi_292_ = _e185;
+                        phi_295_ = _e245;
+                        break if !(_e191);
                     }
                 }
-                if _e84 {
-                    phi_400_ = (_e76 / 32u);
+                if _e86 {
+                    phi_399_ = (_e78 / 32u);
                 } else {
-                    phi_400_ = 0u;
+                    phi_399_ = 0u;
                 }
-                let _e247 = phi_400_;
-                if _e84 {
-                    phi_405_ = (_e78 / 32u);
+                let _e249 = phi_399_;
+                if _e86 {
+                    phi_404_ = (_e80 / 32u);
                 } else {
-                    phi_405_ = 0u;
+                    phi_404_ = 0u;
                 }
-                let _e250 = phi_405_;
-                let _e323 = local_3;
-                phi_123_ = _e323;
-                phi_125_ = _e250;
-                phi_127_ = _e247;
+                let _e252 = phi_404_;
+                let _e326 = local_3;
+                phi_124_ = _e326;
+                phi_126_ = _e252;
+                phi_128_ = _e249;
             } else {
-                phi_123_ = type_11();
-                phi_125_ = u32();
-                phi_127_ = u32();
+                phi_124_ = type_22();
+                phi_126_ = u32();
+                phi_128_ = u32();
             }
-            let _e252 = phi_123_;
-            let _e254 = phi_125_;
-            let _e256 = phi_127_;
+            let _e254 = phi_124_;
+            let _e256 = phi_126_;
+            let _e258 = phi_128_;
             continue;
             continuing {
-                phi_119_ = _e64;
-                phi_122_ = _e252;
-                phi_124_ = _e254;
-                phi_126_ = _e256;
-                break if !(_e70);
+                phi_120_ = _e66;
+                phi_123_ = _e254;
+                phi_125_ = _e256;
+                phi_127_ = _e258;
+                break if !(_e72);
             }
         }
-        let _e259 = local;
-        let _e263 = local_1;
-        out.member[_e34] = type_23(_e259.member, _e41.member, _e263.member_1, _e41.member_1);
+        let _e261 = local;
+        let _e265 = local_1;
+        nodes.member[_e34] = type_25(_e261.member, _e42.member, _e265.member_1, _e42.member_1);
     }
-    if (_e34 < _e37) {
-        let _e272 = params.member.member_20[0u][1u];
-        let _e273 = (_e272 + _e34);
-        let _e275 = block_nodes.member[_e273];
-        let _e280 = leaves.member[_e273];
-        out.member[((_e37 - 1u) + _e34)] = type_23(_e275.member, _e280.member_1, _e275.member_1, 4294967295u);
+    if (_e34 < _e38) {
+        let _e275 = params.member.member_2.member[0u][1u];
+        let _e276 = (_e275 + _e34);
+        let _e278 = block_nodes.member[_e276];
+        let _e283 = leaves.member[_e276];
+        nodes.member[((_e38 - 1u) + _e34)] = type_25(_e278.member, _e283.member_1, _e278.member_1, 4294967295u);
     }
     return;
 }

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,61 +8,66 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_14 {
-    member: array<array<u32, 3>>,
-}
-
-struct type_17 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_18 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_19 {
     member: u32,
     member_1: u32,
 }
 
-struct type_21 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_14 {
+    member: i32,
+    member_1: i32,
+}
+
+struct type_15 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_17 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
+struct type_19 {
+    member: array<type_17>,
+}
+
+struct type_20 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: array<u32, 2>,
+}
+
+struct type_22 {
+    member: u32,
+}
+
 struct type_23 {
-    member: array<type_21>,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_22,
 }
 
 struct type_24 {
-    member: array<f32, 3>,
-    member_1: f32,
-    member_2: f32,
+    member: type_23,
 }
 
 struct type_26 {
@@ -72,101 +78,114 @@ struct type_26 {
 }
 
 struct type_27 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-    member_3: u32,
-    member_4: array<u32, 2>,
+    member: array<f32, 3>,
+    member_1: f32,
+    member_2: f32,
 }
 
 struct type_29 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_30 {
+    member: array<f32, 4>,
+    member_1: array<f32, 4>,
+    member_2: array<f32, 4>,
+}
+
+struct type_31 {
     member: f32,
     member_1: f32,
 }
 
-struct type_32 {
+struct type_34 {
+    member: type_26,
+    member_1: f32,
+}
+
+struct type_35 {
     member: u32,
     member_1: f32,
 }
 
-struct type_33 {
+struct type_37 {
     member: f32,
     member_1: f32,
     member_2: bool,
 }
 
-struct type_34 {
+struct type_38 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_37 {
+struct type_41 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> paths: type_23;
+var<storage> paths: type_19;
+@group(0) @binding(0) 
+var<storage> params: type_24;
 @group(0) @binding(3) 
-var<storage> input: type_12;
+var<storage> input: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> contacts: type_37;
+var<storage, read_write> contacts: type_41;
 @group(0) @binding(5) 
-var<storage, read_write> undecided: type_37;
+var<storage, read_write> undecided: type_41;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_37;
+var<storage, read_write> earliest: type_41;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> elements: type_14;
+var<storage> elements: type_29;
 
 fn function_(param: array<f32, 3>, param_1: array<f32, 3>) -> array<f32, 3> {
-    var phi_672_: array<f32, 3>;
+    var phi_684_: array<f32, 3>;
 
     if ((((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2])) < (((param[0] * param[0]) + (param[1] * param[1])) + (param[2] * param[2]))) {
-        phi_672_ = param_1;
+        phi_684_ = param_1;
     } else {
-        phi_672_ = param;
+        phi_684_ = param;
     }
-    let _e26 = phi_672_;
+    let _e26 = phi_684_;
     return _e26;
 }
 
 fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: u32) -> array<f32, 3> {
-    var phi_264_: bool;
+    var phi_276_: bool;
+    var phi_277_: bool;
+    var phi_278_: bool;
+    var phi_279_: bool;
+    var phi_283_: bool;
+    var phi_256_: bool;
+    var phi_257_: bool;
+    var phi_258_: bool;
+    var phi_259_: bool;
+    var phi_260_: bool;
+    var phi_261_: bool;
     var phi_265_: bool;
-    var phi_266_: bool;
-    var phi_267_: bool;
-    var phi_271_: bool;
-    var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_246_: bool;
-    var phi_247_: bool;
-    var phi_248_: bool;
-    var phi_249_: bool;
-    var phi_253_: bool;
-    var phi_272_: bool;
-    var phi_302_: array<f32, 3>;
-    var phi_303_: bool;
-    var phi_304_: array<f32, 3>;
-    var phi_305_: bool;
-    var phi_532_: f32;
-    var phi_533_: f32;
-    var phi_572_: f32;
-    var phi_573_: f32;
-    var phi_618_: f32;
-    var phi_619_: f32;
-    var phi_353_: f32;
-    var phi_354_: f32;
-    var phi_399_: f32;
-    var phi_400_: f32;
-    var phi_442_: f32;
-    var phi_443_: f32;
-    var phi_491_: f32;
-    var phi_492_: f32;
-    var phi_634_: array<array<f32, 3>, 4>;
-    var phi_642_: array<f32, 3>;
+    var phi_284_: bool;
+    var phi_314_: array<f32, 3>;
+    var phi_315_: bool;
+    var phi_316_: array<f32, 3>;
+    var phi_317_: bool;
+    var phi_544_: f32;
+    var phi_545_: f32;
+    var phi_584_: f32;
+    var phi_585_: f32;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_365_: f32;
+    var phi_366_: f32;
+    var phi_411_: f32;
+    var phi_412_: f32;
+    var phi_454_: f32;
+    var phi_455_: f32;
+    var phi_503_: f32;
+    var phi_504_: f32;
+    var phi_646_: array<array<f32, 3>, 4>;
+    var phi_654_: array<f32, 3>;
 
     let _e21 = (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2]));
     let _e32 = (((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2]));
@@ -180,83 +199,83 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
                 if (_e72 <= 1f) {
-                    phi_244_ = (_e76 <= 1f);
-                    phi_245_ = false;
+                    phi_256_ = (_e76 <= 1f);
+                    phi_257_ = false;
                 } else {
-                    phi_244_ = bool();
-                    phi_245_ = true;
+                    phi_256_ = bool();
+                    phi_257_ = true;
                 }
-                let _e97 = phi_244_;
-                let _e99 = phi_245_;
-                phi_246_ = _e97;
-                phi_247_ = _e99;
+                let _e97 = phi_256_;
+                let _e99 = phi_257_;
+                phi_258_ = _e97;
+                phi_259_ = _e99;
             } else {
-                phi_246_ = bool();
-                phi_247_ = true;
+                phi_258_ = bool();
+                phi_259_ = true;
             }
-            let _e101 = phi_246_;
-            let _e103 = phi_247_;
-            phi_248_ = _e101;
-            phi_249_ = _e103;
+            let _e101 = phi_258_;
+            let _e103 = phi_259_;
+            phi_260_ = _e101;
+            phi_261_ = _e103;
         } else {
-            phi_248_ = bool();
-            phi_249_ = true;
+            phi_260_ = bool();
+            phi_261_ = true;
         }
-        let _e105 = phi_248_;
-        let _e107 = phi_249_;
+        let _e105 = phi_260_;
+        let _e107 = phi_261_;
         if _e107 {
-            phi_253_ = false;
+            phi_265_ = false;
         } else {
-            phi_253_ = _e105;
+            phi_265_ = _e105;
         }
-        let _e109 = phi_253_;
-        phi_272_ = _e109;
+        let _e109 = phi_265_;
+        phi_284_ = _e109;
     } else {
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
-                phi_264_ = ((_e72 + _e76) <= 1f);
-                phi_265_ = false;
+                phi_276_ = ((_e72 + _e76) <= 1f);
+                phi_277_ = false;
             } else {
-                phi_264_ = bool();
-                phi_265_ = true;
+                phi_276_ = bool();
+                phi_277_ = true;
             }
-            let _e83 = phi_264_;
-            let _e85 = phi_265_;
-            phi_266_ = _e83;
-            phi_267_ = _e85;
+            let _e83 = phi_276_;
+            let _e85 = phi_277_;
+            phi_278_ = _e83;
+            phi_279_ = _e85;
         } else {
-            phi_266_ = bool();
-            phi_267_ = true;
+            phi_278_ = bool();
+            phi_279_ = true;
         }
-        let _e87 = phi_266_;
-        let _e89 = phi_267_;
+        let _e87 = phi_278_;
+        let _e89 = phi_279_;
         if _e89 {
-            phi_271_ = false;
+            phi_283_ = false;
         } else {
-            phi_271_ = _e87;
+            phi_283_ = _e87;
         }
-        let _e91 = phi_271_;
-        phi_272_ = _e91;
+        let _e91 = phi_283_;
+        phi_284_ = _e91;
     }
-    let _e111 = phi_272_;
+    let _e111 = phi_284_;
     if (_e68 > 0f) {
         if _e111 {
-            phi_302_ = array<f32, 3>((param_2[0] - ((param_3[0] * _e72) + (param_4[0] * _e76))), (param_2[1] - ((param_3[1] * _e72) + (param_4[1] * _e76))), (param_2[2] - ((param_3[2] * _e72) + (param_4[2] * _e76))));
-            phi_303_ = false;
+            phi_314_ = array<f32, 3>((param_2[0] - ((param_3[0] * _e72) + (param_4[0] * _e76))), (param_2[1] - ((param_3[1] * _e72) + (param_4[1] * _e76))), (param_2[2] - ((param_3[2] * _e72) + (param_4[2] * _e76))));
+            phi_315_ = false;
         } else {
-            phi_302_ = array<f32, 3>();
-            phi_303_ = true;
+            phi_314_ = array<f32, 3>();
+            phi_315_ = true;
         }
-        let _e136 = phi_302_;
-        let _e138 = phi_303_;
-        phi_304_ = _e136;
-        phi_305_ = _e138;
+        let _e136 = phi_314_;
+        let _e138 = phi_315_;
+        phi_316_ = _e136;
+        phi_317_ = _e138;
     } else {
-        phi_304_ = array<f32, 3>();
-        phi_305_ = true;
+        phi_316_ = array<f32, 3>();
+        phi_317_ = true;
     }
-    let _e140 = phi_304_;
-    let _e142 = phi_305_;
+    let _e140 = phi_316_;
+    let _e142 = phi_317_;
     if _e142 {
         let _e145 = (param_2[0] - param_3[0]);
         let _e148 = (param_2[1] - param_3[1]);
@@ -265,59 +284,59 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
             let _e293 = ((((param_2[0] * param_3[0]) + (param_2[1] * param_3[1])) + (param_2[2] * param_3[2])) / (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])));
             if (_e293 > 0f) {
                 if (_e293 < 1f) {
-                    phi_353_ = _e293;
+                    phi_365_ = _e293;
                 } else {
-                    phi_353_ = 1f;
+                    phi_365_ = 1f;
                 }
-                let _e297 = phi_353_;
-                phi_354_ = _e297;
+                let _e297 = phi_365_;
+                phi_366_ = _e297;
             } else {
-                phi_354_ = 0f;
+                phi_366_ = 0f;
             }
-            let _e299 = phi_354_;
+            let _e299 = phi_366_;
             let _e335 = ((((param_2[0] * param_4[0]) + (param_2[1] * param_4[1])) + (param_2[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e335 > 0f) {
                 if (_e335 < 1f) {
-                    phi_399_ = _e335;
+                    phi_411_ = _e335;
                 } else {
-                    phi_399_ = 1f;
+                    phi_411_ = 1f;
                 }
-                let _e339 = phi_399_;
-                phi_400_ = _e339;
+                let _e339 = phi_411_;
+                phi_412_ = _e339;
             } else {
-                phi_400_ = 0f;
+                phi_412_ = 0f;
             }
-            let _e341 = phi_400_;
+            let _e341 = phi_412_;
             let _e374 = ((((_e145 * param_4[0]) + (_e148 * param_4[1])) + (_e151 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e374 > 0f) {
                 if (_e374 < 1f) {
-                    phi_442_ = _e374;
+                    phi_454_ = _e374;
                 } else {
-                    phi_442_ = 1f;
+                    phi_454_ = 1f;
                 }
-                let _e378 = phi_442_;
-                phi_443_ = _e378;
+                let _e378 = phi_454_;
+                phi_455_ = _e378;
             } else {
-                phi_443_ = 0f;
+                phi_455_ = 0f;
             }
-            let _e380 = phi_443_;
+            let _e380 = phi_455_;
             let _e393 = (param_2[0] - param_4[0]);
             let _e396 = (param_2[1] - param_4[1]);
             let _e399 = (param_2[2] - param_4[2]);
             let _e419 = ((((_e393 * param_3[0]) + (_e396 * param_3[1])) + (_e399 * param_3[2])) / (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])));
             if (_e419 > 0f) {
                 if (_e419 < 1f) {
-                    phi_491_ = _e419;
+                    phi_503_ = _e419;
                 } else {
-                    phi_491_ = 1f;
+                    phi_503_ = 1f;
                 }
-                let _e423 = phi_491_;
-                phi_492_ = _e423;
+                let _e423 = phi_503_;
+                phi_504_ = _e423;
             } else {
-                phi_492_ = 0f;
+                phi_504_ = 0f;
             }
-            let _e425 = phi_492_;
-            phi_634_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e299)), (param_2[1] - (param_3[1] * _e299)), (param_2[2] - (param_3[2] * _e299))), array<f32, 3>((param_2[0] - (param_4[0] * _e341)), (param_2[1] - (param_4[1] * _e341)), (param_2[2] - (param_4[2] * _e341))), array<f32, 3>((_e145 - (param_4[0] * _e380)), (_e148 - (param_4[1] * _e380)), (_e151 - (param_4[2] * _e380))), array<f32, 3>((_e393 - (param_3[0] * _e425)), (_e396 - (param_3[1] * _e425)), (_e399 - (param_3[2] * _e425))));
+            let _e425 = phi_504_;
+            phi_646_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e299)), (param_2[1] - (param_3[1] * _e299)), (param_2[2] - (param_3[2] * _e299))), array<f32, 3>((param_2[0] - (param_4[0] * _e341)), (param_2[1] - (param_4[1] * _e341)), (param_2[2] - (param_4[2] * _e341))), array<f32, 3>((_e145 - (param_4[0] * _e380)), (_e148 - (param_4[1] * _e380)), (_e151 - (param_4[2] * _e380))), array<f32, 3>((_e393 - (param_3[0] * _e425)), (_e396 - (param_3[1] * _e425)), (_e399 - (param_3[2] * _e425))));
         } else {
             let _e155 = (param_4[0] - param_3[0]);
             let _e158 = (param_4[1] - param_3[1]);
@@ -325,859 +344,950 @@ fn function_1(param_2: array<f32, 3>, param_3: array<f32, 3>, param_4: array<f32
             let _e172 = ((((_e145 * _e155) + (_e148 * _e158)) + (_e151 * _e161)) / (((_e155 * _e155) + (_e158 * _e158)) + (_e161 * _e161)));
             if (_e172 > 0f) {
                 if (_e172 < 1f) {
-                    phi_532_ = _e172;
+                    phi_544_ = _e172;
                 } else {
-                    phi_532_ = 1f;
+                    phi_544_ = 1f;
                 }
-                let _e176 = phi_532_;
-                phi_533_ = _e176;
+                let _e176 = phi_544_;
+                phi_545_ = _e176;
             } else {
-                phi_533_ = 0f;
+                phi_545_ = 0f;
             }
-            let _e178 = phi_533_;
+            let _e178 = phi_545_;
             let _e185 = array<f32, 3>((_e145 - (_e155 * _e178)), (_e148 - (_e158 * _e178)), (_e151 - (_e161 * _e178)));
             let _e208 = ((((param_2[0] * param_3[0]) + (param_2[1] * param_3[1])) + (param_2[2] * param_3[2])) / (((param_3[0] * param_3[0]) + (param_3[1] * param_3[1])) + (param_3[2] * param_3[2])));
             if (_e208 > 0f) {
                 if (_e208 < 1f) {
-                    phi_572_ = _e208;
+                    phi_584_ = _e208;
                 } else {
-                    phi_572_ = 1f;
+                    phi_584_ = 1f;
                 }
-                let _e212 = phi_572_;
-                phi_573_ = _e212;
+                let _e212 = phi_584_;
+                phi_585_ = _e212;
             } else {
-                phi_573_ = 0f;
+                phi_585_ = 0f;
             }
-            let _e214 = phi_573_;
+            let _e214 = phi_585_;
             let _e250 = ((((param_2[0] * param_4[0]) + (param_2[1] * param_4[1])) + (param_2[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e250 > 0f) {
                 if (_e250 < 1f) {
-                    phi_618_ = _e250;
+                    phi_630_ = _e250;
                 } else {
-                    phi_618_ = 1f;
+                    phi_630_ = 1f;
                 }
-                let _e254 = phi_618_;
-                phi_619_ = _e254;
+                let _e254 = phi_630_;
+                phi_631_ = _e254;
             } else {
-                phi_619_ = 0f;
+                phi_631_ = 0f;
             }
-            let _e256 = phi_619_;
-            phi_634_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e214)), (param_2[1] - (param_3[1] * _e214)), (param_2[2] - (param_3[2] * _e214))), array<f32, 3>((param_2[0] - (param_4[0] * _e256)), (param_2[1] - (param_4[1] * _e256)), (param_2[2] - (param_4[2] * _e256))), _e185, _e185);
+            let _e256 = phi_631_;
+            phi_646_ = array<array<f32, 3>, 4>(array<f32, 3>((param_2[0] - (param_3[0] * _e214)), (param_2[1] - (param_3[1] * _e214)), (param_2[2] - (param_3[2] * _e214))), array<f32, 3>((param_2[0] - (param_4[0] * _e256)), (param_2[1] - (param_4[1] * _e256)), (param_2[2] - (param_4[2] * _e256))), _e185, _e185);
         }
-        let _e438 = phi_634_;
+        let _e438 = phi_646_;
         let _e441 = function_(_e438[0], _e438[1]);
         let _e443 = function_(_e441, _e438[2]);
         let _e445 = function_(_e443, _e438[3]);
-        phi_642_ = _e445;
+        phi_654_ = _e445;
     } else {
-        phi_642_ = _e140;
+        phi_654_ = _e140;
     }
-    let _e447 = phi_642_;
+    let _e447 = phi_654_;
     return _e447;
 }
 
 fn function_2(param_6: f32) -> array<u32, 2> {
-    var phi_693_: array<u32, 2>;
-    var phi_694_: array<u32, 2>;
-    var phi_695_: bool;
-    var phi_699_: array<u32, 2>;
+    var phi_705_: array<u32, 2>;
+    var phi_706_: array<u32, 2>;
+    var phi_707_: bool;
+    var phi_711_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param_6);
     if (_e13 < 8388608u) {
-        phi_694_ = array<u32, 2>();
-        phi_695_ = true;
+        phi_706_ = array<u32, 2>();
+        phi_707_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_693_ = array<u32, 2>();
+            phi_705_ = array<u32, 2>();
         } else {
-            phi_693_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_705_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_693_;
-        phi_694_ = _e31;
-        phi_695_ = _e17;
+        let _e31 = phi_705_;
+        phi_706_ = _e31;
+        phi_707_ = _e17;
     }
-    let _e33 = phi_694_;
-    let _e35 = phi_695_;
+    let _e33 = phi_706_;
+    let _e35 = phi_707_;
     if _e35 {
-        phi_699_ = array<u32, 2>(0u, 0u);
+        phi_711_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_699_ = _e33;
+        phi_711_ = _e33;
     }
-    let _e37 = phi_699_;
+    let _e37 = phi_711_;
     return _e37;
 }
 
 fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<f32, 3>, 4>;
-    var local_1: array<array<f32, 3>, 4>;
-    var local_2: type_24;
-    var local_3: type_24;
-    var local_4: type_24;
-    var local_5: array<type_29, 4>;
+    var local: type_30;
+    var local_1: type_30;
+    var local_2: type_27;
+    var local_3: type_27;
+    var local_4: type_27;
+    var local_5: array<type_31, 4>;
     var local_6: array<f32, 4>;
     var local_7: array<f32, 2>;
     var local_8: array<f32, 4>;
-    var local_9: array<array<f32, 3>, 4>;
-    var local_10: array<array<f32, 3>, 4>;
+    var local_9: type_30;
+    var local_10: type_30;
     var local_11: array<f32, 3>;
     var local_12: type_26;
-    var phi_751_: u32;
-    var phi_767_: u32;
-    var phi_788_: u32;
-    var phi_789_: u32;
-    var phi_792_: type_19;
-    var phi_793_: type_19;
-    var phi_816_: type_19;
-    var phi_1255_: f32;
-    var phi_1262_: f32;
-    var phi_1267_: f32;
-    var phi_1274_: f32;
-    var phi_1279_: f32;
-    var phi_1292_: f32;
-    var phi_1299_: f32;
-    var phi_1304_: f32;
-    var phi_1311_: f32;
-    var phi_1316_: f32;
-    var phi_1321_: f32;
-    var phi_1338_: f32;
-    var phi_1345_: f32;
-    var phi_1350_: f32;
-    var phi_1357_: f32;
-    var phi_1362_: f32;
-    var phi_1376_: f32;
-    var phi_1383_: f32;
-    var phi_1388_: f32;
-    var phi_1395_: f32;
-    var phi_1400_: f32;
-    var phi_1405_: f32;
-    var phi_1422_: f32;
-    var phi_1429_: f32;
-    var phi_1434_: f32;
-    var phi_1441_: f32;
-    var phi_1446_: f32;
-    var phi_1460_: f32;
-    var phi_1467_: f32;
-    var phi_1472_: f32;
-    var phi_1479_: f32;
-    var phi_1484_: f32;
-    var phi_1489_: f32;
-    var phi_1520_: f32;
-    var phi_1526_: f32;
-    var phi_1533_: f32;
-    var phi_1540_: f32;
-    var phi_1546_: f32;
-    var phi_1553_: f32;
-    var phi_1559_: f32;
-    var phi_1565_: f32;
-    var phi_1571_: f32;
-    var phi_1578_: f32;
-    var phi_1585_: f32;
-    var phi_1609_: f32;
-    var phi_1614_: f32;
-    var phi_1619_: f32;
-    var phi_1624_: f32;
-    var phi_1629_: f32;
-    var phi_1634_: f32;
+    var phi_764_: u32;
+    var phi_780_: u32;
+    var phi_801_: u32;
+    var phi_802_: u32;
+    var phi_805_: type_9;
+    var phi_806_: type_9;
+    var phi_829_: type_9;
+    var phi_993_: f32;
+    var phi_999_: f32;
+    var phi_1004_: f32;
+    var phi_1010_: f32;
+    var phi_1015_: f32;
+    var phi_1021_: f32;
+    var phi_1027_: f32;
+    var phi_1032_: f32;
+    var phi_1038_: f32;
+    var phi_1043_: f32;
+    var phi_1048_: f32;
+    var phi_1055_: f32;
+    var phi_1061_: f32;
+    var phi_1066_: f32;
+    var phi_1072_: f32;
+    var phi_1077_: f32;
+    var phi_1083_: f32;
+    var phi_1089_: f32;
+    var phi_1094_: f32;
+    var phi_1100_: f32;
+    var phi_1105_: f32;
+    var phi_1110_: f32;
+    var phi_1117_: f32;
+    var phi_1123_: f32;
+    var phi_1128_: f32;
+    var phi_1134_: f32;
+    var phi_1139_: f32;
+    var phi_1145_: f32;
+    var phi_1151_: f32;
+    var phi_1156_: f32;
+    var phi_1162_: f32;
+    var phi_1167_: f32;
+    var phi_1172_: f32;
+    var phi_1178_: f32;
+    var phi_1183_: f32;
+    var phi_1190_: bool;
+    var phi_1214_: u32;
+    var phi_1225_: f32;
+    var phi_1226_: f32;
+    var phi_1257_: type_34;
+    var phi_1258_: bool;
+    var phi_1259_: type_34;
+    var phi_1260_: bool;
+    var phi_1261_: type_34;
+    var phi_1262_: bool;
+    var phi_1267_: type_34;
+    var phi_1549_: f32;
+    var phi_1556_: f32;
+    var phi_1561_: f32;
+    var phi_1568_: f32;
+    var phi_1573_: f32;
+    var phi_1586_: f32;
+    var phi_1593_: f32;
+    var phi_1598_: f32;
+    var phi_1605_: f32;
+    var phi_1610_: f32;
+    var phi_1615_: f32;
+    var phi_1632_: f32;
+    var phi_1639_: f32;
     var phi_1644_: f32;
-    var phi_3203_: f32;
-    var phi_3209_: f32;
-    var phi_3214_: f32;
-    var phi_3220_: f32;
-    var phi_3226_: f32;
-    var phi_3231_: f32;
-    var phi_3236_: f32;
-    var phi_3244_: bool;
-    var phi_3249_: f32;
-    var phi_3256_: f32;
-    var phi_3296_: type_17;
-    var phi_3299_: f32;
-    var phi_3320_: bool;
-    var phi_3326_: type_18;
-    var phi_3297_: type_17;
-    var phi_3340_: type_18;
-    var phi_3300_: f32;
+    var phi_1651_: f32;
+    var phi_1656_: f32;
+    var phi_1670_: f32;
+    var phi_1677_: f32;
+    var phi_1682_: f32;
+    var phi_1689_: f32;
+    var phi_1694_: f32;
+    var phi_1699_: f32;
+    var phi_1716_: f32;
+    var phi_1723_: f32;
+    var phi_1728_: f32;
+    var phi_1735_: f32;
+    var phi_1740_: f32;
+    var phi_1754_: f32;
+    var phi_1761_: f32;
+    var phi_1766_: f32;
+    var phi_1773_: f32;
+    var phi_1778_: f32;
+    var phi_1783_: f32;
+    var phi_1814_: f32;
+    var phi_1820_: f32;
+    var phi_1827_: f32;
+    var phi_1834_: f32;
+    var phi_1840_: f32;
+    var phi_1847_: f32;
+    var phi_1853_: f32;
+    var phi_1859_: f32;
+    var phi_1865_: f32;
+    var phi_1872_: f32;
+    var phi_1879_: f32;
+    var phi_1903_: f32;
+    var phi_1908_: f32;
+    var phi_1913_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1928_: f32;
+    var phi_1938_: f32;
+    var phi_4587_: f32;
+    var phi_4593_: f32;
+    var phi_4598_: f32;
+    var phi_4604_: f32;
+    var phi_4610_: f32;
+    var phi_4615_: f32;
+    var phi_4620_: f32;
+    var phi_4628_: bool;
+    var phi_4633_: f32;
+    var phi_4640_: f32;
+    var phi_4680_: type_14;
+    var phi_4683_: f32;
+    var phi_4704_: bool;
+    var phi_4710_: type_15;
+    var phi_4681_: type_14;
+    var phi_4724_: type_15;
+    var phi_4684_: f32;
     var local_13: f32;
-    var phi_3289_: f32;
-    var phi_3353_: f32;
-    var phi_3359_: f32;
-    var phi_3384_: type_19;
-    var phi_3387_: u32;
-    var phi_3385_: type_19;
-    var phi_3410_: type_19;
-    var phi_3454_: u32;
-    var phi_3455_: u32;
-    var phi_3388_: u32;
-    var phi_3456_: u32;
-    var phi_3476_: type_19;
-    var phi_3477_: type_19;
-    var phi_3500_: type_19;
-    var phi_3552_: f32;
-    var phi_3559_: f32;
-    var phi_3570_: bool;
-    var phi_3571_: bool;
-    var phi_3572_: bool;
-    var phi_3573_: bool;
-    var phi_3577_: bool;
-    var phi_3588_: type_33;
-    var phi_3589_: type_33;
-    var phi_3590_: bool;
-    var phi_3591_: type_33;
-    var phi_3592_: bool;
-    var phi_3603_: f32;
-    var phi_3613_: type_19;
-    var phi_3616_: f32;
-    var phi_3618_: f32;
-    var phi_3620_: f32;
-    var phi_3614_: type_19;
-    var phi_3643_: type_19;
-    var phi_3668_: f32;
-    var phi_3669_: f32;
-    var phi_3695_: f32;
-    var phi_3711_: f32;
-    var phi_3718_: bool;
-    var phi_3719_: bool;
-    var phi_3720_: bool;
-    var phi_3726_: f32;
-    var phi_3727_: f32;
-    var phi_3728_: bool;
-    var phi_3617_: f32;
-    var phi_3619_: f32;
-    var phi_3621_: f32;
-    var phi_3729_: f32;
-    var phi_3730_: bool;
-    var phi_3731_: bool;
+    var phi_4673_: f32;
+    var phi_4737_: f32;
+    var phi_4743_: f32;
+    var phi_4768_: type_9;
+    var phi_4771_: u32;
+    var phi_4769_: type_9;
+    var phi_4794_: type_9;
+    var phi_4838_: u32;
+    var phi_4839_: u32;
+    var phi_4772_: u32;
+    var phi_4840_: u32;
+    var phi_4860_: type_9;
+    var phi_4861_: type_9;
+    var phi_4884_: type_9;
+    var phi_4936_: f32;
+    var phi_4943_: f32;
+    var phi_4954_: bool;
+    var phi_4955_: bool;
+    var phi_4956_: bool;
+    var phi_4957_: bool;
+    var phi_4961_: bool;
+    var phi_4972_: type_37;
+    var phi_4973_: type_37;
+    var phi_4974_: bool;
+    var phi_4975_: type_37;
+    var phi_4976_: bool;
+    var phi_4987_: f32;
+    var phi_4997_: type_9;
+    var phi_5000_: f32;
+    var phi_5002_: f32;
+    var phi_5004_: f32;
+    var phi_4998_: type_9;
+    var phi_5027_: type_9;
+    var phi_5052_: f32;
+    var phi_5053_: f32;
+    var phi_5079_: f32;
+    var phi_5095_: f32;
+    var phi_5102_: bool;
+    var phi_5103_: bool;
+    var phi_5104_: bool;
+    var phi_5110_: f32;
+    var phi_5111_: f32;
+    var phi_5112_: bool;
+    var phi_5001_: f32;
+    var phi_5003_: f32;
+    var phi_5005_: f32;
+    var phi_5113_: f32;
+    var phi_5114_: bool;
+    var phi_5115_: bool;
     var local_14: bool;
-    var phi_3735_: f32;
-    var phi_3736_: f32;
-    var phi_3743_: type_19;
-    var phi_3746_: f32;
-    var phi_3744_: type_19;
-    var phi_3769_: type_19;
-    var phi_3810_: f32;
-    var phi_3820_: f32;
-    var phi_3828_: bool;
-    var phi_3830_: bool;
-    var phi_3835_: f32;
-    var phi_3836_: bool;
-    var phi_3837_: f32;
-    var phi_3838_: bool;
-    var phi_3839_: bool;
-    var phi_3840_: bool;
-    var phi_3841_: f32;
-    var phi_3747_: f32;
-    var phi_3842_: bool;
-    var phi_3843_: bool;
-    var phi_3844_: bool;
-    var phi_3845_: bool;
+    var phi_5119_: f32;
+    var phi_5120_: f32;
+    var phi_5128_: f32;
+    var phi_5132_: type_9;
+    var phi_5135_: f32;
+    var phi_5133_: type_9;
+    var phi_5158_: type_9;
+    var phi_5188_: f32;
+    var phi_5189_: bool;
+    var phi_5190_: f32;
+    var phi_5191_: bool;
+    var phi_5192_: bool;
+    var phi_5193_: bool;
+    var phi_5194_: f32;
+    var phi_5136_: f32;
+    var phi_5195_: bool;
+    var phi_5196_: bool;
+    var phi_5197_: bool;
+    var phi_5198_: bool;
     var local_15: bool;
-    var phi_3849_: bool;
-    var phi_3850_: bool;
-    var phi_3854_: bool;
-    var phi_3858_: f32;
-    var phi_3859_: f32;
-    var phi_3861_: type_33;
-    var phi_3890_: f32;
-    var phi_3897_: f32;
-    var phi_3902_: f32;
-    var phi_3909_: f32;
-    var phi_3914_: f32;
-    var phi_3927_: f32;
-    var phi_3934_: f32;
-    var phi_3939_: f32;
-    var phi_3946_: f32;
+    var phi_5202_: bool;
+    var phi_5203_: bool;
+    var phi_5207_: bool;
+    var phi_5211_: f32;
+    var phi_5212_: f32;
+    var phi_5214_: type_37;
+    var phi_5243_: f32;
+    var phi_5250_: f32;
+    var phi_5255_: f32;
+    var phi_5262_: f32;
+    var phi_5267_: f32;
+    var phi_5280_: f32;
+    var phi_5287_: f32;
+    var phi_5292_: f32;
+    var phi_5299_: f32;
+    var phi_5304_: f32;
+    var phi_5309_: f32;
+    var phi_5368_: f32;
+    var phi_5374_: f32;
+    var phi_5379_: f32;
+    var phi_5385_: f32;
+    var phi_5390_: f32;
+    var phi_5402_: f32;
+    var phi_5408_: f32;
+    var phi_5413_: f32;
+    var phi_5419_: f32;
+    var phi_5424_: f32;
+    var phi_5450_: f32;
+    var phi_5457_: f32;
+    var phi_5462_: f32;
+    var phi_5469_: f32;
+    var phi_5474_: f32;
+    var phi_5487_: f32;
+    var phi_5494_: f32;
+    var phi_5499_: f32;
+    var phi_5506_: f32;
+    var phi_5511_: f32;
+    var phi_5516_: f32;
+    var phi_5575_: f32;
+    var phi_5581_: f32;
+    var phi_5586_: f32;
+    var phi_5592_: f32;
+    var phi_5597_: f32;
+    var phi_5609_: f32;
+    var phi_5615_: f32;
+    var phi_5620_: f32;
+    var phi_5626_: f32;
+    var phi_5631_: f32;
+    var phi_5657_: f32;
+    var phi_5664_: f32;
+    var phi_5669_: f32;
+    var phi_5676_: f32;
+    var phi_5681_: f32;
+    var phi_5694_: f32;
+    var phi_5701_: f32;
+    var phi_5706_: f32;
+    var phi_5713_: f32;
+    var phi_5718_: f32;
+    var phi_5723_: f32;
+    var phi_5782_: f32;
+    var phi_5788_: f32;
+    var phi_5793_: f32;
+    var phi_5799_: f32;
+    var phi_5804_: f32;
+    var phi_5816_: f32;
+    var phi_5822_: f32;
+    var phi_5827_: f32;
+    var phi_5833_: f32;
+    var phi_5838_: f32;
+    var phi_5887_: f32;
+    var phi_5893_: f32;
+    var phi_5921_: f32;
+    var phi_5927_: f32;
+    var phi_5932_: u32;
+    var phi_5933_: u32;
+    var phi_5903_: f32;
+    var phi_5909_: f32;
+    var phi_5914_: u32;
+    var phi_5915_: u32;
+    var phi_5934_: u32;
+    var phi_5935_: u32;
+    var phi_6004_: f32;
+    var phi_6013_: f32;
+    var phi_6148_: f32;
+    var phi_6154_: f32;
+    var phi_6161_: f32;
+    var phi_6204_: type_9;
+    var phi_6207_: bool;
+    var phi_6205_: type_9;
+    var phi_6230_: type_9;
+    var phi_6257_: bool;
+    var phi_6258_: bool;
+    var phi_6208_: bool;
+    var phi_6259_: bool;
+    var phi_6260_: bool;
+    var local_16: bool;
+    var phi_6264_: bool;
+    var local_17: bool;
+    var phi_6271_: u32;
+    var phi_6272_: u32;
+    var phi_6273_: bool;
+    var phi_6274_: u32;
+    var phi_6275_: u32;
+    var phi_6276_: bool;
+    var phi_6280_: u32;
+    var phi_6300_: bool;
+    var phi_6301_: bool;
+    var phi_6302_: bool;
+    var phi_6450_: f32;
+    var phi_6457_: f32;
+    var phi_6462_: f32;
+    var phi_6469_: f32;
+    var phi_6474_: f32;
+    var phi_6487_: f32;
+    var phi_6494_: f32;
+    var phi_6499_: f32;
+    var phi_6506_: f32;
+    var phi_6511_: f32;
+    var phi_6516_: f32;
+    var phi_6533_: f32;
+    var phi_6540_: f32;
+    var phi_6545_: f32;
+    var phi_6552_: f32;
+    var phi_6557_: f32;
+    var phi_6571_: f32;
+    var phi_6578_: f32;
+    var phi_6583_: f32;
+    var phi_6590_: f32;
+    var phi_6595_: f32;
+    var phi_6600_: f32;
+    var phi_6617_: f32;
+    var phi_6624_: f32;
+    var phi_6629_: f32;
+    var phi_6636_: f32;
+    var phi_6641_: f32;
+    var phi_6655_: f32;
+    var phi_6662_: f32;
+    var phi_6667_: f32;
+    var phi_6674_: f32;
+    var phi_6679_: f32;
+    var phi_6684_: f32;
+    var phi_6723_: type_9;
+    var phi_6726_: f32;
+    var phi_6728_: f32;
+    var phi_6730_: f32;
+    var phi_6724_: type_9;
+    var phi_6753_: type_9;
+    var phi_6865_: f32;
+    var phi_6872_: f32;
+    var phi_6880_: f32;
+    var phi_6924_: type_14;
+    var phi_6927_: f32;
+    var phi_6948_: bool;
+    var phi_6954_: type_15;
+    var phi_6925_: type_14;
+    var phi_6968_: type_15;
+    var phi_6928_: f32;
+    var local_18: f32;
+    var phi_6917_: f32;
+    var phi_6981_: f32;
+    var phi_7047_: f32;
+    var phi_7053_: f32;
+    var phi_7062_: f32;
+    var phi_7068_: f32;
+    var phi_7077_: f32;
+    var phi_7083_: f32;
+    var phi_7092_: f32;
+    var phi_7098_: f32;
+    var phi_7104_: type_30;
+    var phi_7105_: bool;
+    var phi_7106_: type_30;
+    var phi_7107_: bool;
+    var phi_7115_: type_30;
+    var phi_7285_: bool;
+    var phi_7286_: bool;
+    var phi_7287_: bool;
+    var phi_7288_: bool;
+    var phi_7289_: bool;
+    var phi_7290_: bool;
+    var phi_7294_: bool;
+    var phi_7591_: bool;
+    var phi_7592_: bool;
+    var phi_7593_: bool;
+    var phi_7594_: bool;
+    var phi_7595_: bool;
+    var phi_7596_: bool;
+    var phi_7600_: bool;
+    var phi_7604_: bool;
+    var phi_7616_: bool;
+    var phi_7617_: bool;
+    var phi_7691_: bool;
+    var phi_7692_: bool;
+    var phi_7712_: f32;
+    var phi_7713_: bool;
+    var phi_7714_: f32;
+    var phi_7715_: bool;
+    var phi_7716_: f32;
+    var phi_7717_: bool;
+    var phi_7718_: bool;
+    var phi_7722_: f32;
+    var phi_7723_: bool;
+    var phi_7727_: f32;
+    var phi_7759_: bool;
+    var phi_7760_: bool;
+    var phi_7780_: f32;
+    var phi_7781_: bool;
+    var phi_7782_: f32;
+    var phi_7783_: bool;
+    var phi_7784_: f32;
+    var phi_7785_: bool;
+    var phi_7786_: bool;
+    var phi_7790_: f32;
+    var phi_7791_: bool;
+    var phi_7795_: f32;
+    var phi_7800_: f32;
+    var phi_7832_: bool;
+    var phi_7833_: bool;
+    var phi_7853_: f32;
+    var phi_7854_: bool;
+    var phi_7855_: f32;
+    var phi_7856_: bool;
+    var phi_7857_: f32;
+    var phi_7858_: bool;
+    var phi_7859_: bool;
+    var phi_7863_: f32;
+    var phi_7864_: bool;
+    var phi_7868_: f32;
+    var phi_7900_: bool;
+    var phi_7901_: bool;
+    var phi_7921_: f32;
+    var phi_7922_: bool;
+    var phi_7923_: f32;
+    var phi_7924_: bool;
+    var phi_7925_: f32;
+    var phi_7926_: bool;
+    var phi_7927_: bool;
+    var phi_7931_: f32;
+    var phi_7932_: bool;
+    var phi_7936_: f32;
+    var phi_7941_: f32;
+    var phi_7946_: f32;
+    var phi_7951_: f32;
+    var phi_7962_: f32;
+    var phi_7963_: f32;
+    var phi_7964_: bool;
+    var phi_7965_: f32;
+    var phi_7966_: f32;
+    var phi_7967_: bool;
+    var phi_7968_: bool;
+    var phi_7969_: bool;
+    var phi_7970_: f32;
+    var phi_7971_: f32;
+    var phi_7972_: bool;
+    var phi_7973_: bool;
+    var phi_7974_: bool;
+    var phi_7975_: bool;
+    var phi_7976_: f32;
+    var phi_7977_: f32;
+    var phi_7978_: bool;
+    var phi_7979_: bool;
+    var phi_7980_: bool;
+    var phi_7981_: bool;
+    var phi_8061_: f32;
+    var phi_8134_: f32;
+    var phi_8139_: f32;
+    var phi_8212_: f32;
+    var phi_8285_: f32;
+    var phi_8290_: f32;
+    var phi_8306_: f32;
+    var phi_8307_: f32;
+    var phi_8308_: f32;
+    var phi_8310_: f32;
+    var phi_8311_: bool;
+    var phi_8312_: f32;
+    var phi_8313_: f32;
+    var phi_8314_: f32;
+    var phi_8315_: bool;
+    var phi_8316_: bool;
+    var phi_8317_: bool;
+    var phi_8318_: bool;
+    var phi_8327_: f32;
+    var phi_8332_: f32;
+    var phi_8342_: bool;
+    var phi_8346_: bool;
+    var phi_8347_: f32;
+    var phi_8348_: bool;
+    var phi_8349_: bool;
+    var phi_8350_: bool;
+    var phi_8351_: bool;
+    var phi_8352_: bool;
+    var phi_6727_: f32;
+    var phi_6729_: f32;
+    var phi_6731_: f32;
+    var phi_8353_: f32;
+    var phi_8354_: bool;
+    var phi_8355_: bool;
+    var phi_8356_: bool;
+    var phi_8357_: bool;
+    var phi_8358_: bool;
+    var phi_8359_: bool;
+    var local_19: bool;
+    var phi_8363_: f32;
+    var phi_8364_: bool;
+    var phi_8365_: bool;
+    var phi_8366_: bool;
+    var phi_8367_: bool;
+    var phi_8372_: type_35;
+    var phi_8373_: bool;
+    var phi_8374_: bool;
+    var phi_8375_: bool;
+    var local_20: f32;
+    var phi_8380_: type_35;
+    var phi_8381_: bool;
+    var phi_8382_: bool;
+    var phi_8387_: type_35;
+    var phi_8388_: bool;
+    var phi_8389_: bool;
+    var phi_8394_: type_35;
+    var phi_8395_: bool;
+    var phi_8399_: type_35;
+    var phi_8406_: bool;
+    var phi_8407_: f32;
+    var phi_8408_: bool;
+    var phi_8409_: bool;
+    var phi_8410_: bool;
+    var phi_8411_: f32;
+    var phi_8412_: bool;
+    var phi_8413_: bool;
+    var phi_8414_: bool;
+    var phi_8415_: f32;
+    var phi_8416_: bool;
+    var phi_8417_: bool;
+    var phi_8418_: bool;
+    var phi_8419_: bool;
+    var phi_8423_: bool;
+    var phi_8424_: bool;
+    var phi_8425_: bool;
+    var phi_8426_: f32;
+    var phi_8427_: type_37;
+    var phi_8428_: bool;
+    var phi_8429_: bool;
+    var phi_8430_: bool;
+    var phi_8431_: bool;
+    var local_21: bool;
+    var phi_8436_: type_35;
+    var phi_8437_: bool;
+    var phi_8438_: bool;
+    var local_22: f32;
+    var phi_8443_: type_35;
+    var phi_8444_: bool;
+    var local_23: type_37;
+    var phi_8450_: type_35;
+    var phi_8451_: bool;
+    var phi_8455_: type_35;
+    var phi_2091_: f32;
+    var phi_2098_: f32;
+    var phi_2103_: f32;
+    var phi_2110_: f32;
+    var phi_2115_: f32;
+    var phi_2128_: f32;
+    var phi_2135_: f32;
+    var phi_2140_: f32;
+    var phi_2147_: f32;
+    var phi_2152_: f32;
+    var phi_2157_: f32;
+    var phi_2174_: f32;
+    var phi_2181_: f32;
+    var phi_2186_: f32;
+    var phi_2193_: f32;
+    var phi_2198_: f32;
+    var phi_2212_: f32;
+    var phi_2219_: f32;
+    var phi_2224_: f32;
+    var phi_2231_: f32;
+    var phi_2236_: f32;
+    var phi_2241_: f32;
+    var phi_2258_: f32;
+    var phi_2265_: f32;
+    var phi_2270_: f32;
+    var phi_2277_: f32;
+    var phi_2282_: f32;
+    var phi_2296_: f32;
+    var phi_2303_: f32;
+    var phi_2308_: f32;
+    var phi_2315_: f32;
+    var phi_2320_: f32;
+    var phi_2325_: f32;
+    var phi_2364_: type_9;
+    var phi_2367_: f32;
+    var phi_2369_: f32;
+    var phi_2371_: f32;
+    var phi_2365_: type_9;
+    var phi_2394_: type_9;
+    var phi_2506_: f32;
+    var phi_2513_: f32;
+    var phi_2521_: f32;
+    var phi_2565_: type_14;
+    var phi_2568_: f32;
+    var phi_2589_: bool;
+    var phi_2595_: type_15;
+    var phi_2566_: type_14;
+    var phi_2609_: type_15;
+    var phi_2569_: f32;
+    var local_24: f32;
+    var phi_2558_: f32;
+    var phi_2622_: f32;
+    var phi_2688_: f32;
+    var phi_2694_: f32;
+    var phi_2703_: f32;
+    var phi_2709_: f32;
+    var phi_2718_: f32;
+    var phi_2724_: f32;
+    var phi_2733_: f32;
+    var phi_2739_: f32;
+    var phi_2745_: type_30;
+    var phi_2746_: bool;
+    var phi_2747_: type_30;
+    var phi_2748_: bool;
+    var phi_2756_: type_30;
+    var phi_2926_: bool;
+    var phi_2927_: bool;
+    var phi_2928_: bool;
+    var phi_2929_: bool;
+    var phi_2930_: bool;
+    var phi_2931_: bool;
+    var phi_2935_: bool;
+    var phi_3232_: bool;
+    var phi_3233_: bool;
+    var phi_3234_: bool;
+    var phi_3235_: bool;
+    var phi_3236_: bool;
+    var phi_3237_: bool;
+    var phi_3241_: bool;
+    var phi_3245_: bool;
+    var phi_3257_: bool;
+    var phi_3258_: bool;
+    var phi_3332_: bool;
+    var phi_3333_: bool;
+    var phi_3353_: f32;
+    var phi_3354_: bool;
+    var phi_3355_: f32;
+    var phi_3356_: bool;
+    var phi_3357_: f32;
+    var phi_3358_: bool;
+    var phi_3359_: bool;
+    var phi_3363_: f32;
+    var phi_3364_: bool;
+    var phi_3368_: f32;
+    var phi_3400_: bool;
+    var phi_3401_: bool;
+    var phi_3421_: f32;
+    var phi_3422_: bool;
+    var phi_3423_: f32;
+    var phi_3424_: bool;
+    var phi_3425_: f32;
+    var phi_3426_: bool;
+    var phi_3427_: bool;
+    var phi_3431_: f32;
+    var phi_3432_: bool;
+    var phi_3436_: f32;
+    var phi_3441_: f32;
+    var phi_3473_: bool;
+    var phi_3474_: bool;
+    var phi_3494_: f32;
+    var phi_3495_: bool;
+    var phi_3496_: f32;
+    var phi_3497_: bool;
+    var phi_3498_: f32;
+    var phi_3499_: bool;
+    var phi_3500_: bool;
+    var phi_3504_: f32;
+    var phi_3505_: bool;
+    var phi_3509_: f32;
+    var phi_3541_: bool;
+    var phi_3542_: bool;
+    var phi_3562_: f32;
+    var phi_3563_: bool;
+    var phi_3564_: f32;
+    var phi_3565_: bool;
+    var phi_3566_: f32;
+    var phi_3567_: bool;
+    var phi_3568_: bool;
+    var phi_3572_: f32;
+    var phi_3573_: bool;
+    var phi_3577_: f32;
+    var phi_3582_: f32;
+    var phi_3587_: f32;
+    var phi_3592_: f32;
+    var phi_3603_: f32;
+    var phi_3604_: f32;
+    var phi_3605_: bool;
+    var phi_3606_: f32;
+    var phi_3607_: f32;
+    var phi_3608_: bool;
+    var phi_3609_: bool;
+    var phi_3610_: bool;
+    var phi_3611_: f32;
+    var phi_3612_: f32;
+    var phi_3613_: bool;
+    var phi_3614_: bool;
+    var phi_3615_: bool;
+    var phi_3616_: bool;
+    var phi_3617_: f32;
+    var phi_3618_: f32;
+    var phi_3619_: bool;
+    var phi_3620_: bool;
+    var phi_3621_: bool;
+    var phi_3622_: bool;
+    var phi_3702_: f32;
+    var phi_3775_: f32;
+    var phi_3780_: f32;
+    var phi_3853_: f32;
+    var phi_3926_: f32;
+    var phi_3931_: f32;
+    var phi_3947_: f32;
+    var phi_3948_: f32;
+    var phi_3949_: f32;
     var phi_3951_: f32;
-    var phi_3956_: f32;
-    var phi_4015_: f32;
-    var phi_4021_: f32;
-    var phi_4026_: f32;
-    var phi_4032_: f32;
-    var phi_4037_: f32;
-    var phi_4049_: f32;
-    var phi_4055_: f32;
-    var phi_4060_: f32;
-    var phi_4066_: f32;
-    var phi_4071_: f32;
-    var phi_4097_: f32;
-    var phi_4104_: f32;
-    var phi_4109_: f32;
-    var phi_4116_: f32;
-    var phi_4121_: f32;
-    var phi_4134_: f32;
-    var phi_4141_: f32;
-    var phi_4146_: f32;
-    var phi_4153_: f32;
-    var phi_4158_: f32;
-    var phi_4163_: f32;
-    var phi_4222_: f32;
-    var phi_4228_: f32;
-    var phi_4233_: f32;
-    var phi_4239_: f32;
-    var phi_4244_: f32;
-    var phi_4256_: f32;
-    var phi_4262_: f32;
-    var phi_4267_: f32;
-    var phi_4273_: f32;
-    var phi_4278_: f32;
-    var phi_4304_: f32;
-    var phi_4311_: f32;
-    var phi_4316_: f32;
-    var phi_4323_: f32;
-    var phi_4328_: f32;
-    var phi_4341_: f32;
-    var phi_4348_: f32;
-    var phi_4353_: f32;
-    var phi_4360_: f32;
-    var phi_4365_: f32;
-    var phi_4370_: f32;
+    var phi_3952_: bool;
+    var phi_3953_: f32;
+    var phi_3954_: f32;
+    var phi_3955_: f32;
+    var phi_3956_: bool;
+    var phi_3957_: bool;
+    var phi_3958_: bool;
+    var phi_3959_: bool;
+    var phi_3968_: f32;
+    var phi_3973_: f32;
+    var phi_3983_: bool;
+    var phi_3987_: bool;
+    var phi_3988_: f32;
+    var phi_3989_: bool;
+    var phi_3990_: bool;
+    var phi_3991_: bool;
+    var phi_3992_: bool;
+    var phi_3993_: bool;
+    var phi_2368_: f32;
+    var phi_2370_: f32;
+    var phi_2372_: f32;
+    var phi_3994_: f32;
+    var phi_3995_: bool;
+    var phi_3996_: bool;
+    var phi_3997_: bool;
+    var phi_3998_: bool;
+    var phi_3999_: bool;
+    var phi_4000_: bool;
+    var local_25: bool;
+    var phi_4004_: f32;
+    var phi_4005_: bool;
+    var phi_4006_: bool;
+    var phi_4007_: bool;
+    var phi_4008_: bool;
+    var phi_4013_: type_35;
+    var phi_4014_: bool;
+    var phi_4015_: bool;
+    var phi_4016_: bool;
+    var local_26: f32;
+    var phi_4021_: type_35;
+    var phi_4022_: bool;
+    var phi_4023_: bool;
+    var phi_4028_: type_35;
+    var phi_4029_: bool;
+    var phi_4030_: bool;
+    var phi_4035_: type_35;
+    var phi_4036_: bool;
+    var phi_4040_: type_35;
+    var phi_4054_: type_9;
+    var phi_4055_: type_9;
+    var phi_4078_: type_9;
+    var phi_4098_: f32;
+    var phi_4228_: type_14;
+    var phi_4231_: f32;
+    var phi_4252_: bool;
+    var phi_4258_: type_15;
+    var phi_4229_: type_14;
+    var phi_4272_: type_15;
+    var phi_4232_: f32;
+    var local_27: f32;
+    var phi_4221_: f32;
+    var phi_4285_: f32;
+    var phi_4301_: f32;
+    var phi_4308_: f32;
+    var phi_4313_: f32;
+    var phi_4320_: f32;
+    var phi_4325_: f32;
+    var phi_4338_: f32;
+    var phi_4345_: f32;
+    var phi_4350_: f32;
+    var phi_4357_: f32;
+    var phi_4362_: f32;
+    var phi_4367_: f32;
+    var phi_4384_: f32;
+    var phi_4391_: f32;
+    var phi_4396_: f32;
+    var phi_4403_: f32;
+    var phi_4408_: f32;
+    var phi_4422_: f32;
     var phi_4429_: f32;
-    var phi_4435_: f32;
-    var phi_4440_: f32;
+    var phi_4434_: f32;
+    var phi_4441_: f32;
     var phi_4446_: f32;
     var phi_4451_: f32;
-    var phi_4463_: f32;
-    var phi_4469_: f32;
-    var phi_4474_: f32;
+    var phi_4468_: f32;
+    var phi_4475_: f32;
     var phi_4480_: f32;
-    var phi_4485_: f32;
-    var phi_4534_: f32;
-    var phi_4540_: f32;
-    var phi_4568_: f32;
-    var phi_4574_: f32;
-    var phi_4579_: u32;
-    var phi_4580_: u32;
-    var phi_4550_: f32;
-    var phi_4556_: f32;
-    var phi_4561_: u32;
-    var phi_4562_: u32;
-    var phi_4581_: u32;
-    var phi_4582_: u32;
-    var phi_4649_: f32;
-    var phi_4658_: f32;
-    var phi_4789_: f32;
-    var phi_4795_: f32;
-    var phi_4802_: f32;
-    var phi_4845_: type_19;
-    var phi_4848_: bool;
-    var phi_4846_: type_19;
-    var phi_4871_: type_19;
-    var phi_4898_: bool;
-    var phi_4899_: bool;
-    var phi_4849_: bool;
-    var phi_4900_: bool;
-    var phi_4901_: bool;
-    var local_16: bool;
-    var phi_4905_: bool;
-    var local_17: bool;
-    var phi_4912_: u32;
-    var phi_4913_: u32;
-    var phi_4914_: bool;
-    var phi_4915_: u32;
-    var phi_4916_: u32;
-    var phi_4917_: bool;
-    var phi_4921_: u32;
-    var phi_4941_: bool;
-    var phi_4942_: bool;
-    var phi_4943_: bool;
-    var phi_5139_: f32;
-    var phi_5146_: f32;
-    var phi_5151_: f32;
-    var phi_5158_: f32;
-    var phi_5163_: f32;
-    var phi_5176_: f32;
-    var phi_5183_: f32;
-    var phi_5188_: f32;
-    var phi_5195_: f32;
-    var phi_5200_: f32;
-    var phi_5205_: f32;
-    var phi_5222_: f32;
-    var phi_5229_: f32;
-    var phi_5234_: f32;
-    var phi_5241_: f32;
-    var phi_5246_: f32;
-    var phi_5260_: f32;
-    var phi_5267_: f32;
-    var phi_5272_: f32;
-    var phi_5279_: f32;
-    var phi_5284_: f32;
-    var phi_5289_: f32;
-    var phi_5306_: f32;
-    var phi_5313_: f32;
-    var phi_5318_: f32;
-    var phi_5325_: f32;
-    var phi_5330_: f32;
-    var phi_5344_: f32;
-    var phi_5351_: f32;
-    var phi_5356_: f32;
-    var phi_5363_: f32;
-    var phi_5368_: f32;
-    var phi_5373_: f32;
-    var phi_5389_: type_19;
-    var phi_5392_: f32;
-    var phi_5390_: type_19;
-    var phi_5415_: type_19;
-    var phi_5526_: f32;
-    var phi_5533_: f32;
-    var phi_5541_: f32;
-    var phi_5585_: type_17;
-    var phi_5588_: f32;
-    var phi_5609_: bool;
-    var phi_5615_: type_18;
-    var phi_5586_: type_17;
-    var phi_5629_: type_18;
-    var phi_5589_: f32;
-    var local_18: f32;
-    var phi_5578_: f32;
-    var phi_5642_: f32;
-    var phi_5651_: type_19;
-    var phi_5654_: f32;
-    var phi_5652_: type_19;
-    var phi_5677_: type_19;
-    var phi_5728_: f32;
-    var phi_5734_: f32;
-    var phi_5747_: bool;
-    var phi_5748_: bool;
-    var phi_5779_: f32;
-    var phi_5780_: f32;
-    var phi_5781_: f32;
-    var phi_5782_: bool;
-    var phi_5786_: bool;
-    var phi_5787_: f32;
-    var phi_5788_: bool;
-    var phi_5789_: bool;
-    var phi_5790_: bool;
-    var phi_5791_: f32;
-    var phi_5792_: bool;
-    var phi_5793_: bool;
-    var phi_5794_: bool;
-    var phi_5655_: f32;
-    var phi_5795_: bool;
-    var phi_5796_: bool;
-    var phi_5797_: bool;
-    var phi_5798_: bool;
-    var local_19: bool;
-    var local_20: f32;
-    var local_21: f32;
-    var local_22: f32;
-    var phi_5815_: bool;
-    var phi_5816_: bool;
-    var phi_5817_: bool;
-    var phi_5818_: bool;
-    var phi_5819_: bool;
-    var phi_5820_: bool;
-    var phi_5821_: bool;
-    var phi_5822_: bool;
-    var phi_5823_: bool;
-    var phi_5824_: bool;
-    var phi_5825_: bool;
-    var phi_5826_: bool;
-    var phi_5827_: bool;
-    var phi_5828_: f32;
-    var phi_5829_: f32;
-    var phi_5830_: bool;
-    var phi_5831_: bool;
-    var phi_5832_: bool;
-    var phi_5833_: bool;
-    var phi_5834_: bool;
-    var phi_5835_: bool;
-    var phi_5836_: bool;
-    var phi_5837_: f32;
-    var phi_5838_: f32;
-    var phi_5839_: bool;
-    var phi_5840_: bool;
-    var phi_5841_: bool;
-    var phi_5842_: bool;
-    var phi_5843_: bool;
-    var phi_5844_: bool;
-    var phi_5845_: bool;
-    var phi_5846_: bool;
-    var phi_5847_: f32;
-    var phi_5393_: f32;
-    var phi_5848_: bool;
-    var phi_5849_: bool;
-    var phi_5850_: bool;
-    var phi_5851_: bool;
-    var phi_5852_: bool;
-    var phi_5853_: bool;
-    var phi_5854_: bool;
-    var phi_5855_: bool;
-    var phi_5856_: bool;
-    var local_23: bool;
-    var phi_5861_: type_32;
-    var phi_5862_: bool;
-    var phi_5863_: bool;
-    var phi_5864_: bool;
-    var phi_5865_: bool;
-    var phi_5866_: bool;
-    var phi_5867_: bool;
-    var phi_5868_: bool;
-    var phi_5872_: f32;
-    var phi_5873_: bool;
-    var phi_5874_: bool;
-    var phi_5875_: bool;
-    var phi_5876_: bool;
-    var phi_5877_: bool;
-    var phi_5878_: bool;
-    var phi_5879_: bool;
-    var phi_5884_: type_32;
-    var phi_5885_: bool;
-    var phi_5886_: bool;
-    var phi_5887_: bool;
-    var phi_5888_: bool;
-    var phi_5889_: bool;
-    var phi_5890_: bool;
-    var local_24: f32;
-    var phi_5895_: type_32;
-    var phi_5896_: bool;
-    var phi_5897_: bool;
-    var phi_5898_: bool;
-    var phi_5899_: bool;
-    var phi_5900_: bool;
-    var local_25: f32;
-    var phi_5905_: type_32;
-    var phi_5906_: bool;
-    var phi_5907_: bool;
-    var phi_5908_: bool;
-    var phi_5909_: bool;
-    var local_26: f32;
-    var phi_5914_: type_32;
-    var phi_5915_: bool;
-    var phi_5916_: bool;
-    var phi_5917_: bool;
-    var phi_5918_: bool;
-    var phi_5922_: type_32;
-    var phi_5923_: bool;
-    var phi_5924_: bool;
-    var phi_5925_: bool;
-    var phi_5929_: bool;
-    var phi_5930_: bool;
-    var phi_5934_: bool;
-    var phi_5935_: bool;
-    var phi_5939_: bool;
-    var phi_5940_: bool;
-    var local_27: f32;
-    var phi_5945_: type_32;
-    var phi_5946_: bool;
-    var phi_5950_: type_32;
-    var phi_5957_: bool;
-    var phi_5958_: f32;
-    var phi_5959_: bool;
-    var phi_5960_: bool;
-    var phi_5961_: bool;
-    var phi_5962_: f32;
-    var phi_5963_: bool;
-    var phi_5964_: bool;
-    var phi_5965_: bool;
-    var phi_5966_: f32;
-    var phi_5967_: bool;
-    var phi_5968_: bool;
-    var phi_5969_: bool;
-    var phi_5970_: bool;
-    var phi_5974_: bool;
-    var phi_5975_: bool;
-    var phi_5976_: bool;
-    var phi_5977_: f32;
-    var phi_5978_: type_33;
-    var phi_5979_: bool;
-    var phi_5980_: bool;
-    var phi_5981_: bool;
-    var phi_5982_: bool;
+    var phi_4487_: f32;
+    var phi_4492_: f32;
+    var phi_4506_: f32;
+    var phi_4513_: f32;
+    var phi_4518_: f32;
+    var phi_4525_: f32;
+    var phi_4530_: f32;
+    var phi_4535_: f32;
+    var phi_4555_: bool;
+    var phi_4556_: bool;
+    var phi_4557_: bool;
     var local_28: bool;
-    var phi_5987_: type_32;
-    var phi_5988_: bool;
-    var phi_5989_: bool;
-    var local_29: f32;
-    var phi_5994_: type_32;
-    var phi_5995_: bool;
-    var local_30: type_33;
-    var phi_6001_: type_32;
-    var phi_6002_: bool;
-    var phi_6006_: type_32;
-    var phi_1845_: f32;
-    var phi_1852_: f32;
-    var phi_1857_: f32;
-    var phi_1864_: f32;
-    var phi_1869_: f32;
-    var phi_1882_: f32;
-    var phi_1889_: f32;
-    var phi_1894_: f32;
-    var phi_1901_: f32;
-    var phi_1906_: f32;
-    var phi_1911_: f32;
-    var phi_1928_: f32;
-    var phi_1935_: f32;
-    var phi_1940_: f32;
-    var phi_1947_: f32;
-    var phi_1952_: f32;
-    var phi_1966_: f32;
-    var phi_1973_: f32;
-    var phi_1978_: f32;
-    var phi_1985_: f32;
-    var phi_1990_: f32;
-    var phi_1995_: f32;
-    var phi_2012_: f32;
-    var phi_2019_: f32;
-    var phi_2024_: f32;
-    var phi_2031_: f32;
-    var phi_2036_: f32;
-    var phi_2050_: f32;
-    var phi_2057_: f32;
-    var phi_2062_: f32;
-    var phi_2069_: f32;
-    var phi_2074_: f32;
-    var phi_2079_: f32;
-    var phi_2095_: type_19;
-    var phi_2098_: f32;
-    var phi_2096_: type_19;
-    var phi_2121_: type_19;
-    var phi_2232_: f32;
-    var phi_2239_: f32;
-    var phi_2247_: f32;
-    var phi_2291_: type_17;
-    var phi_2294_: f32;
-    var phi_2315_: bool;
-    var phi_2321_: type_18;
-    var phi_2292_: type_17;
-    var phi_2335_: type_18;
-    var phi_2295_: f32;
+    var phi_4562_: type_35;
+    var phi_4563_: bool;
+    var phi_4568_: type_35;
+    var phi_4569_: bool;
+    var phi_4571_: type_35;
+    var phi_4572_: type_35;
+    var phi_4573_: bool;
+    var phi_4577_: type_35;
+    var phi_8459_: type_35;
+    var phi_8460_: type_35;
+    var phi_8473_: type_38;
+    var phi_8480_: bool;
+    var phi_8504_: u32;
+    var phi_8508_: type_20;
+    var phi_8509_: bool;
+    var phi_8510_: bool;
+    var phi_8529_: u32;
+    var phi_8592_: u32;
+    var local_29: u32;
+    var local_30: f32;
     var local_31: f32;
-    var phi_2284_: f32;
-    var phi_2348_: f32;
-    var phi_2357_: type_19;
-    var phi_2360_: f32;
-    var phi_2358_: type_19;
-    var phi_2383_: type_19;
-    var phi_2434_: f32;
-    var phi_2440_: f32;
-    var phi_2453_: bool;
-    var phi_2454_: bool;
-    var phi_2485_: f32;
-    var phi_2486_: f32;
-    var phi_2487_: f32;
-    var phi_2488_: bool;
-    var phi_2492_: bool;
-    var phi_2493_: f32;
-    var phi_2494_: bool;
-    var phi_2495_: bool;
-    var phi_2496_: bool;
-    var phi_2497_: f32;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
-    var phi_2500_: bool;
-    var phi_2361_: f32;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
-    var phi_2503_: bool;
-    var phi_2504_: bool;
     var local_32: bool;
-    var local_33: f32;
+    var local_33: bool;
     var local_34: f32;
     var local_35: f32;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
-    var phi_2525_: bool;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2531_: bool;
-    var phi_2532_: bool;
-    var phi_2533_: bool;
-    var phi_2534_: f32;
-    var phi_2535_: f32;
-    var phi_2536_: bool;
-    var phi_2537_: bool;
-    var phi_2538_: bool;
-    var phi_2539_: bool;
-    var phi_2540_: bool;
-    var phi_2541_: bool;
-    var phi_2542_: bool;
-    var phi_2543_: f32;
-    var phi_2544_: f32;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2547_: bool;
-    var phi_2548_: bool;
-    var phi_2549_: bool;
-    var phi_2550_: bool;
-    var phi_2551_: bool;
-    var phi_2552_: bool;
-    var phi_2553_: f32;
-    var phi_2099_: f32;
-    var phi_2554_: bool;
-    var phi_2555_: bool;
-    var phi_2556_: bool;
-    var phi_2557_: bool;
-    var phi_2558_: bool;
-    var phi_2559_: bool;
-    var phi_2560_: bool;
-    var phi_2561_: bool;
-    var phi_2562_: bool;
-    var local_36: bool;
-    var phi_2567_: type_32;
-    var phi_2568_: bool;
-    var phi_2569_: bool;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2572_: bool;
-    var phi_2573_: bool;
-    var phi_2574_: bool;
-    var phi_2578_: f32;
-    var phi_2579_: bool;
-    var phi_2580_: bool;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
-    var phi_2583_: bool;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2590_: type_32;
-    var phi_2591_: bool;
-    var phi_2592_: bool;
-    var phi_2593_: bool;
-    var phi_2594_: bool;
-    var phi_2595_: bool;
-    var phi_2596_: bool;
-    var local_37: f32;
-    var phi_2601_: type_32;
-    var phi_2602_: bool;
-    var phi_2603_: bool;
-    var phi_2604_: bool;
-    var phi_2605_: bool;
-    var phi_2606_: bool;
-    var local_38: f32;
-    var phi_2611_: type_32;
-    var phi_2612_: bool;
-    var phi_2613_: bool;
-    var phi_2614_: bool;
-    var phi_2615_: bool;
-    var local_39: f32;
-    var phi_2620_: type_32;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2623_: bool;
-    var phi_2624_: bool;
-    var phi_2628_: type_32;
-    var phi_2629_: bool;
-    var phi_2630_: bool;
-    var phi_2631_: bool;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2640_: bool;
-    var phi_2641_: bool;
-    var phi_2645_: bool;
-    var phi_2646_: bool;
-    var local_40: f32;
-    var phi_2651_: type_32;
-    var phi_2652_: bool;
-    var phi_2656_: type_32;
-    var phi_2670_: type_19;
-    var phi_2671_: type_19;
-    var phi_2694_: type_19;
-    var phi_2714_: f32;
-    var phi_2844_: type_17;
-    var phi_2847_: f32;
-    var phi_2868_: bool;
-    var phi_2874_: type_18;
-    var phi_2845_: type_17;
-    var phi_2888_: type_18;
-    var phi_2848_: f32;
-    var local_41: f32;
-    var phi_2837_: f32;
-    var phi_2901_: f32;
-    var phi_2917_: f32;
-    var phi_2924_: f32;
-    var phi_2929_: f32;
-    var phi_2936_: f32;
-    var phi_2941_: f32;
-    var phi_2954_: f32;
-    var phi_2961_: f32;
-    var phi_2966_: f32;
-    var phi_2973_: f32;
-    var phi_2978_: f32;
-    var phi_2983_: f32;
-    var phi_3000_: f32;
-    var phi_3007_: f32;
-    var phi_3012_: f32;
-    var phi_3019_: f32;
-    var phi_3024_: f32;
-    var phi_3038_: f32;
-    var phi_3045_: f32;
-    var phi_3050_: f32;
-    var phi_3057_: f32;
-    var phi_3062_: f32;
-    var phi_3067_: f32;
-    var phi_3084_: f32;
-    var phi_3091_: f32;
-    var phi_3096_: f32;
-    var phi_3103_: f32;
-    var phi_3108_: f32;
-    var phi_3122_: f32;
-    var phi_3129_: f32;
-    var phi_3134_: f32;
-    var phi_3141_: f32;
-    var phi_3146_: f32;
-    var phi_3151_: f32;
-    var phi_3171_: bool;
-    var phi_3172_: bool;
-    var phi_3173_: bool;
+    var local_36: f32;
+    var local_37: bool;
+    var local_38: bool;
+    var local_39: bool;
+    var local_40: bool;
+    var local_41: bool;
     var local_42: bool;
-    var phi_3178_: type_32;
-    var phi_3179_: bool;
-    var phi_3184_: type_32;
-    var phi_3185_: bool;
-    var phi_3187_: type_32;
-    var phi_3188_: type_32;
-    var phi_3189_: bool;
-    var phi_3193_: type_32;
-    var phi_6010_: type_32;
-    var phi_6011_: type_32;
-    var phi_6024_: type_34;
-    var phi_6031_: bool;
-    var phi_6055_: u32;
-    var phi_6059_: type_27;
-    var phi_6060_: bool;
-    var phi_6061_: bool;
-    var phi_6079_: u32;
-    var phi_6141_: u32;
-    var local_43: u32;
+    var local_43: f32;
     var local_44: f32;
-    var local_45: f32;
+    var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: f32;
-    var local_49: bool;
-    var local_50: bool;
-    var local_51: f32;
-    var local_52: f32;
-    var local_53: bool;
-    var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
-    var local_57: bool;
-    var local_58: bool;
-    var local_59: bool;
-    var local_60: f32;
-    var local_61: f32;
-    var local_62: bool;
-    var local_63: bool;
-    var local_64: bool;
-    var local_65: bool;
-    var local_66: bool;
-    var local_67: f32;
-    var local_68: f32;
-    var local_69: bool;
-    var local_70: bool;
-    var local_71: bool;
-    var local_72: bool;
-    var local_73: bool;
-    var local_74: bool;
-    var local_75: bool;
-    var local_76: f32;
-    var local_77: f32;
-    var local_78: bool;
+    var local_48: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1185,3962 +1295,4927 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e92 = id_2;
-    let _e93 = n_2;
-    let _e94 = lane_2;
-    let _e106 = ((_e92.y * _e93.x) + _e92.x);
-    let _e109 = (_e93.x * _e93.y);
-    let _e111 = params.member.member_15;
-    let _e113 = input.member[0u];
-    if (_e111 < _e113) {
-        phi_751_ = _e111;
+    let _e103 = id_2;
+    let _e104 = n_2;
+    let _e105 = lane_2;
+    let _e117 = ((_e103.y * _e104.x) + _e103.x);
+    let _e120 = (_e104.x * _e104.y);
+    let _e123 = params.member.member_1.member_2;
+    let _e125 = input.member[0u];
+    if (_e123 < _e125) {
+        phi_764_ = _e123;
     } else {
-        phi_751_ = _e113;
+        phi_764_ = _e125;
     }
-    let _e116 = phi_751_;
-    let _e117 = (_e116 / 64u);
-    if ((_e116 % 64u) > 0u) {
-        phi_767_ = (_e117 + 1u);
+    let _e128 = phi_764_;
+    let _e129 = (_e128 / 64u);
+    if ((_e128 % 64u) > 0u) {
+        phi_780_ = (_e129 + 1u);
     } else {
-        phi_767_ = _e117;
+        phi_780_ = _e129;
     }
-    let _e122 = phi_767_;
-    if (_e122 > _e106) {
-        let _e124 = (_e122 - _e106);
-        if (_e109 == 0u) {
+    let _e134 = phi_780_;
+    if (_e134 > _e117) {
+        let _e136 = (_e134 - _e117);
+        if (_e120 == 0u) {
             return;
         }
-        let _e126 = (_e124 / _e109);
-        if (_e109 == 0u) {
+        let _e138 = (_e136 / _e120);
+        if (_e120 == 0u) {
             return;
         }
-        if ((_e124 % _e109) > 0u) {
-            phi_788_ = (_e126 + 1u);
+        if ((_e136 % _e120) > 0u) {
+            phi_801_ = (_e138 + 1u);
         } else {
-            phi_788_ = _e126;
+            phi_801_ = _e138;
         }
-        let _e132 = phi_788_;
-        phi_789_ = _e132;
+        let _e144 = phi_801_;
+        phi_802_ = _e144;
     } else {
-        phi_789_ = 0u;
+        phi_802_ = 0u;
     }
-    let _e134 = phi_789_;
-    phi_792_ = type_19(0u, _e134);
+    let _e146 = phi_802_;
+    phi_805_ = type_9(0u, _e146);
     loop {
-        let _e137 = phi_792_;
-        if (_e137.member < _e137.member_1) {
-            phi_793_ = type_19((_e137.member + 1u), _e137.member_1);
-            phi_816_ = type_19(1u, _e137.member);
+        let _e149 = phi_805_;
+        if (_e149.member < _e149.member_1) {
+            phi_806_ = type_9((_e149.member + 1u), _e149.member_1);
+            phi_829_ = type_9(1u, _e149.member);
         } else {
-            phi_793_ = _e137;
-            phi_816_ = type_19(0u, type_19().member_1);
+            phi_806_ = _e149;
+            phi_829_ = type_9(0u, type_9().member_1);
         }
-        let _e149 = phi_793_;
-        let _e151 = phi_816_;
-        let _e155 = (bitcast<i32>(_e151.member) != 0i);
-        if _e155 {
-            let _e159 = (((_e106 + (_e151.member_1 * _e109)) * 64u) + _e94);
-            let _e161 = params.member.member_8;
-            if (_e159 < _e116) {
-                let _e164 = (2u * _e159);
-                let _e167 = input.member[(4u + _e164)];
-                let _e170 = input.member[(_e164 + 5u)];
-                let _e172 = elements.member[_e170];
-                let _e177 = paths.member[_e167];
-                let _e179 = paths.member[_e172[0]];
-                let _e185 = paths.member[_e172[1]];
-                let _e187 = paths.member[_e172[2]];
-                let _e217 = params.member.member_4;
-                local_12 = type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e177.member[0] - _e179.member[0]), (_e177.member[1] - _e179.member[1]), (_e177.member[2] - _e179.member[2])), array<f32, 3>((_e177.member_1[0] - _e179.member_1[0]), (_e177.member_1[1] - _e179.member_1[1]), (_e177.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e185.member[0] - _e179.member[0]), (_e185.member[1] - _e179.member[1]), (_e185.member[2] - _e179.member[2])), array<f32, 3>((_e185.member_1[0] - _e179.member_1[0]), (_e185.member_1[1] - _e179.member_1[1]), (_e185.member_1[2] - _e179.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e187.member[0] - _e179.member[0]), (_e187.member[1] - _e179.member[1]), (_e187.member[2] - _e179.member[2])), array<f32, 3>((_e187.member_1[0] - _e179.member_1[0]), (_e187.member_1[1] - _e179.member_1[1]), (_e187.member_1[2] - _e179.member_1[2]))), (_e217 + _e217));
-                let _e248 = params.member.member_5;
-                let _e251 = local_12.member_1[0u];
-                let _e257 = local_12.member_2[0u];
-                let _e263 = ((_e251[1] * _e257[2]) - (_e251[2] * _e257[1]));
-                let _e266 = ((_e251[2] * _e257[0]) - (_e251[0] * _e257[2]));
-                let _e269 = ((_e251[0] * _e257[1]) - (_e251[1] * _e257[0]));
-                let _e272 = local_12.member_1[1u];
-                let _e278 = local_12.member_2[1u];
-                let _e284 = ((_e272[1] * _e278[2]) - (_e272[2] * _e278[1]));
-                let _e287 = ((_e272[2] * _e278[0]) - (_e272[0] * _e278[2]));
-                let _e290 = ((_e272[0] * _e278[1]) - (_e272[1] * _e278[0]));
-                let _e293 = local_12.member_1[0u];
-                let _e299 = local_12.member_2[1u];
-                let _e314 = local_12.member_1[1u];
-                let _e320 = local_12.member_2[0u];
-                let _e333 = (((_e293[1] * _e299[2]) - (_e293[2] * _e299[1])) + ((_e314[1] * _e320[2]) - (_e314[2] * _e320[1])));
-                let _e334 = (((_e293[2] * _e299[0]) - (_e293[0] * _e299[2])) + ((_e314[2] * _e320[0]) - (_e314[0] * _e320[2])));
-                let _e335 = (((_e293[0] * _e299[1]) - (_e293[1] * _e299[0])) + ((_e314[0] * _e320[1]) - (_e314[1] * _e320[0])));
-                let _e338 = local_12.member[0u];
-                let _e346 = (((_e338[0] * _e263) + (_e338[1] * _e266)) + (_e338[2] * _e269));
-                let _e349 = local_12.member[1u];
-                let _e360 = local_12.member[0u];
-                let _e369 = ((((_e349[0] * _e263) + (_e349[1] * _e266)) + (_e349[2] * _e269)) + (((_e360[0] * _e333) + (_e360[1] * _e334)) + (_e360[2] * _e335)));
-                let _e372 = local_12.member[0u];
-                let _e383 = local_12.member[1u];
-                let _e392 = ((((_e372[0] * _e284) + (_e372[1] * _e287)) + (_e372[2] * _e290)) + (((_e383[0] * _e333) + (_e383[1] * _e334)) + (_e383[2] * _e335)));
-                let _e395 = local_12.member[1u];
-                let _e403 = (((_e395[0] * _e284) + (_e395[1] * _e287)) + (_e395[2] * _e290));
-                let _e406 = local_12.member[0u];
-                if (_e406[0] < 0f) {
-                    phi_1255_ = -(_e406[0]);
+        let _e161 = phi_806_;
+        let _e163 = phi_829_;
+        let _e167 = (bitcast<i32>(_e163.member) != 0i);
+        if _e167 {
+            let _e171 = (((_e117 + (_e163.member_1 * _e120)) * 64u) + _e105);
+            if (_e171 < _e128) {
+                let _e173 = (2u * _e171);
+                let _e176 = input.member[(4u + _e173)];
+                let _e179 = input.member[(_e173 + 5u)];
+                let _e182 = elements.member[_e179];
+                let _e187 = paths.member[_e176];
+                let _e189 = paths.member[_e182[0]];
+                let _e195 = paths.member[_e182[1]];
+                let _e197 = paths.member[_e182[2]];
+                let _e227 = params.member.member.member_4;
+                let _e228 = (_e187.member[0] - _e189.member[0]);
+                let _e229 = (_e187.member[1] - _e189.member[1]);
+                let _e230 = (_e187.member[2] - _e189.member[2]);
+                let _e232 = (_e187.member_1[0] - _e189.member_1[0]);
+                let _e233 = (_e187.member_1[1] - _e189.member_1[1]);
+                let _e234 = (_e187.member_1[2] - _e189.member_1[2]);
+                let _e237 = (_e195.member[0] - _e189.member[0]);
+                let _e238 = (_e195.member[1] - _e189.member[1]);
+                let _e239 = (_e195.member[2] - _e189.member[2]);
+                let _e241 = (_e195.member_1[0] - _e189.member_1[0]);
+                let _e242 = (_e195.member_1[1] - _e189.member_1[1]);
+                let _e243 = (_e195.member_1[2] - _e189.member_1[2]);
+                let _e246 = (_e197.member[0] - _e189.member[0]);
+                let _e247 = (_e197.member[1] - _e189.member[1]);
+                let _e248 = (_e197.member[2] - _e189.member[2]);
+                let _e250 = (_e197.member_1[0] - _e189.member_1[0]);
+                let _e251 = (_e197.member_1[1] - _e189.member_1[1]);
+                let _e252 = (_e197.member_1[2] - _e189.member_1[2]);
+                let _e255 = (_e227 + _e227);
+                let _e258 = params.member.member.member_5;
+                if (_e228 < 0f) {
+                    phi_993_ = -(_e228);
                 } else {
-                    phi_1255_ = _e406[0];
+                    phi_993_ = _e228;
                 }
-                let _e413 = phi_1255_;
-                if (_e406[1] < 0f) {
-                    phi_1262_ = -(_e406[1]);
+                let _e262 = phi_993_;
+                if (_e229 < 0f) {
+                    phi_999_ = -(_e229);
                 } else {
-                    phi_1262_ = _e406[1];
+                    phi_999_ = _e229;
                 }
-                let _e417 = phi_1262_;
-                if (_e413 > _e417) {
-                    phi_1267_ = _e413;
+                let _e266 = phi_999_;
+                if (_e262 > _e266) {
+                    phi_1004_ = _e262;
                 } else {
-                    phi_1267_ = _e417;
+                    phi_1004_ = _e266;
                 }
-                let _e420 = phi_1267_;
-                if (_e406[2] < 0f) {
-                    phi_1274_ = -(_e406[2]);
+                let _e269 = phi_1004_;
+                if (_e230 < 0f) {
+                    phi_1010_ = -(_e230);
                 } else {
-                    phi_1274_ = _e406[2];
+                    phi_1010_ = _e230;
                 }
-                let _e424 = phi_1274_;
-                if (_e420 > _e424) {
-                    phi_1279_ = _e420;
+                let _e273 = phi_1010_;
+                if (_e269 > _e273) {
+                    phi_1015_ = _e269;
                 } else {
-                    phi_1279_ = _e424;
+                    phi_1015_ = _e273;
                 }
-                let _e427 = phi_1279_;
-                let _e430 = local_12.member[1u];
-                if (_e430[0] < 0f) {
-                    phi_1292_ = -(_e430[0]);
+                let _e276 = phi_1015_;
+                if (_e232 < 0f) {
+                    phi_1021_ = -(_e232);
                 } else {
-                    phi_1292_ = _e430[0];
+                    phi_1021_ = _e232;
                 }
-                let _e437 = phi_1292_;
-                if (_e430[1] < 0f) {
-                    phi_1299_ = -(_e430[1]);
+                let _e280 = phi_1021_;
+                if (_e233 < 0f) {
+                    phi_1027_ = -(_e233);
                 } else {
-                    phi_1299_ = _e430[1];
+                    phi_1027_ = _e233;
                 }
-                let _e441 = phi_1299_;
-                if (_e437 > _e441) {
-                    phi_1304_ = _e437;
+                let _e284 = phi_1027_;
+                if (_e280 > _e284) {
+                    phi_1032_ = _e280;
                 } else {
-                    phi_1304_ = _e441;
+                    phi_1032_ = _e284;
                 }
-                let _e444 = phi_1304_;
-                if (_e430[2] < 0f) {
-                    phi_1311_ = -(_e430[2]);
+                let _e287 = phi_1032_;
+                if (_e234 < 0f) {
+                    phi_1038_ = -(_e234);
                 } else {
-                    phi_1311_ = _e430[2];
+                    phi_1038_ = _e234;
                 }
-                let _e448 = phi_1311_;
-                if (_e444 > _e448) {
-                    phi_1316_ = _e444;
+                let _e291 = phi_1038_;
+                if (_e287 > _e291) {
+                    phi_1043_ = _e287;
                 } else {
-                    phi_1316_ = _e448;
+                    phi_1043_ = _e291;
                 }
-                let _e451 = phi_1316_;
-                if (_e427 > _e451) {
-                    phi_1321_ = _e427;
+                let _e294 = phi_1043_;
+                if (_e276 > _e294) {
+                    phi_1048_ = _e276;
                 } else {
-                    phi_1321_ = _e451;
+                    phi_1048_ = _e294;
                 }
-                let _e454 = phi_1321_;
-                let _e456 = local_12.member_3;
-                let _e457 = (_e454 + _e456);
-                let _e460 = local_12.member_1[0u];
-                if (_e460[0] < 0f) {
-                    phi_1338_ = -(_e460[0]);
+                let _e297 = phi_1048_;
+                let _e298 = (_e297 + _e255);
+                if (_e237 < 0f) {
+                    phi_1055_ = -(_e237);
                 } else {
-                    phi_1338_ = _e460[0];
+                    phi_1055_ = _e237;
                 }
-                let _e467 = phi_1338_;
-                if (_e460[1] < 0f) {
-                    phi_1345_ = -(_e460[1]);
+                let _e302 = phi_1055_;
+                if (_e238 < 0f) {
+                    phi_1061_ = -(_e238);
                 } else {
-                    phi_1345_ = _e460[1];
+                    phi_1061_ = _e238;
                 }
-                let _e471 = phi_1345_;
-                if (_e467 > _e471) {
-                    phi_1350_ = _e467;
+                let _e306 = phi_1061_;
+                if (_e302 > _e306) {
+                    phi_1066_ = _e302;
                 } else {
-                    phi_1350_ = _e471;
+                    phi_1066_ = _e306;
                 }
-                let _e474 = phi_1350_;
-                if (_e460[2] < 0f) {
-                    phi_1357_ = -(_e460[2]);
+                let _e309 = phi_1066_;
+                if (_e239 < 0f) {
+                    phi_1072_ = -(_e239);
                 } else {
-                    phi_1357_ = _e460[2];
+                    phi_1072_ = _e239;
                 }
-                let _e478 = phi_1357_;
-                if (_e474 > _e478) {
-                    phi_1362_ = _e474;
+                let _e313 = phi_1072_;
+                if (_e309 > _e313) {
+                    phi_1077_ = _e309;
                 } else {
-                    phi_1362_ = _e478;
+                    phi_1077_ = _e313;
                 }
-                let _e481 = phi_1362_;
-                let _e484 = local_12.member_1[1u];
-                if (_e484[0] < 0f) {
-                    phi_1376_ = -(_e484[0]);
+                let _e316 = phi_1077_;
+                if (_e241 < 0f) {
+                    phi_1083_ = -(_e241);
                 } else {
-                    phi_1376_ = _e484[0];
+                    phi_1083_ = _e241;
                 }
-                let _e491 = phi_1376_;
-                if (_e484[1] < 0f) {
-                    phi_1383_ = -(_e484[1]);
+                let _e320 = phi_1083_;
+                if (_e242 < 0f) {
+                    phi_1089_ = -(_e242);
                 } else {
-                    phi_1383_ = _e484[1];
+                    phi_1089_ = _e242;
                 }
-                let _e495 = phi_1383_;
-                if (_e491 > _e495) {
-                    phi_1388_ = _e491;
+                let _e324 = phi_1089_;
+                if (_e320 > _e324) {
+                    phi_1094_ = _e320;
                 } else {
-                    phi_1388_ = _e495;
+                    phi_1094_ = _e324;
                 }
-                let _e498 = phi_1388_;
-                if (_e484[2] < 0f) {
-                    phi_1395_ = -(_e484[2]);
+                let _e327 = phi_1094_;
+                if (_e243 < 0f) {
+                    phi_1100_ = -(_e243);
                 } else {
-                    phi_1395_ = _e484[2];
+                    phi_1100_ = _e243;
                 }
-                let _e502 = phi_1395_;
-                if (_e498 > _e502) {
-                    phi_1400_ = _e498;
+                let _e331 = phi_1100_;
+                if (_e327 > _e331) {
+                    phi_1105_ = _e327;
                 } else {
-                    phi_1400_ = _e502;
+                    phi_1105_ = _e331;
                 }
-                let _e505 = phi_1400_;
-                if (_e481 > _e505) {
-                    phi_1405_ = _e481;
+                let _e334 = phi_1105_;
+                if (_e316 > _e334) {
+                    phi_1110_ = _e316;
                 } else {
-                    phi_1405_ = _e505;
+                    phi_1110_ = _e334;
                 }
-                let _e508 = phi_1405_;
-                let _e510 = local_12.member_3;
-                let _e511 = (_e508 + _e510);
-                let _e514 = local_12.member_2[0u];
-                if (_e514[0] < 0f) {
-                    phi_1422_ = -(_e514[0]);
+                let _e337 = phi_1110_;
+                let _e338 = (_e337 + _e255);
+                if (_e246 < 0f) {
+                    phi_1117_ = -(_e246);
                 } else {
-                    phi_1422_ = _e514[0];
+                    phi_1117_ = _e246;
                 }
-                let _e521 = phi_1422_;
-                if (_e514[1] < 0f) {
-                    phi_1429_ = -(_e514[1]);
+                let _e342 = phi_1117_;
+                if (_e247 < 0f) {
+                    phi_1123_ = -(_e247);
                 } else {
-                    phi_1429_ = _e514[1];
+                    phi_1123_ = _e247;
                 }
-                let _e525 = phi_1429_;
-                if (_e521 > _e525) {
-                    phi_1434_ = _e521;
+                let _e346 = phi_1123_;
+                if (_e342 > _e346) {
+                    phi_1128_ = _e342;
                 } else {
-                    phi_1434_ = _e525;
+                    phi_1128_ = _e346;
                 }
-                let _e528 = phi_1434_;
-                if (_e514[2] < 0f) {
-                    phi_1441_ = -(_e514[2]);
+                let _e349 = phi_1128_;
+                if (_e248 < 0f) {
+                    phi_1134_ = -(_e248);
                 } else {
-                    phi_1441_ = _e514[2];
+                    phi_1134_ = _e248;
                 }
-                let _e532 = phi_1441_;
-                if (_e528 > _e532) {
-                    phi_1446_ = _e528;
+                let _e353 = phi_1134_;
+                if (_e349 > _e353) {
+                    phi_1139_ = _e349;
                 } else {
-                    phi_1446_ = _e532;
+                    phi_1139_ = _e353;
                 }
-                let _e535 = phi_1446_;
-                let _e538 = local_12.member_2[1u];
-                if (_e538[0] < 0f) {
-                    phi_1460_ = -(_e538[0]);
+                let _e356 = phi_1139_;
+                if (_e250 < 0f) {
+                    phi_1145_ = -(_e250);
                 } else {
-                    phi_1460_ = _e538[0];
+                    phi_1145_ = _e250;
                 }
-                let _e545 = phi_1460_;
-                if (_e538[1] < 0f) {
-                    phi_1467_ = -(_e538[1]);
+                let _e360 = phi_1145_;
+                if (_e251 < 0f) {
+                    phi_1151_ = -(_e251);
                 } else {
-                    phi_1467_ = _e538[1];
+                    phi_1151_ = _e251;
                 }
-                let _e549 = phi_1467_;
-                if (_e545 > _e549) {
-                    phi_1472_ = _e545;
+                let _e364 = phi_1151_;
+                if (_e360 > _e364) {
+                    phi_1156_ = _e360;
                 } else {
-                    phi_1472_ = _e549;
+                    phi_1156_ = _e364;
                 }
-                let _e552 = phi_1472_;
-                if (_e538[2] < 0f) {
-                    phi_1479_ = -(_e538[2]);
+                let _e367 = phi_1156_;
+                if (_e252 < 0f) {
+                    phi_1162_ = -(_e252);
                 } else {
-                    phi_1479_ = _e538[2];
+                    phi_1162_ = _e252;
                 }
-                let _e556 = phi_1479_;
-                if (_e552 > _e556) {
-                    phi_1484_ = _e552;
+                let _e371 = phi_1162_;
+                if (_e367 > _e371) {
+                    phi_1167_ = _e367;
                 } else {
-                    phi_1484_ = _e556;
+                    phi_1167_ = _e371;
                 }
-                let _e559 = phi_1484_;
-                if (_e535 > _e559) {
-                    phi_1489_ = _e535;
+                let _e374 = phi_1167_;
+                if (_e356 > _e374) {
+                    phi_1172_ = _e356;
                 } else {
-                    phi_1489_ = _e559;
+                    phi_1172_ = _e374;
                 }
-                let _e562 = phi_1489_;
-                let _e564 = local_12.member_3;
-                let _e565 = (_e562 + _e564);
-                let _e567 = ((_e511 * 8f) * _e565);
-                let _e574 = local_12.member_3;
-                if (_e263 < 0f) {
-                    phi_1520_ = -(_e263);
+                let _e377 = phi_1172_;
+                let _e378 = (_e377 + _e255);
+                if (_e298 > _e338) {
+                    phi_1178_ = _e298;
                 } else {
-                    phi_1520_ = _e263;
+                    phi_1178_ = _e338;
                 }
-                let _e591 = phi_1520_;
-                if (_e266 < 0f) {
-                    phi_1526_ = -(_e266);
+                let _e381 = phi_1178_;
+                if (_e381 > _e378) {
+                    phi_1183_ = _e381;
                 } else {
-                    phi_1526_ = _e266;
+                    phi_1183_ = _e378;
                 }
-                let _e595 = phi_1526_;
-                if (_e269 < 0f) {
-                    phi_1533_ = -(_e269);
+                let _e384 = phi_1183_;
+                if (_e384 <= 65536f) {
+                    phi_1190_ = (_e384 >= (1f / 65536f));
                 } else {
-                    phi_1533_ = _e269;
+                    phi_1190_ = false;
                 }
-                let _e600 = phi_1533_;
-                let _e601 = ((_e591 + _e595) + _e600);
-                if (_e284 < 0f) {
-                    phi_1540_ = -(_e284);
+                let _e389 = phi_1190_;
+                if _e389 {
+                    phi_1261_ = type_34();
+                    phi_1262_ = true;
                 } else {
-                    phi_1540_ = _e284;
-                }
-                let _e605 = phi_1540_;
-                if (_e287 < 0f) {
-                    phi_1546_ = -(_e287);
-                } else {
-                    phi_1546_ = _e287;
-                }
-                let _e609 = phi_1546_;
-                if (_e290 < 0f) {
-                    phi_1553_ = -(_e290);
-                } else {
-                    phi_1553_ = _e290;
-                }
-                let _e614 = phi_1553_;
-                let _e615 = ((_e605 + _e609) + _e614);
-                if (_e601 > _e615) {
-                    phi_1559_ = _e601;
-                } else {
-                    phi_1559_ = _e615;
-                }
-                let _e618 = phi_1559_;
-                if (_e333 < 0f) {
-                    phi_1565_ = -(_e333);
-                } else {
-                    phi_1565_ = _e333;
-                }
-                let _e622 = phi_1565_;
-                if (_e334 < 0f) {
-                    phi_1571_ = -(_e334);
-                } else {
-                    phi_1571_ = _e334;
-                }
-                let _e626 = phi_1571_;
-                if (_e335 < 0f) {
-                    phi_1578_ = -(_e335);
-                } else {
-                    phi_1578_ = _e335;
-                }
-                let _e631 = phi_1578_;
-                let _e633 = (((_e622 + _e626) + _e631) * 0.5f);
-                if (_e618 > _e633) {
-                    phi_1585_ = _e618;
-                } else {
-                    phi_1585_ = _e633;
-                }
-                let _e636 = phi_1585_;
-                let _e641 = local_12.member_3;
-                let _e653 = (((((_e457 * 8f) * _e567) * (0.000000059604645f * (490f / 64f))) + ((_e574 * 19f) * ((_e457 * (_e511 + _e565)) + (_e511 * _e565)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e457) * ((1f + _e511) * (1f + _e565)))));
-                let _e654 = (_e346 * 3f);
-                let _e655 = (_e403 * 3f);
-                if (_e654 < _e655) {
-                    phi_1609_ = _e654;
-                } else {
-                    phi_1609_ = _e655;
-                }
-                let _e658 = phi_1609_;
-                if (_e369 < _e392) {
-                    phi_1614_ = _e369;
-                } else {
-                    phi_1614_ = _e392;
-                }
-                let _e661 = phi_1614_;
-                if (_e658 < _e661) {
-                    phi_1619_ = _e658;
-                } else {
-                    phi_1619_ = _e661;
-                }
-                let _e664 = phi_1619_;
-                if (_e654 > _e655) {
-                    phi_1624_ = _e654;
-                } else {
-                    phi_1624_ = _e655;
-                }
-                let _e667 = phi_1624_;
-                if (_e369 > _e392) {
-                    phi_1629_ = _e369;
-                } else {
-                    phi_1629_ = _e392;
-                }
-                let _e670 = phi_1629_;
-                if (_e667 > _e670) {
-                    phi_1634_ = _e667;
-                } else {
-                    phi_1634_ = _e670;
-                }
-                let _e673 = phi_1634_;
-                let _e678 = -(_e673);
-                if (_e664 > _e678) {
-                    phi_1644_ = _e664;
-                } else {
-                    phi_1644_ = _e678;
-                }
-                let _e681 = phi_1644_;
-                if ((_e681 - (_e653 + ((_e248 * (((_e636 + (_e567 * (0.000000059604645f * 4f))) + ((_e641 * 6f) * (_e511 + _e565))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e511) * (1f + _e565))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_6011_ = type_32(0u, type_32().member_1);
-                } else {
-                    if (_e248 > 0f) {
-                        let _e2707 = local_12.member[0u];
-                        let _e2713 = local_12.member_1[0u];
-                        let _e2719 = local_12.member_2[0u];
-                        local_9 = array<array<f32, 3>, 4>(_e2707, array<f32, 3>((_e2707[0] - _e2713[0]), (_e2707[1] - _e2713[1]), (_e2707[2] - _e2713[2])), array<f32, 3>((_e2707[0] - _e2719[0]), (_e2707[1] - _e2719[1]), (_e2707[2] - _e2719[2])), _e2707);
-                        let _e2734 = local_12.member[1u];
-                        let _e2740 = local_12.member_1[1u];
-                        let _e2746 = local_12.member_2[1u];
-                        local_10 = array<array<f32, 3>, 4>(_e2734, array<f32, 3>((_e2734[0] - _e2740[0]), (_e2734[1] - _e2740[1]), (_e2734[2] - _e2740[2])), array<f32, 3>((_e2734[0] - _e2746[0]), (_e2734[1] - _e2746[1]), (_e2734[2] - _e2746[2])), _e2734);
-                        let _e2761 = local_12.member[0u];
-                        if (_e2761[0] < 0f) {
-                            phi_1845_ = -(_e2761[0]);
-                        } else {
-                            phi_1845_ = _e2761[0];
-                        }
-                        let _e2768 = phi_1845_;
-                        if (_e2761[1] < 0f) {
-                            phi_1852_ = -(_e2761[1]);
-                        } else {
-                            phi_1852_ = _e2761[1];
-                        }
-                        let _e2772 = phi_1852_;
-                        if (_e2768 > _e2772) {
-                            phi_1857_ = _e2768;
-                        } else {
-                            phi_1857_ = _e2772;
-                        }
-                        let _e2775 = phi_1857_;
-                        if (_e2761[2] < 0f) {
-                            phi_1864_ = -(_e2761[2]);
-                        } else {
-                            phi_1864_ = _e2761[2];
-                        }
-                        let _e2779 = phi_1864_;
-                        if (_e2775 > _e2779) {
-                            phi_1869_ = _e2775;
-                        } else {
-                            phi_1869_ = _e2779;
-                        }
-                        let _e2782 = phi_1869_;
-                        let _e2785 = local_12.member[1u];
-                        if (_e2785[0] < 0f) {
-                            phi_1882_ = -(_e2785[0]);
-                        } else {
-                            phi_1882_ = _e2785[0];
-                        }
-                        let _e2792 = phi_1882_;
-                        if (_e2785[1] < 0f) {
-                            phi_1889_ = -(_e2785[1]);
-                        } else {
-                            phi_1889_ = _e2785[1];
-                        }
-                        let _e2796 = phi_1889_;
-                        if (_e2792 > _e2796) {
-                            phi_1894_ = _e2792;
-                        } else {
-                            phi_1894_ = _e2796;
-                        }
-                        let _e2799 = phi_1894_;
-                        if (_e2785[2] < 0f) {
-                            phi_1901_ = -(_e2785[2]);
-                        } else {
-                            phi_1901_ = _e2785[2];
-                        }
-                        let _e2803 = phi_1901_;
-                        if (_e2799 > _e2803) {
-                            phi_1906_ = _e2799;
-                        } else {
-                            phi_1906_ = _e2803;
-                        }
-                        let _e2806 = phi_1906_;
-                        if (_e2782 > _e2806) {
-                            phi_1911_ = _e2782;
-                        } else {
-                            phi_1911_ = _e2806;
-                        }
-                        let _e2809 = phi_1911_;
-                        let _e2811 = local_12.member_3;
-                        let _e2815 = local_12.member_1[0u];
-                        if (_e2815[0] < 0f) {
-                            phi_1928_ = -(_e2815[0]);
-                        } else {
-                            phi_1928_ = _e2815[0];
-                        }
-                        let _e2822 = phi_1928_;
-                        if (_e2815[1] < 0f) {
-                            phi_1935_ = -(_e2815[1]);
-                        } else {
-                            phi_1935_ = _e2815[1];
-                        }
-                        let _e2826 = phi_1935_;
-                        if (_e2822 > _e2826) {
-                            phi_1940_ = _e2822;
-                        } else {
-                            phi_1940_ = _e2826;
-                        }
-                        let _e2829 = phi_1940_;
-                        if (_e2815[2] < 0f) {
-                            phi_1947_ = -(_e2815[2]);
-                        } else {
-                            phi_1947_ = _e2815[2];
-                        }
-                        let _e2833 = phi_1947_;
-                        if (_e2829 > _e2833) {
-                            phi_1952_ = _e2829;
-                        } else {
-                            phi_1952_ = _e2833;
-                        }
-                        let _e2836 = phi_1952_;
-                        let _e2839 = local_12.member_1[1u];
-                        if (_e2839[0] < 0f) {
-                            phi_1966_ = -(_e2839[0]);
-                        } else {
-                            phi_1966_ = _e2839[0];
-                        }
-                        let _e2846 = phi_1966_;
-                        if (_e2839[1] < 0f) {
-                            phi_1973_ = -(_e2839[1]);
-                        } else {
-                            phi_1973_ = _e2839[1];
-                        }
-                        let _e2850 = phi_1973_;
-                        if (_e2846 > _e2850) {
-                            phi_1978_ = _e2846;
-                        } else {
-                            phi_1978_ = _e2850;
-                        }
-                        let _e2853 = phi_1978_;
-                        if (_e2839[2] < 0f) {
-                            phi_1985_ = -(_e2839[2]);
-                        } else {
-                            phi_1985_ = _e2839[2];
-                        }
-                        let _e2857 = phi_1985_;
-                        if (_e2853 > _e2857) {
-                            phi_1990_ = _e2853;
-                        } else {
-                            phi_1990_ = _e2857;
-                        }
-                        let _e2860 = phi_1990_;
-                        if (_e2836 > _e2860) {
-                            phi_1995_ = _e2836;
-                        } else {
-                            phi_1995_ = _e2860;
-                        }
-                        let _e2863 = phi_1995_;
-                        let _e2865 = local_12.member_3;
-                        let _e2869 = local_12.member_2[0u];
-                        if (_e2869[0] < 0f) {
-                            phi_2012_ = -(_e2869[0]);
-                        } else {
-                            phi_2012_ = _e2869[0];
-                        }
-                        let _e2876 = phi_2012_;
-                        if (_e2869[1] < 0f) {
-                            phi_2019_ = -(_e2869[1]);
-                        } else {
-                            phi_2019_ = _e2869[1];
-                        }
-                        let _e2880 = phi_2019_;
-                        if (_e2876 > _e2880) {
-                            phi_2024_ = _e2876;
-                        } else {
-                            phi_2024_ = _e2880;
-                        }
-                        let _e2883 = phi_2024_;
-                        if (_e2869[2] < 0f) {
-                            phi_2031_ = -(_e2869[2]);
-                        } else {
-                            phi_2031_ = _e2869[2];
-                        }
-                        let _e2887 = phi_2031_;
-                        if (_e2883 > _e2887) {
-                            phi_2036_ = _e2883;
-                        } else {
-                            phi_2036_ = _e2887;
-                        }
-                        let _e2890 = phi_2036_;
-                        let _e2893 = local_12.member_2[1u];
-                        if (_e2893[0] < 0f) {
-                            phi_2050_ = -(_e2893[0]);
-                        } else {
-                            phi_2050_ = _e2893[0];
-                        }
-                        let _e2900 = phi_2050_;
-                        if (_e2893[1] < 0f) {
-                            phi_2057_ = -(_e2893[1]);
-                        } else {
-                            phi_2057_ = _e2893[1];
-                        }
-                        let _e2904 = phi_2057_;
-                        if (_e2900 > _e2904) {
-                            phi_2062_ = _e2900;
-                        } else {
-                            phi_2062_ = _e2904;
-                        }
-                        let _e2907 = phi_2062_;
-                        if (_e2893[2] < 0f) {
-                            phi_2069_ = -(_e2893[2]);
-                        } else {
-                            phi_2069_ = _e2893[2];
-                        }
-                        let _e2911 = phi_2069_;
-                        if (_e2907 > _e2911) {
-                            phi_2074_ = _e2907;
-                        } else {
-                            phi_2074_ = _e2911;
-                        }
-                        let _e2914 = phi_2074_;
-                        if (_e2890 > _e2914) {
-                            phi_2079_ = _e2890;
-                        } else {
-                            phi_2079_ = _e2914;
-                        }
-                        let _e2917 = phi_2079_;
-                        let _e2919 = local_12.member_3;
-                        let _e2926 = local_12.member_3;
-                        phi_2095_ = type_19(0u, 48u);
-                        phi_2098_ = 0f;
-                        loop {
-                            let _e2932 = phi_2095_;
-                            let _e2934 = phi_2098_;
-                            local_77 = _e2934;
-                            local_37 = _e2934;
-                            local_38 = _e2934;
-                            local_39 = _e2934;
-                            local_40 = _e2934;
-                            if (_e2932.member < _e2932.member_1) {
-                                phi_2096_ = type_19((_e2932.member + 1u), _e2932.member_1);
-                                phi_2121_ = type_19(1u, _e2932.member);
+                    if (_e384 >= 0.000000000000000000000000000000000000011754944f) {
+                        if ((bitcast<u32>(_e384) & 2139095040u) != 2139095040u) {
+                            let _e396 = (2130706432u - (bitcast<u32>(_e384) & 2139095040u));
+                            if (_e396 > 8388608u) {
+                                phi_1214_ = _e396;
                             } else {
-                                phi_2096_ = _e2932;
-                                phi_2121_ = type_19(0u, type_19().member_1);
+                                phi_1214_ = 8388608u;
                             }
-                            let _e2946 = phi_2096_;
-                            let _e2948 = phi_2121_;
-                            if (bitcast<i32>(_e2948.member) != 0i) {
-                                let _e2954 = local_12.member[0u];
-                                let _e2960 = local_12.member[1u];
-                                let _e2976 = local_12.member_1[0u];
-                                let _e2982 = local_12.member_1[1u];
-                                let _e2998 = local_12.member_2[0u];
-                                let _e3004 = local_12.member_2[1u];
-                                let _e3018 = function_1(array<f32, 3>((_e2954[0] + ((_e2960[0] - _e2954[0]) * _e2934)), (_e2954[1] + ((_e2960[1] - _e2954[1]) * _e2934)), (_e2954[2] + ((_e2960[2] - _e2954[2]) * _e2934))), array<f32, 3>((_e2976[0] + ((_e2982[0] - _e2976[0]) * _e2934)), (_e2976[1] + ((_e2982[1] - _e2976[1]) * _e2934)), (_e2976[2] + ((_e2982[2] - _e2976[2]) * _e2934))), array<f32, 3>((_e2998[0] + ((_e3004[0] - _e2998[0]) * _e2934)), (_e2998[1] + ((_e3004[1] - _e2998[1]) * _e2934)), (_e2998[2] + ((_e3004[2] - _e2998[2]) * _e2934))), 0u);
-                                if (_e3018[0] < 0f) {
-                                    phi_2232_ = -(_e3018[0]);
+                            let _e399 = phi_1214_;
+                            let _e400 = bitcast<f32>(_e399);
+                            let _e401 = (_e258 * _e400);
+                            if (_e258 > 0f) {
+                                if (_e401 > 0.000000000000000000000000000000000000011754944f) {
+                                    phi_1225_ = _e401;
                                 } else {
-                                    phi_2232_ = _e3018[0];
+                                    phi_1225_ = 0.000000000000000000000000000000000000011754944f;
                                 }
-                                let _e3023 = phi_2232_;
-                                if (_e3018[1] < 0f) {
-                                    phi_2239_ = -(_e3018[1]);
+                                let _e405 = phi_1225_;
+                                phi_1226_ = _e405;
+                            } else {
+                                phi_1226_ = _e401;
+                            }
+                            let _e407 = phi_1226_;
+                            phi_1257_ = type_34(type_26(array<array<f32, 3>, 2>(array<f32, 3>((_e228 * _e400), (_e229 * _e400), (_e230 * _e400)), array<f32, 3>((_e232 * _e400), (_e233 * _e400), (_e234 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e237 * _e400), (_e238 * _e400), (_e239 * _e400)), array<f32, 3>((_e241 * _e400), (_e242 * _e400), (_e243 * _e400))), array<array<f32, 3>, 2>(array<f32, 3>((_e246 * _e400), (_e247 * _e400), (_e248 * _e400)), array<f32, 3>((_e250 * _e400), (_e251 * _e400), (_e252 * _e400))), (_e255 * _e400)), _e407);
+                            phi_1258_ = false;
+                        } else {
+                            phi_1257_ = type_34();
+                            phi_1258_ = true;
+                        }
+                        let _e439 = phi_1257_;
+                        let _e441 = phi_1258_;
+                        phi_1259_ = _e439;
+                        phi_1260_ = _e441;
+                    } else {
+                        phi_1259_ = type_34();
+                        phi_1260_ = true;
+                    }
+                    let _e443 = phi_1259_;
+                    let _e445 = phi_1260_;
+                    phi_1261_ = _e443;
+                    phi_1262_ = _e445;
+                }
+                let _e447 = phi_1261_;
+                let _e449 = phi_1262_;
+                if _e449 {
+                    phi_1267_ = type_34(type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e228, _e229, _e230), array<f32, 3>(_e232, _e233, _e234)), array<array<f32, 3>, 2>(array<f32, 3>(_e237, _e238, _e239), array<f32, 3>(_e241, _e242, _e243)), array<array<f32, 3>, 2>(array<f32, 3>(_e246, _e247, _e248), array<f32, 3>(_e250, _e251, _e252)), _e255), _e258);
+                } else {
+                    phi_1267_ = _e447;
+                }
+                let _e452 = phi_1267_;
+                local_12 = type_26(array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member[0][0], _e452.member.member[0][1], _e452.member.member[0][2]), array<f32, 3>(_e452.member.member[1][0], _e452.member.member[1][1], _e452.member.member[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_1[0][0], _e452.member.member_1[0][1], _e452.member.member_1[0][2]), array<f32, 3>(_e452.member.member_1[1][0], _e452.member.member_1[1][1], _e452.member.member_1[1][2])), array<array<f32, 3>, 2>(array<f32, 3>(_e452.member.member_2[0][0], _e452.member.member_2[0][1], _e452.member.member_2[0][2]), array<f32, 3>(_e452.member.member_2[1][0], _e452.member.member_2[1][1], _e452.member.member_2[1][2])), _e452.member.member_3);
+                let _e495 = local_12.member_1[0u];
+                let _e501 = local_12.member_2[0u];
+                let _e507 = ((_e495[1] * _e501[2]) - (_e495[2] * _e501[1]));
+                let _e510 = ((_e495[2] * _e501[0]) - (_e495[0] * _e501[2]));
+                let _e513 = ((_e495[0] * _e501[1]) - (_e495[1] * _e501[0]));
+                let _e516 = local_12.member_1[1u];
+                let _e522 = local_12.member_2[1u];
+                let _e528 = ((_e516[1] * _e522[2]) - (_e516[2] * _e522[1]));
+                let _e531 = ((_e516[2] * _e522[0]) - (_e516[0] * _e522[2]));
+                let _e534 = ((_e516[0] * _e522[1]) - (_e516[1] * _e522[0]));
+                let _e537 = local_12.member_1[0u];
+                let _e543 = local_12.member_2[1u];
+                let _e558 = local_12.member_1[1u];
+                let _e564 = local_12.member_2[0u];
+                let _e577 = (((_e537[1] * _e543[2]) - (_e537[2] * _e543[1])) + ((_e558[1] * _e564[2]) - (_e558[2] * _e564[1])));
+                let _e578 = (((_e537[2] * _e543[0]) - (_e537[0] * _e543[2])) + ((_e558[2] * _e564[0]) - (_e558[0] * _e564[2])));
+                let _e579 = (((_e537[0] * _e543[1]) - (_e537[1] * _e543[0])) + ((_e558[0] * _e564[1]) - (_e558[1] * _e564[0])));
+                let _e582 = local_12.member[0u];
+                let _e590 = (((_e582[0] * _e507) + (_e582[1] * _e510)) + (_e582[2] * _e513));
+                let _e593 = local_12.member[1u];
+                let _e604 = local_12.member[0u];
+                let _e613 = ((((_e593[0] * _e507) + (_e593[1] * _e510)) + (_e593[2] * _e513)) + (((_e604[0] * _e577) + (_e604[1] * _e578)) + (_e604[2] * _e579)));
+                let _e616 = local_12.member[0u];
+                let _e627 = local_12.member[1u];
+                let _e636 = ((((_e616[0] * _e528) + (_e616[1] * _e531)) + (_e616[2] * _e534)) + (((_e627[0] * _e577) + (_e627[1] * _e578)) + (_e627[2] * _e579)));
+                let _e639 = local_12.member[1u];
+                let _e647 = (((_e639[0] * _e528) + (_e639[1] * _e531)) + (_e639[2] * _e534));
+                let _e650 = local_12.member[0u];
+                if (_e650[0] < 0f) {
+                    phi_1549_ = -(_e650[0]);
+                } else {
+                    phi_1549_ = _e650[0];
+                }
+                let _e657 = phi_1549_;
+                if (_e650[1] < 0f) {
+                    phi_1556_ = -(_e650[1]);
+                } else {
+                    phi_1556_ = _e650[1];
+                }
+                let _e661 = phi_1556_;
+                if (_e657 > _e661) {
+                    phi_1561_ = _e657;
+                } else {
+                    phi_1561_ = _e661;
+                }
+                let _e664 = phi_1561_;
+                if (_e650[2] < 0f) {
+                    phi_1568_ = -(_e650[2]);
+                } else {
+                    phi_1568_ = _e650[2];
+                }
+                let _e668 = phi_1568_;
+                if (_e664 > _e668) {
+                    phi_1573_ = _e664;
+                } else {
+                    phi_1573_ = _e668;
+                }
+                let _e671 = phi_1573_;
+                let _e674 = local_12.member[1u];
+                if (_e674[0] < 0f) {
+                    phi_1586_ = -(_e674[0]);
+                } else {
+                    phi_1586_ = _e674[0];
+                }
+                let _e681 = phi_1586_;
+                if (_e674[1] < 0f) {
+                    phi_1593_ = -(_e674[1]);
+                } else {
+                    phi_1593_ = _e674[1];
+                }
+                let _e685 = phi_1593_;
+                if (_e681 > _e685) {
+                    phi_1598_ = _e681;
+                } else {
+                    phi_1598_ = _e685;
+                }
+                let _e688 = phi_1598_;
+                if (_e674[2] < 0f) {
+                    phi_1605_ = -(_e674[2]);
+                } else {
+                    phi_1605_ = _e674[2];
+                }
+                let _e692 = phi_1605_;
+                if (_e688 > _e692) {
+                    phi_1610_ = _e688;
+                } else {
+                    phi_1610_ = _e692;
+                }
+                let _e695 = phi_1610_;
+                if (_e671 > _e695) {
+                    phi_1615_ = _e671;
+                } else {
+                    phi_1615_ = _e695;
+                }
+                let _e698 = phi_1615_;
+                let _e700 = local_12.member_3;
+                let _e701 = (_e698 + _e700);
+                let _e704 = local_12.member_1[0u];
+                if (_e704[0] < 0f) {
+                    phi_1632_ = -(_e704[0]);
+                } else {
+                    phi_1632_ = _e704[0];
+                }
+                let _e711 = phi_1632_;
+                if (_e704[1] < 0f) {
+                    phi_1639_ = -(_e704[1]);
+                } else {
+                    phi_1639_ = _e704[1];
+                }
+                let _e715 = phi_1639_;
+                if (_e711 > _e715) {
+                    phi_1644_ = _e711;
+                } else {
+                    phi_1644_ = _e715;
+                }
+                let _e718 = phi_1644_;
+                if (_e704[2] < 0f) {
+                    phi_1651_ = -(_e704[2]);
+                } else {
+                    phi_1651_ = _e704[2];
+                }
+                let _e722 = phi_1651_;
+                if (_e718 > _e722) {
+                    phi_1656_ = _e718;
+                } else {
+                    phi_1656_ = _e722;
+                }
+                let _e725 = phi_1656_;
+                let _e728 = local_12.member_1[1u];
+                if (_e728[0] < 0f) {
+                    phi_1670_ = -(_e728[0]);
+                } else {
+                    phi_1670_ = _e728[0];
+                }
+                let _e735 = phi_1670_;
+                if (_e728[1] < 0f) {
+                    phi_1677_ = -(_e728[1]);
+                } else {
+                    phi_1677_ = _e728[1];
+                }
+                let _e739 = phi_1677_;
+                if (_e735 > _e739) {
+                    phi_1682_ = _e735;
+                } else {
+                    phi_1682_ = _e739;
+                }
+                let _e742 = phi_1682_;
+                if (_e728[2] < 0f) {
+                    phi_1689_ = -(_e728[2]);
+                } else {
+                    phi_1689_ = _e728[2];
+                }
+                let _e746 = phi_1689_;
+                if (_e742 > _e746) {
+                    phi_1694_ = _e742;
+                } else {
+                    phi_1694_ = _e746;
+                }
+                let _e749 = phi_1694_;
+                if (_e725 > _e749) {
+                    phi_1699_ = _e725;
+                } else {
+                    phi_1699_ = _e749;
+                }
+                let _e752 = phi_1699_;
+                let _e754 = local_12.member_3;
+                let _e755 = (_e752 + _e754);
+                let _e758 = local_12.member_2[0u];
+                if (_e758[0] < 0f) {
+                    phi_1716_ = -(_e758[0]);
+                } else {
+                    phi_1716_ = _e758[0];
+                }
+                let _e765 = phi_1716_;
+                if (_e758[1] < 0f) {
+                    phi_1723_ = -(_e758[1]);
+                } else {
+                    phi_1723_ = _e758[1];
+                }
+                let _e769 = phi_1723_;
+                if (_e765 > _e769) {
+                    phi_1728_ = _e765;
+                } else {
+                    phi_1728_ = _e769;
+                }
+                let _e772 = phi_1728_;
+                if (_e758[2] < 0f) {
+                    phi_1735_ = -(_e758[2]);
+                } else {
+                    phi_1735_ = _e758[2];
+                }
+                let _e776 = phi_1735_;
+                if (_e772 > _e776) {
+                    phi_1740_ = _e772;
+                } else {
+                    phi_1740_ = _e776;
+                }
+                let _e779 = phi_1740_;
+                let _e782 = local_12.member_2[1u];
+                if (_e782[0] < 0f) {
+                    phi_1754_ = -(_e782[0]);
+                } else {
+                    phi_1754_ = _e782[0];
+                }
+                let _e789 = phi_1754_;
+                if (_e782[1] < 0f) {
+                    phi_1761_ = -(_e782[1]);
+                } else {
+                    phi_1761_ = _e782[1];
+                }
+                let _e793 = phi_1761_;
+                if (_e789 > _e793) {
+                    phi_1766_ = _e789;
+                } else {
+                    phi_1766_ = _e793;
+                }
+                let _e796 = phi_1766_;
+                if (_e782[2] < 0f) {
+                    phi_1773_ = -(_e782[2]);
+                } else {
+                    phi_1773_ = _e782[2];
+                }
+                let _e800 = phi_1773_;
+                if (_e796 > _e800) {
+                    phi_1778_ = _e796;
+                } else {
+                    phi_1778_ = _e800;
+                }
+                let _e803 = phi_1778_;
+                if (_e779 > _e803) {
+                    phi_1783_ = _e779;
+                } else {
+                    phi_1783_ = _e803;
+                }
+                let _e806 = phi_1783_;
+                let _e808 = local_12.member_3;
+                let _e809 = (_e806 + _e808);
+                let _e811 = ((_e755 * 8f) * _e809);
+                let _e818 = local_12.member_3;
+                if (_e507 < 0f) {
+                    phi_1814_ = -(_e507);
+                } else {
+                    phi_1814_ = _e507;
+                }
+                let _e835 = phi_1814_;
+                if (_e510 < 0f) {
+                    phi_1820_ = -(_e510);
+                } else {
+                    phi_1820_ = _e510;
+                }
+                let _e839 = phi_1820_;
+                if (_e513 < 0f) {
+                    phi_1827_ = -(_e513);
+                } else {
+                    phi_1827_ = _e513;
+                }
+                let _e844 = phi_1827_;
+                let _e845 = ((_e835 + _e839) + _e844);
+                if (_e528 < 0f) {
+                    phi_1834_ = -(_e528);
+                } else {
+                    phi_1834_ = _e528;
+                }
+                let _e849 = phi_1834_;
+                if (_e531 < 0f) {
+                    phi_1840_ = -(_e531);
+                } else {
+                    phi_1840_ = _e531;
+                }
+                let _e853 = phi_1840_;
+                if (_e534 < 0f) {
+                    phi_1847_ = -(_e534);
+                } else {
+                    phi_1847_ = _e534;
+                }
+                let _e858 = phi_1847_;
+                let _e859 = ((_e849 + _e853) + _e858);
+                if (_e845 > _e859) {
+                    phi_1853_ = _e845;
+                } else {
+                    phi_1853_ = _e859;
+                }
+                let _e862 = phi_1853_;
+                if (_e577 < 0f) {
+                    phi_1859_ = -(_e577);
+                } else {
+                    phi_1859_ = _e577;
+                }
+                let _e866 = phi_1859_;
+                if (_e578 < 0f) {
+                    phi_1865_ = -(_e578);
+                } else {
+                    phi_1865_ = _e578;
+                }
+                let _e870 = phi_1865_;
+                if (_e579 < 0f) {
+                    phi_1872_ = -(_e579);
+                } else {
+                    phi_1872_ = _e579;
+                }
+                let _e875 = phi_1872_;
+                let _e877 = (((_e866 + _e870) + _e875) * 0.5f);
+                if (_e862 > _e877) {
+                    phi_1879_ = _e862;
+                } else {
+                    phi_1879_ = _e877;
+                }
+                let _e880 = phi_1879_;
+                let _e885 = local_12.member_3;
+                let _e897 = (((((_e701 * 8f) * _e811) * (0.000000059604645f * (524f / 64f))) + ((_e818 * 19f) * ((_e701 * (_e755 + _e809)) + (_e755 * _e809)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e701) * ((1f + _e755) * (1f + _e809)))));
+                let _e898 = (_e590 * 3f);
+                let _e899 = (_e647 * 3f);
+                if (_e898 < _e899) {
+                    phi_1903_ = _e898;
+                } else {
+                    phi_1903_ = _e899;
+                }
+                let _e902 = phi_1903_;
+                if (_e613 < _e636) {
+                    phi_1908_ = _e613;
+                } else {
+                    phi_1908_ = _e636;
+                }
+                let _e905 = phi_1908_;
+                if (_e902 < _e905) {
+                    phi_1913_ = _e902;
+                } else {
+                    phi_1913_ = _e905;
+                }
+                let _e908 = phi_1913_;
+                if (_e898 > _e899) {
+                    phi_1918_ = _e898;
+                } else {
+                    phi_1918_ = _e899;
+                }
+                let _e911 = phi_1918_;
+                if (_e613 > _e636) {
+                    phi_1923_ = _e613;
+                } else {
+                    phi_1923_ = _e636;
+                }
+                let _e914 = phi_1923_;
+                if (_e911 > _e914) {
+                    phi_1928_ = _e911;
+                } else {
+                    phi_1928_ = _e914;
+                }
+                let _e917 = phi_1928_;
+                let _e922 = -(_e917);
+                if (_e908 > _e922) {
+                    phi_1938_ = _e908;
+                } else {
+                    phi_1938_ = _e922;
+                }
+                let _e925 = phi_1938_;
+                if ((_e925 - (_e897 + ((_e452.member_1 * (((_e880 + (_e811 * (0.000000059604645f * 8f))) + ((_e885 * 6f) * (_e755 + _e809))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e755) * (1f + _e809))))) * (3f * 1.0001f)))) > 0f) {
+                    phi_8460_ = type_35(0u, type_35().member_1);
+                } else {
+                    if (_e452.member_1 > 0f) {
+                        let _e3484 = local_12.member[0u];
+                        let _e3490 = local_12.member_1[0u];
+                        let _e3496 = local_12.member_2[0u];
+                        let _e3508 = local_12.member[1u];
+                        let _e3514 = local_12.member_1[1u];
+                        let _e3520 = local_12.member_2[1u];
+                        let _e3532 = local_12.member[0u];
+                        if (_e3532[0] < 0f) {
+                            phi_2091_ = -(_e3532[0]);
+                        } else {
+                            phi_2091_ = _e3532[0];
+                        }
+                        let _e3539 = phi_2091_;
+                        if (_e3532[1] < 0f) {
+                            phi_2098_ = -(_e3532[1]);
+                        } else {
+                            phi_2098_ = _e3532[1];
+                        }
+                        let _e3543 = phi_2098_;
+                        if (_e3539 > _e3543) {
+                            phi_2103_ = _e3539;
+                        } else {
+                            phi_2103_ = _e3543;
+                        }
+                        let _e3546 = phi_2103_;
+                        if (_e3532[2] < 0f) {
+                            phi_2110_ = -(_e3532[2]);
+                        } else {
+                            phi_2110_ = _e3532[2];
+                        }
+                        let _e3550 = phi_2110_;
+                        if (_e3546 > _e3550) {
+                            phi_2115_ = _e3546;
+                        } else {
+                            phi_2115_ = _e3550;
+                        }
+                        let _e3553 = phi_2115_;
+                        let _e3556 = local_12.member[1u];
+                        if (_e3556[0] < 0f) {
+                            phi_2128_ = -(_e3556[0]);
+                        } else {
+                            phi_2128_ = _e3556[0];
+                        }
+                        let _e3563 = phi_2128_;
+                        if (_e3556[1] < 0f) {
+                            phi_2135_ = -(_e3556[1]);
+                        } else {
+                            phi_2135_ = _e3556[1];
+                        }
+                        let _e3567 = phi_2135_;
+                        if (_e3563 > _e3567) {
+                            phi_2140_ = _e3563;
+                        } else {
+                            phi_2140_ = _e3567;
+                        }
+                        let _e3570 = phi_2140_;
+                        if (_e3556[2] < 0f) {
+                            phi_2147_ = -(_e3556[2]);
+                        } else {
+                            phi_2147_ = _e3556[2];
+                        }
+                        let _e3574 = phi_2147_;
+                        if (_e3570 > _e3574) {
+                            phi_2152_ = _e3570;
+                        } else {
+                            phi_2152_ = _e3574;
+                        }
+                        let _e3577 = phi_2152_;
+                        if (_e3553 > _e3577) {
+                            phi_2157_ = _e3553;
+                        } else {
+                            phi_2157_ = _e3577;
+                        }
+                        let _e3580 = phi_2157_;
+                        let _e3582 = local_12.member_3;
+                        let _e3586 = local_12.member_1[0u];
+                        if (_e3586[0] < 0f) {
+                            phi_2174_ = -(_e3586[0]);
+                        } else {
+                            phi_2174_ = _e3586[0];
+                        }
+                        let _e3593 = phi_2174_;
+                        if (_e3586[1] < 0f) {
+                            phi_2181_ = -(_e3586[1]);
+                        } else {
+                            phi_2181_ = _e3586[1];
+                        }
+                        let _e3597 = phi_2181_;
+                        if (_e3593 > _e3597) {
+                            phi_2186_ = _e3593;
+                        } else {
+                            phi_2186_ = _e3597;
+                        }
+                        let _e3600 = phi_2186_;
+                        if (_e3586[2] < 0f) {
+                            phi_2193_ = -(_e3586[2]);
+                        } else {
+                            phi_2193_ = _e3586[2];
+                        }
+                        let _e3604 = phi_2193_;
+                        if (_e3600 > _e3604) {
+                            phi_2198_ = _e3600;
+                        } else {
+                            phi_2198_ = _e3604;
+                        }
+                        let _e3607 = phi_2198_;
+                        let _e3610 = local_12.member_1[1u];
+                        if (_e3610[0] < 0f) {
+                            phi_2212_ = -(_e3610[0]);
+                        } else {
+                            phi_2212_ = _e3610[0];
+                        }
+                        let _e3617 = phi_2212_;
+                        if (_e3610[1] < 0f) {
+                            phi_2219_ = -(_e3610[1]);
+                        } else {
+                            phi_2219_ = _e3610[1];
+                        }
+                        let _e3621 = phi_2219_;
+                        if (_e3617 > _e3621) {
+                            phi_2224_ = _e3617;
+                        } else {
+                            phi_2224_ = _e3621;
+                        }
+                        let _e3624 = phi_2224_;
+                        if (_e3610[2] < 0f) {
+                            phi_2231_ = -(_e3610[2]);
+                        } else {
+                            phi_2231_ = _e3610[2];
+                        }
+                        let _e3628 = phi_2231_;
+                        if (_e3624 > _e3628) {
+                            phi_2236_ = _e3624;
+                        } else {
+                            phi_2236_ = _e3628;
+                        }
+                        let _e3631 = phi_2236_;
+                        if (_e3607 > _e3631) {
+                            phi_2241_ = _e3607;
+                        } else {
+                            phi_2241_ = _e3631;
+                        }
+                        let _e3634 = phi_2241_;
+                        let _e3636 = local_12.member_3;
+                        let _e3640 = local_12.member_2[0u];
+                        if (_e3640[0] < 0f) {
+                            phi_2258_ = -(_e3640[0]);
+                        } else {
+                            phi_2258_ = _e3640[0];
+                        }
+                        let _e3647 = phi_2258_;
+                        if (_e3640[1] < 0f) {
+                            phi_2265_ = -(_e3640[1]);
+                        } else {
+                            phi_2265_ = _e3640[1];
+                        }
+                        let _e3651 = phi_2265_;
+                        if (_e3647 > _e3651) {
+                            phi_2270_ = _e3647;
+                        } else {
+                            phi_2270_ = _e3651;
+                        }
+                        let _e3654 = phi_2270_;
+                        if (_e3640[2] < 0f) {
+                            phi_2277_ = -(_e3640[2]);
+                        } else {
+                            phi_2277_ = _e3640[2];
+                        }
+                        let _e3658 = phi_2277_;
+                        if (_e3654 > _e3658) {
+                            phi_2282_ = _e3654;
+                        } else {
+                            phi_2282_ = _e3658;
+                        }
+                        let _e3661 = phi_2282_;
+                        let _e3664 = local_12.member_2[1u];
+                        if (_e3664[0] < 0f) {
+                            phi_2296_ = -(_e3664[0]);
+                        } else {
+                            phi_2296_ = _e3664[0];
+                        }
+                        let _e3671 = phi_2296_;
+                        if (_e3664[1] < 0f) {
+                            phi_2303_ = -(_e3664[1]);
+                        } else {
+                            phi_2303_ = _e3664[1];
+                        }
+                        let _e3675 = phi_2303_;
+                        if (_e3671 > _e3675) {
+                            phi_2308_ = _e3671;
+                        } else {
+                            phi_2308_ = _e3675;
+                        }
+                        let _e3678 = phi_2308_;
+                        if (_e3664[2] < 0f) {
+                            phi_2315_ = -(_e3664[2]);
+                        } else {
+                            phi_2315_ = _e3664[2];
+                        }
+                        let _e3682 = phi_2315_;
+                        if (_e3678 > _e3682) {
+                            phi_2320_ = _e3678;
+                        } else {
+                            phi_2320_ = _e3682;
+                        }
+                        let _e3685 = phi_2320_;
+                        if (_e3661 > _e3685) {
+                            phi_2325_ = _e3661;
+                        } else {
+                            phi_2325_ = _e3685;
+                        }
+                        let _e3688 = phi_2325_;
+                        let _e3690 = local_12.member_3;
+                        let _e3697 = local_12.member_3;
+                        local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                        phi_2364_ = type_9(0u, 96u);
+                        phi_2367_ = 0f;
+                        phi_2369_ = 0f;
+                        phi_2371_ = 0f;
+                        loop {
+                            let _e3703 = phi_2364_;
+                            let _e3705 = phi_2367_;
+                            let _e3707 = phi_2369_;
+                            let _e3709 = phi_2371_;
+                            local_44 = _e3707;
+                            local_26 = _e3705;
+                            if (_e3703.member < _e3703.member_1) {
+                                phi_2365_ = type_9((_e3703.member + 1u), _e3703.member_1);
+                                phi_2394_ = type_9(1u, _e3703.member);
+                            } else {
+                                phi_2365_ = _e3703;
+                                phi_2394_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e3721 = phi_2365_;
+                            let _e3723 = phi_2394_;
+                            if (bitcast<i32>(_e3723.member) != 0i) {
+                                let _e3730 = local_12.member[0u];
+                                let _e3736 = local_12.member[1u];
+                                let _e3752 = local_12.member_1[0u];
+                                let _e3758 = local_12.member_1[1u];
+                                let _e3774 = local_12.member_2[0u];
+                                let _e3780 = local_12.member_2[1u];
+                                let _e3794 = function_1(array<f32, 3>((_e3730[0] + ((_e3736[0] - _e3730[0]) * _e3705)), (_e3730[1] + ((_e3736[1] - _e3730[1]) * _e3705)), (_e3730[2] + ((_e3736[2] - _e3730[2]) * _e3705))), array<f32, 3>((_e3752[0] + ((_e3758[0] - _e3752[0]) * _e3705)), (_e3752[1] + ((_e3758[1] - _e3752[1]) * _e3705)), (_e3752[2] + ((_e3758[2] - _e3752[2]) * _e3705))), array<f32, 3>((_e3774[0] + ((_e3780[0] - _e3774[0]) * _e3705)), (_e3774[1] + ((_e3780[1] - _e3774[1]) * _e3705)), (_e3774[2] + ((_e3780[2] - _e3774[2]) * _e3705))), 0u);
+                                if (_e3794[0] < 0f) {
+                                    phi_2506_ = -(_e3794[0]);
                                 } else {
-                                    phi_2239_ = _e3018[1];
+                                    phi_2506_ = _e3794[0];
                                 }
-                                let _e3028 = phi_2239_;
-                                if (_e3018[2] < 0f) {
-                                    phi_2247_ = -(_e3018[2]);
+                                let _e3799 = phi_2506_;
+                                if (_e3794[1] < 0f) {
+                                    phi_2513_ = -(_e3794[1]);
                                 } else {
-                                    phi_2247_ = _e3018[2];
+                                    phi_2513_ = _e3794[1];
                                 }
-                                let _e3034 = phi_2247_;
-                                let _e3035 = ((_e3023 + _e3028) + _e3034);
-                                if (_e3035 > 0f) {
-                                    if ((bitcast<u32>(_e3035) & 2139095040u) != 2139095040u) {
-                                        let _e3040 = (1f / _e3035);
-                                        let _e3042 = (_e3018[0] * _e3040);
-                                        let _e3044 = (_e3018[1] * _e3040);
-                                        let _e3046 = (_e3018[2] * _e3040);
-                                        let _e3051 = (((_e3042 * _e3042) + (_e3044 * _e3044)) + (_e3046 * _e3046));
-                                        if (_e3051 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3051 > 0f) {
-                                                phi_2284_ = (0.000000000000000000106433627f * 2f);
+                                let _e3804 = phi_2513_;
+                                if (_e3794[2] < 0f) {
+                                    phi_2521_ = -(_e3794[2]);
+                                } else {
+                                    phi_2521_ = _e3794[2];
+                                }
+                                let _e3810 = phi_2521_;
+                                let _e3811 = ((_e3799 + _e3804) + _e3810);
+                                if (_e3811 > 0f) {
+                                    if ((bitcast<u32>(_e3811) & 2139095040u) != 2139095040u) {
+                                        let _e3816 = (1f / _e3811);
+                                        let _e3818 = (_e3794[0] * _e3816);
+                                        let _e3820 = (_e3794[1] * _e3816);
+                                        let _e3822 = (_e3794[2] * _e3816);
+                                        let _e3827 = (((_e3818 * _e3818) + (_e3820 * _e3820)) + (_e3822 * _e3822));
+                                        if (_e3827 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3827 > 0f) {
+                                                phi_2558_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2284_ = 0f;
+                                                phi_2558_ = 0f;
                                             }
-                                            let _e3104 = phi_2284_;
-                                            phi_2348_ = _e3104;
+                                            let _e3880 = phi_2558_;
+                                            phi_2622_ = _e3880;
                                         } else {
-                                            phi_2291_ = type_17(0i, 5i);
-                                            phi_2294_ = bitcast<f32>(((bitcast<u32>(_e3051) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2565_ = type_14(0i, 5i);
+                                            phi_2568_ = bitcast<f32>(((bitcast<u32>(_e3827) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3059 = phi_2291_;
-                                                let _e3061 = phi_2294_;
-                                                local_31 = _e3061;
-                                                if (_e3059.member < _e3059.member_1) {
-                                                    let _e3068 = (_e3059.member + 1i);
-                                                    if ((false == (_e3068 > _e3059.member)) != false) {
-                                                        phi_2315_ = true;
+                                                let _e3835 = phi_2565_;
+                                                let _e3837 = phi_2568_;
+                                                local_24 = _e3837;
+                                                if (_e3835.member < _e3835.member_1) {
+                                                    let _e3844 = (_e3835.member + 1i);
+                                                    if ((false == (_e3844 > _e3835.member)) != false) {
+                                                        phi_2589_ = true;
                                                     } else {
-                                                        phi_2315_ = false;
+                                                        phi_2589_ = false;
                                                     }
-                                                    let _e3073 = phi_2315_;
-                                                    if _e3073 {
-                                                        phi_2321_ = type_18(0u, type_18().member_1);
+                                                    let _e3849 = phi_2589_;
+                                                    if _e3849 {
+                                                        phi_2595_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_2321_ = type_18(1u, _e3068);
+                                                        phi_2595_ = type_15(1u, _e3844);
                                                     }
-                                                    let _e3078 = phi_2321_;
-                                                    phi_2292_ = type_17(_e3078.member_1, _e3059.member_1);
-                                                    phi_2335_ = type_18(1u, _e3059.member);
+                                                    let _e3854 = phi_2595_;
+                                                    phi_2566_ = type_14(_e3854.member_1, _e3835.member_1);
+                                                    phi_2609_ = type_15(1u, _e3835.member);
                                                 } else {
-                                                    phi_2292_ = _e3059;
-                                                    phi_2335_ = type_18(0u, type_18().member_1);
+                                                    phi_2566_ = _e3835;
+                                                    phi_2609_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3084 = phi_2292_;
-                                                let _e3086 = phi_2335_;
-                                                let _e3089 = (bitcast<i32>(_e3086.member) != 0i);
-                                                if _e3089 {
-                                                    phi_2295_ = (0.5f * (_e3061 + (_e3051 / _e3061)));
+                                                let _e3860 = phi_2566_;
+                                                let _e3862 = phi_2609_;
+                                                let _e3865 = (bitcast<i32>(_e3862.member) != 0i);
+                                                if _e3865 {
+                                                    phi_2569_ = (0.5f * (_e3837 + (_e3827 / _e3837)));
                                                 } else {
-                                                    phi_2295_ = f32();
+                                                    phi_2569_ = f32();
                                                 }
-                                                let _e3094 = phi_2295_;
+                                                let _e3870 = phi_2569_;
                                                 continue;
                                                 continuing {
-                                                    phi_2291_ = _e3084;
-                                                    phi_2294_ = _e3094;
-                                                    break if !(_e3089);
+                                                    phi_2565_ = _e3860;
+                                                    phi_2568_ = _e3870;
+                                                    break if !(_e3865);
                                                 }
                                             }
-                                            let _e3099 = local_31;
-                                            phi_2348_ = (_e3099 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3875 = local_24;
+                                            phi_2622_ = (_e3875 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3106 = phi_2348_;
-                                        phi_2357_ = type_19(0u, 4u);
-                                        phi_2360_ = 2f;
-                                        loop {
-                                            let _e3114 = phi_2357_;
-                                            let _e3116 = phi_2360_;
-                                            local_33 = _e3116;
-                                            local_34 = _e3116;
-                                            local_35 = _e3116;
-                                            local_67 = _e3116;
-                                            local_68 = _e3116;
-                                            if (_e3114.member < _e3114.member_1) {
-                                                phi_2358_ = type_19((_e3114.member + 1u), _e3114.member_1);
-                                                phi_2383_ = type_19(1u, _e3114.member);
-                                            } else {
-                                                phi_2358_ = _e3114;
-                                                phi_2383_ = type_19(0u, type_19().member_1);
-                                            }
-                                            let _e3128 = phi_2358_;
-                                            let _e3130 = phi_2383_;
-                                            if (bitcast<i32>(_e3130.member) != 0i) {
-                                                let _e3136 = local_9[_e3130.member_1];
-                                                let _e3144 = (((_e3042 * _e3136[0]) + (_e3044 * _e3136[1])) + (_e3046 * _e3136[2]));
-                                                let _e3146 = local_10[_e3130.member_1];
-                                                let _e3154 = (((_e3042 * _e3146[0]) + (_e3044 * _e3146[1])) + (_e3046 * _e3146[2]));
-                                                if (_e3144 < 0f) {
-                                                    phi_2434_ = -(_e3144);
-                                                } else {
-                                                    phi_2434_ = _e3144;
-                                                }
-                                                let _e3158 = phi_2434_;
-                                                if (_e3154 < 0f) {
-                                                    phi_2440_ = -(_e3154);
-                                                } else {
-                                                    phi_2440_ = _e3154;
-                                                }
-                                                let _e3162 = phi_2440_;
-                                                let _e3166 = (((((((((_e2809 + _e2811) + (_e2863 + _e2865)) + (_e2917 + _e2919)) * (0.000000059604645f * 16f)) + (_e2926 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e248 * _e3106) * (1f + (0.000000059604645f * 8f)))) + ((_e3158 + _e3162) * (0.000000059604645f * 8f)));
-                                                if (_e3144 > _e3166) {
-                                                    if (_e3154 > _e3166) {
-                                                        phi_2453_ = false;
-                                                    } else {
-                                                        phi_2453_ = true;
-                                                    }
-                                                    let _e3170 = phi_2453_;
-                                                    phi_2454_ = _e3170;
-                                                } else {
-                                                    phi_2454_ = true;
-                                                }
-                                                let _e3172 = phi_2454_;
-                                                if _e3172 {
-                                                    if ((_e3144 + ((_e3154 - _e3144) * _e2934)) > _e3166) {
-                                                        if (_e3154 < _e3144) {
-                                                            let _e3180 = ((_e3144 - _e3154) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                            if _e3180 {
-                                                                let _e3186 = (((_e3144 - _e3166) / (_e3144 - _e3154)) * (1f - (0.000000059604645f * 16f)));
-                                                                if (_e3116 < _e3186) {
-                                                                    phi_2485_ = _e3116;
-                                                                } else {
-                                                                    phi_2485_ = _e3186;
-                                                                }
-                                                                let _e3189 = phi_2485_;
-                                                                phi_2486_ = _e3189;
-                                                            } else {
-                                                                phi_2486_ = f32();
-                                                            }
-                                                            let _e3191 = phi_2486_;
-                                                            phi_2487_ = _e3191;
-                                                            phi_2488_ = _e3180;
-                                                        } else {
-                                                            phi_2487_ = _e3116;
-                                                            phi_2488_ = true;
-                                                        }
-                                                        let _e3193 = phi_2487_;
-                                                        let _e3195 = phi_2488_;
-                                                        if _e3195 {
-                                                            phi_2492_ = false;
-                                                        } else {
-                                                            phi_2492_ = true;
-                                                        }
-                                                        let _e3197 = phi_2492_;
-                                                        phi_2493_ = _e3193;
-                                                        phi_2494_ = _e3195;
-                                                        phi_2495_ = _e3197;
-                                                        phi_2496_ = false;
-                                                    } else {
-                                                        phi_2493_ = f32();
-                                                        phi_2494_ = false;
-                                                        phi_2495_ = false;
-                                                        phi_2496_ = true;
-                                                    }
-                                                    let _e3199 = phi_2493_;
-                                                    let _e3201 = phi_2494_;
-                                                    let _e3203 = phi_2495_;
-                                                    let _e3205 = phi_2496_;
-                                                    phi_2497_ = _e3199;
-                                                    phi_2498_ = _e3201;
-                                                    phi_2499_ = _e3203;
-                                                    phi_2500_ = _e3205;
-                                                } else {
-                                                    phi_2497_ = _e3116;
-                                                    phi_2498_ = true;
-                                                    phi_2499_ = false;
-                                                    phi_2500_ = false;
-                                                }
-                                                let _e3207 = phi_2497_;
-                                                let _e3209 = phi_2498_;
-                                                let _e3211 = phi_2499_;
-                                                let _e3213 = phi_2500_;
-                                                phi_2361_ = _e3207;
-                                                phi_2501_ = _e3209;
-                                                phi_2502_ = false;
-                                                phi_2503_ = _e3211;
-                                                phi_2504_ = _e3213;
-                                            } else {
-                                                phi_2361_ = f32();
-                                                phi_2501_ = false;
-                                                phi_2502_ = true;
-                                                phi_2503_ = false;
-                                                phi_2504_ = false;
-                                            }
-                                            let _e3215 = phi_2361_;
-                                            let _e3217 = phi_2501_;
-                                            let _e3219 = phi_2502_;
-                                            let _e3221 = phi_2503_;
-                                            let _e3223 = phi_2504_;
-                                            local_32 = _e3219;
-                                            local_65 = _e3221;
-                                            local_66 = _e3223;
-                                            continue;
-                                            continuing {
-                                                phi_2357_ = _e3128;
-                                                phi_2360_ = _e3215;
-                                                break if !(_e3217);
-                                            }
-                                        }
-                                        let _e3226 = local_32;
-                                        if _e3226 {
-                                            let _e3228 = local_33;
-                                            let _e3229 = (_e3228 > 1f);
-                                            if _e3229 {
-                                                phi_2525_ = false;
-                                                phi_2526_ = false;
-                                                phi_2527_ = false;
-                                            } else {
-                                                let _e3231 = local_34;
-                                                if (_e3231 > _e2934) {
-                                                    let _e3234 = local_35;
-                                                    let _e3236 = ((_e3234 - _e2934) < 0.00000000023283064f);
-                                                    if _e3236 {
-                                                        phi_2521_ = false;
-                                                    } else {
-                                                        phi_2521_ = true;
-                                                    }
-                                                    let _e3238 = phi_2521_;
-                                                    phi_2522_ = _e3238;
-                                                    phi_2523_ = _e3236;
-                                                    phi_2524_ = false;
-                                                } else {
-                                                    phi_2522_ = false;
-                                                    phi_2523_ = false;
-                                                    phi_2524_ = true;
-                                                }
-                                                let _e3240 = phi_2522_;
-                                                let _e3242 = phi_2523_;
-                                                let _e3244 = phi_2524_;
-                                                phi_2525_ = _e3240;
-                                                phi_2526_ = _e3242;
-                                                phi_2527_ = _e3244;
-                                            }
-                                            let _e3246 = phi_2525_;
-                                            let _e3248 = phi_2526_;
-                                            let _e3250 = phi_2527_;
-                                            phi_2528_ = _e3246;
-                                            phi_2529_ = _e3229;
-                                            phi_2530_ = _e3248;
-                                            phi_2531_ = _e3250;
-                                            phi_2532_ = false;
-                                            phi_2533_ = false;
+                                        let _e3882 = phi_2622_;
+                                        let _e3883 = (0.000000059604645f * 12f);
+                                        let _e3888 = ((((((((_e3580 + _e3582) + (_e3634 + _e3636)) + (_e3688 + _e3690)) * (0.000000059604645f * 16f)) + (_e3697 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e452.member_1 * _e3882) * (1f + _e3883)));
+                                        let _e3893 = (((_e3818 * _e3484[0]) + (_e3820 * _e3484[1])) + (_e3822 * _e3484[2]));
+                                        let _e3898 = (((_e3818 * (_e3484[0] - _e3490[0])) + (_e3820 * (_e3484[1] - _e3490[1]))) + (_e3822 * (_e3484[2] - _e3490[2])));
+                                        let _e3903 = (((_e3818 * (_e3484[0] - _e3496[0])) + (_e3820 * (_e3484[1] - _e3496[1]))) + (_e3822 * (_e3484[2] - _e3496[2])));
+                                        let _e3908 = (((_e3818 * _e3484[0]) + (_e3820 * _e3484[1])) + (_e3822 * _e3484[2]));
+                                        let _e3914 = (((_e3818 * _e3508[0]) + (_e3820 * _e3508[1])) + (_e3822 * _e3508[2]));
+                                        let _e3919 = (((_e3818 * (_e3508[0] - _e3514[0])) + (_e3820 * (_e3508[1] - _e3514[1]))) + (_e3822 * (_e3508[2] - _e3514[2])));
+                                        let _e3924 = (((_e3818 * (_e3508[0] - _e3520[0])) + (_e3820 * (_e3508[1] - _e3520[1]))) + (_e3822 * (_e3508[2] - _e3520[2])));
+                                        let _e3929 = (((_e3818 * _e3508[0]) + (_e3820 * _e3508[1])) + (_e3822 * _e3508[2]));
+                                        if (_e3893 < 0f) {
+                                            phi_2688_ = -(_e3893);
                                         } else {
-                                            phi_2528_ = false;
-                                            phi_2529_ = false;
-                                            phi_2530_ = false;
-                                            phi_2531_ = false;
-                                            let _e4547 = local_65;
-                                            phi_2532_ = _e4547;
-                                            let _e4550 = local_66;
-                                            phi_2533_ = _e4550;
+                                            phi_2688_ = _e3893;
                                         }
-                                        let _e3252 = phi_2528_;
-                                        let _e3254 = phi_2529_;
-                                        let _e3256 = phi_2530_;
-                                        let _e3258 = phi_2531_;
-                                        let _e3260 = phi_2532_;
-                                        let _e3262 = phi_2533_;
-                                        let _e4553 = local_67;
-                                        phi_2534_ = _e4553;
-                                        let _e4556 = local_68;
-                                        phi_2535_ = _e4556;
-                                        phi_2536_ = _e3252;
-                                        phi_2537_ = _e3254;
-                                        phi_2538_ = _e3256;
-                                        phi_2539_ = _e3258;
-                                        phi_2540_ = _e3260;
-                                        phi_2541_ = _e3262;
-                                        phi_2542_ = false;
+                                        let _e3934 = phi_2688_;
+                                        if (_e3914 < 0f) {
+                                            phi_2694_ = -(_e3914);
+                                        } else {
+                                            phi_2694_ = _e3914;
+                                        }
+                                        let _e3938 = phi_2694_;
+                                        if (_e3898 < 0f) {
+                                            phi_2703_ = -(_e3898);
+                                        } else {
+                                            phi_2703_ = _e3898;
+                                        }
+                                        let _e3945 = phi_2703_;
+                                        if (_e3919 < 0f) {
+                                            phi_2709_ = -(_e3919);
+                                        } else {
+                                            phi_2709_ = _e3919;
+                                        }
+                                        let _e3949 = phi_2709_;
+                                        if (_e3903 < 0f) {
+                                            phi_2718_ = -(_e3903);
+                                        } else {
+                                            phi_2718_ = _e3903;
+                                        }
+                                        let _e3956 = phi_2718_;
+                                        if (_e3924 < 0f) {
+                                            phi_2724_ = -(_e3924);
+                                        } else {
+                                            phi_2724_ = _e3924;
+                                        }
+                                        let _e3960 = phi_2724_;
+                                        if (_e3908 < 0f) {
+                                            phi_2733_ = -(_e3908);
+                                        } else {
+                                            phi_2733_ = _e3908;
+                                        }
+                                        let _e3967 = phi_2733_;
+                                        if (_e3929 < 0f) {
+                                            phi_2739_ = -(_e3929);
+                                        } else {
+                                            phi_2739_ = _e3929;
+                                        }
+                                        let _e3971 = phi_2739_;
+                                        phi_2745_ = type_30(array<f32, 4>(_e3893, _e3898, _e3903, _e3908), array<f32, 4>(_e3914, _e3919, _e3924, _e3929), array<f32, 4>((_e3888 + ((_e3934 + _e3938) * _e3883)), (_e3888 + ((_e3945 + _e3949) * _e3883)), (_e3888 + ((_e3956 + _e3960) * _e3883)), (_e3888 + ((_e3967 + _e3971) * _e3883))));
+                                        phi_2746_ = false;
                                     } else {
-                                        phi_2534_ = f32();
-                                        phi_2535_ = f32();
-                                        phi_2536_ = false;
-                                        phi_2537_ = false;
-                                        phi_2538_ = false;
-                                        phi_2539_ = false;
-                                        phi_2540_ = false;
-                                        phi_2541_ = false;
-                                        phi_2542_ = true;
+                                        phi_2745_ = type_30();
+                                        phi_2746_ = true;
                                     }
-                                    let _e3264 = phi_2534_;
-                                    let _e3266 = phi_2535_;
-                                    let _e3268 = phi_2536_;
-                                    let _e3270 = phi_2537_;
-                                    let _e3272 = phi_2538_;
-                                    let _e3274 = phi_2539_;
-                                    let _e3276 = phi_2540_;
-                                    let _e3278 = phi_2541_;
-                                    let _e3280 = phi_2542_;
-                                    phi_2543_ = _e3264;
-                                    phi_2544_ = _e3266;
-                                    phi_2545_ = _e3268;
-                                    phi_2546_ = _e3270;
-                                    phi_2547_ = _e3272;
-                                    phi_2548_ = _e3274;
-                                    phi_2549_ = _e3276;
-                                    phi_2550_ = _e3278;
-                                    phi_2551_ = _e3280;
-                                    phi_2552_ = false;
+                                    let _e3978 = phi_2745_;
+                                    let _e3980 = phi_2746_;
+                                    phi_2747_ = _e3978;
+                                    phi_2748_ = _e3980;
                                 } else {
-                                    phi_2543_ = f32();
-                                    phi_2544_ = f32();
-                                    phi_2545_ = false;
-                                    phi_2546_ = false;
-                                    phi_2547_ = false;
-                                    phi_2548_ = false;
-                                    phi_2549_ = false;
-                                    phi_2550_ = false;
-                                    phi_2551_ = false;
-                                    phi_2552_ = true;
+                                    phi_2747_ = type_30();
+                                    phi_2748_ = true;
                                 }
-                                let _e3282 = phi_2543_;
-                                let _e3284 = phi_2544_;
-                                let _e3286 = phi_2545_;
-                                let _e3288 = phi_2546_;
-                                let _e3290 = phi_2547_;
-                                let _e3292 = phi_2548_;
-                                let _e3294 = phi_2549_;
-                                let _e3296 = phi_2550_;
-                                let _e3298 = phi_2551_;
-                                let _e3300 = phi_2552_;
-                                phi_2553_ = _e3282;
-                                phi_2099_ = _e3284;
-                                phi_2554_ = _e3286;
-                                phi_2555_ = _e3288;
-                                phi_2556_ = _e3290;
-                                phi_2557_ = false;
-                                phi_2558_ = _e3292;
-                                phi_2559_ = _e3294;
-                                phi_2560_ = _e3296;
-                                phi_2561_ = _e3298;
-                                phi_2562_ = _e3300;
+                                let _e3982 = phi_2747_;
+                                let _e3984 = phi_2748_;
+                                if _e3984 {
+                                    phi_2756_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                } else {
+                                    phi_2756_ = _e3982;
+                                }
+                                let _e3986 = phi_2756_;
+                                local_10 = type_30(array<f32, 4>(_e3986.member[0], _e3986.member[1], _e3986.member[2], _e3986.member[3]), array<f32, 4>(_e3986.member_1[0], _e3986.member_1[1], _e3986.member_1[2], _e3986.member_1[3]), array<f32, 4>(_e3986.member_2[0], _e3986.member_2[1], _e3986.member_2[2], _e3986.member_2[3]));
+                                let _e4006 = (_e3705 - _e3709);
+                                let _e4009 = local_10.member[0u];
+                                let _e4012 = local_10.member_1[0u];
+                                let _e4015 = local_10.member[0u];
+                                let _e4021 = local_10.member_2[0u];
+                                if (((_e4009 + ((_e4012 - _e4015) * _e3705)) - _e4021) > 0f) {
+                                    let _e4026 = local_10.member[1u];
+                                    let _e4029 = local_10.member_1[1u];
+                                    let _e4032 = local_10.member[1u];
+                                    let _e4038 = local_10.member_2[1u];
+                                    if (((_e4026 + ((_e4029 - _e4032) * _e3705)) - _e4038) > 0f) {
+                                        let _e4043 = local_10.member[2u];
+                                        let _e4046 = local_10.member_1[2u];
+                                        let _e4049 = local_10.member[2u];
+                                        let _e4055 = local_10.member_2[2u];
+                                        if (((_e4043 + ((_e4046 - _e4049) * _e3705)) - _e4055) > 0f) {
+                                            let _e4060 = local_10.member[3u];
+                                            let _e4063 = local_10.member_1[3u];
+                                            let _e4066 = local_10.member[3u];
+                                            let _e4072 = local_10.member_2[3u];
+                                            phi_2926_ = (((_e4060 + ((_e4063 - _e4066) * _e3705)) - _e4072) > 0f);
+                                            phi_2927_ = false;
+                                        } else {
+                                            phi_2926_ = bool();
+                                            phi_2927_ = true;
+                                        }
+                                        let _e4076 = phi_2926_;
+                                        let _e4078 = phi_2927_;
+                                        phi_2928_ = _e4076;
+                                        phi_2929_ = _e4078;
+                                    } else {
+                                        phi_2928_ = bool();
+                                        phi_2929_ = true;
+                                    }
+                                    let _e4080 = phi_2928_;
+                                    let _e4082 = phi_2929_;
+                                    phi_2930_ = _e4080;
+                                    phi_2931_ = _e4082;
+                                } else {
+                                    phi_2930_ = bool();
+                                    phi_2931_ = true;
+                                }
+                                let _e4084 = phi_2930_;
+                                let _e4086 = phi_2931_;
+                                if _e4086 {
+                                    phi_2935_ = false;
+                                } else {
+                                    phi_2935_ = _e4084;
+                                }
+                                let _e4088 = phi_2935_;
+                                if _e4088 {
+                                    if (_e3705 <= _e3707) {
+                                        phi_3245_ = true;
+                                    } else {
+                                        let _e4092 = local_9.member[0u];
+                                        let _e4095 = local_9.member_1[0u];
+                                        let _e4098 = local_9.member[0u];
+                                        let _e4104 = local_9.member_2[0u];
+                                        let _e4108 = local_10.member[0u];
+                                        let _e4111 = local_10.member_1[0u];
+                                        let _e4114 = local_10.member[0u];
+                                        let _e4120 = local_10.member_2[0u];
+                                        if ((((_e4092 + ((_e4095 - _e4098) * _e3705)) - _e4104) + ((_e4108 + ((_e4111 - _e4114) * _e3709)) - _e4120)) > 0f) {
+                                            let _e4126 = local_9.member[1u];
+                                            let _e4129 = local_9.member_1[1u];
+                                            let _e4132 = local_9.member[1u];
+                                            let _e4138 = local_9.member_2[1u];
+                                            let _e4142 = local_10.member[1u];
+                                            let _e4145 = local_10.member_1[1u];
+                                            let _e4148 = local_10.member[1u];
+                                            let _e4154 = local_10.member_2[1u];
+                                            if ((((_e4126 + ((_e4129 - _e4132) * _e3705)) - _e4138) + ((_e4142 + ((_e4145 - _e4148) * _e3709)) - _e4154)) > 0f) {
+                                                let _e4160 = local_9.member[2u];
+                                                let _e4163 = local_9.member_1[2u];
+                                                let _e4166 = local_9.member[2u];
+                                                let _e4172 = local_9.member_2[2u];
+                                                let _e4176 = local_10.member[2u];
+                                                let _e4179 = local_10.member_1[2u];
+                                                let _e4182 = local_10.member[2u];
+                                                let _e4188 = local_10.member_2[2u];
+                                                if ((((_e4160 + ((_e4163 - _e4166) * _e3705)) - _e4172) + ((_e4176 + ((_e4179 - _e4182) * _e3709)) - _e4188)) > 0f) {
+                                                    let _e4194 = local_9.member[3u];
+                                                    let _e4197 = local_9.member_1[3u];
+                                                    let _e4200 = local_9.member[3u];
+                                                    let _e4206 = local_9.member_2[3u];
+                                                    let _e4210 = local_10.member[3u];
+                                                    let _e4213 = local_10.member_1[3u];
+                                                    let _e4216 = local_10.member[3u];
+                                                    let _e4222 = local_10.member_2[3u];
+                                                    phi_3232_ = ((((_e4194 + ((_e4197 - _e4200) * _e3705)) - _e4206) + ((_e4210 + ((_e4213 - _e4216) * _e3709)) - _e4222)) > 0f);
+                                                    phi_3233_ = false;
+                                                } else {
+                                                    phi_3232_ = bool();
+                                                    phi_3233_ = true;
+                                                }
+                                                let _e4227 = phi_3232_;
+                                                let _e4229 = phi_3233_;
+                                                phi_3234_ = _e4227;
+                                                phi_3235_ = _e4229;
+                                            } else {
+                                                phi_3234_ = bool();
+                                                phi_3235_ = true;
+                                            }
+                                            let _e4231 = phi_3234_;
+                                            let _e4233 = phi_3235_;
+                                            phi_3236_ = _e4231;
+                                            phi_3237_ = _e4233;
+                                        } else {
+                                            phi_3236_ = bool();
+                                            phi_3237_ = true;
+                                        }
+                                        let _e4235 = phi_3236_;
+                                        let _e4237 = phi_3237_;
+                                        if _e4237 {
+                                            phi_3241_ = false;
+                                        } else {
+                                            phi_3241_ = _e4235;
+                                        }
+                                        let _e4239 = phi_3241_;
+                                        phi_3245_ = _e4239;
+                                    }
+                                    let _e4241 = phi_3245_;
+                                    if _e4241 {
+                                        if (_e3723.member_1 > 0u) {
+                                            if (_e3705 >= 1f) {
+                                                phi_3257_ = false;
+                                            } else {
+                                                phi_3257_ = true;
+                                            }
+                                            let _e4245 = phi_3257_;
+                                            phi_3258_ = _e4245;
+                                        } else {
+                                            phi_3258_ = true;
+                                        }
+                                        let _e4247 = phi_3258_;
+                                        if _e4247 {
+                                            local_9 = type_30(array<f32, 4>(_e3986.member[0], _e3986.member[1], _e3986.member[2], _e3986.member[3]), array<f32, 4>(_e3986.member_1[0], _e3986.member_1[1], _e3986.member_1[2], _e3986.member_1[3]), array<f32, 4>(_e3986.member_2[0], _e3986.member_2[1], _e3986.member_2[2], _e3986.member_2[3]));
+                                            let _e4269 = local_9.member[0u];
+                                            let _e4272 = local_9.member_1[0u];
+                                            let _e4275 = local_9.member_2[0u];
+                                            if (_e4269 > _e4275) {
+                                                if (_e4272 > _e4275) {
+                                                    phi_3332_ = false;
+                                                } else {
+                                                    phi_3332_ = true;
+                                                }
+                                                let _e4279 = phi_3332_;
+                                                phi_3333_ = _e4279;
+                                            } else {
+                                                phi_3333_ = true;
+                                            }
+                                            let _e4281 = phi_3333_;
+                                            if _e4281 {
+                                                let _e4282 = (_e4272 >= _e4269);
+                                                if _e4282 {
+                                                    phi_3355_ = f32();
+                                                    phi_3356_ = false;
+                                                } else {
+                                                    if ((_e4269 - _e4272) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3353_ = (((_e4269 - _e4275) / (_e4269 - _e4272)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3354_ = false;
+                                                    } else {
+                                                        phi_3353_ = f32();
+                                                        phi_3354_ = true;
+                                                    }
+                                                    let _e4293 = phi_3353_;
+                                                    let _e4295 = phi_3354_;
+                                                    phi_3355_ = _e4293;
+                                                    phi_3356_ = _e4295;
+                                                }
+                                                let _e4297 = phi_3355_;
+                                                let _e4299 = phi_3356_;
+                                                phi_3357_ = _e4297;
+                                                phi_3358_ = _e4282;
+                                                phi_3359_ = _e4299;
+                                            } else {
+                                                phi_3357_ = f32();
+                                                phi_3358_ = true;
+                                                phi_3359_ = false;
+                                            }
+                                            let _e4301 = phi_3357_;
+                                            let _e4303 = phi_3358_;
+                                            let _e4305 = phi_3359_;
+                                            if _e4303 {
+                                                phi_3363_ = 2f;
+                                                phi_3364_ = true;
+                                            } else {
+                                                phi_3363_ = _e3705;
+                                                phi_3364_ = _e4305;
+                                            }
+                                            let _e4307 = phi_3363_;
+                                            let _e4309 = phi_3364_;
+                                            if _e4309 {
+                                                phi_3368_ = _e4307;
+                                            } else {
+                                                phi_3368_ = _e4301;
+                                            }
+                                            let _e4311 = phi_3368_;
+                                            let _e4314 = local_9.member[1u];
+                                            let _e4317 = local_9.member_1[1u];
+                                            let _e4320 = local_9.member_2[1u];
+                                            if (_e4314 > _e4320) {
+                                                if (_e4317 > _e4320) {
+                                                    phi_3400_ = false;
+                                                } else {
+                                                    phi_3400_ = true;
+                                                }
+                                                let _e4324 = phi_3400_;
+                                                phi_3401_ = _e4324;
+                                            } else {
+                                                phi_3401_ = true;
+                                            }
+                                            let _e4326 = phi_3401_;
+                                            if _e4326 {
+                                                let _e4327 = (_e4317 >= _e4314);
+                                                if _e4327 {
+                                                    phi_3423_ = f32();
+                                                    phi_3424_ = false;
+                                                } else {
+                                                    if ((_e4314 - _e4317) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3421_ = (((_e4314 - _e4320) / (_e4314 - _e4317)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3422_ = false;
+                                                    } else {
+                                                        phi_3421_ = f32();
+                                                        phi_3422_ = true;
+                                                    }
+                                                    let _e4338 = phi_3421_;
+                                                    let _e4340 = phi_3422_;
+                                                    phi_3423_ = _e4338;
+                                                    phi_3424_ = _e4340;
+                                                }
+                                                let _e4342 = phi_3423_;
+                                                let _e4344 = phi_3424_;
+                                                phi_3425_ = _e4342;
+                                                phi_3426_ = _e4327;
+                                                phi_3427_ = _e4344;
+                                            } else {
+                                                phi_3425_ = f32();
+                                                phi_3426_ = true;
+                                                phi_3427_ = false;
+                                            }
+                                            let _e4346 = phi_3425_;
+                                            let _e4348 = phi_3426_;
+                                            let _e4350 = phi_3427_;
+                                            if _e4348 {
+                                                phi_3431_ = 2f;
+                                                phi_3432_ = true;
+                                            } else {
+                                                phi_3431_ = _e3705;
+                                                phi_3432_ = _e4350;
+                                            }
+                                            let _e4352 = phi_3431_;
+                                            let _e4354 = phi_3432_;
+                                            if _e4354 {
+                                                phi_3436_ = _e4352;
+                                            } else {
+                                                phi_3436_ = _e4346;
+                                            }
+                                            let _e4356 = phi_3436_;
+                                            if (_e4311 < _e4356) {
+                                                phi_3441_ = _e4311;
+                                            } else {
+                                                phi_3441_ = _e4356;
+                                            }
+                                            let _e4359 = phi_3441_;
+                                            let _e4362 = local_9.member[2u];
+                                            let _e4365 = local_9.member_1[2u];
+                                            let _e4368 = local_9.member_2[2u];
+                                            if (_e4362 > _e4368) {
+                                                if (_e4365 > _e4368) {
+                                                    phi_3473_ = false;
+                                                } else {
+                                                    phi_3473_ = true;
+                                                }
+                                                let _e4372 = phi_3473_;
+                                                phi_3474_ = _e4372;
+                                            } else {
+                                                phi_3474_ = true;
+                                            }
+                                            let _e4374 = phi_3474_;
+                                            if _e4374 {
+                                                let _e4375 = (_e4365 >= _e4362);
+                                                if _e4375 {
+                                                    phi_3496_ = f32();
+                                                    phi_3497_ = false;
+                                                } else {
+                                                    if ((_e4362 - _e4365) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3494_ = (((_e4362 - _e4368) / (_e4362 - _e4365)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3495_ = false;
+                                                    } else {
+                                                        phi_3494_ = f32();
+                                                        phi_3495_ = true;
+                                                    }
+                                                    let _e4386 = phi_3494_;
+                                                    let _e4388 = phi_3495_;
+                                                    phi_3496_ = _e4386;
+                                                    phi_3497_ = _e4388;
+                                                }
+                                                let _e4390 = phi_3496_;
+                                                let _e4392 = phi_3497_;
+                                                phi_3498_ = _e4390;
+                                                phi_3499_ = _e4375;
+                                                phi_3500_ = _e4392;
+                                            } else {
+                                                phi_3498_ = f32();
+                                                phi_3499_ = true;
+                                                phi_3500_ = false;
+                                            }
+                                            let _e4394 = phi_3498_;
+                                            let _e4396 = phi_3499_;
+                                            let _e4398 = phi_3500_;
+                                            if _e4396 {
+                                                phi_3504_ = 2f;
+                                                phi_3505_ = true;
+                                            } else {
+                                                phi_3504_ = _e3705;
+                                                phi_3505_ = _e4398;
+                                            }
+                                            let _e4400 = phi_3504_;
+                                            let _e4402 = phi_3505_;
+                                            if _e4402 {
+                                                phi_3509_ = _e4400;
+                                            } else {
+                                                phi_3509_ = _e4394;
+                                            }
+                                            let _e4404 = phi_3509_;
+                                            let _e4407 = local_9.member[3u];
+                                            let _e4410 = local_9.member_1[3u];
+                                            let _e4413 = local_9.member_2[3u];
+                                            if (_e4407 > _e4413) {
+                                                if (_e4410 > _e4413) {
+                                                    phi_3541_ = false;
+                                                } else {
+                                                    phi_3541_ = true;
+                                                }
+                                                let _e4417 = phi_3541_;
+                                                phi_3542_ = _e4417;
+                                            } else {
+                                                phi_3542_ = true;
+                                            }
+                                            let _e4419 = phi_3542_;
+                                            if _e4419 {
+                                                let _e4420 = (_e4410 >= _e4407);
+                                                if _e4420 {
+                                                    phi_3564_ = f32();
+                                                    phi_3565_ = false;
+                                                } else {
+                                                    if ((_e4407 - _e4410) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3562_ = (((_e4407 - _e4413) / (_e4407 - _e4410)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3563_ = false;
+                                                    } else {
+                                                        phi_3562_ = f32();
+                                                        phi_3563_ = true;
+                                                    }
+                                                    let _e4431 = phi_3562_;
+                                                    let _e4433 = phi_3563_;
+                                                    phi_3564_ = _e4431;
+                                                    phi_3565_ = _e4433;
+                                                }
+                                                let _e4435 = phi_3564_;
+                                                let _e4437 = phi_3565_;
+                                                phi_3566_ = _e4435;
+                                                phi_3567_ = _e4420;
+                                                phi_3568_ = _e4437;
+                                            } else {
+                                                phi_3566_ = f32();
+                                                phi_3567_ = true;
+                                                phi_3568_ = false;
+                                            }
+                                            let _e4439 = phi_3566_;
+                                            let _e4441 = phi_3567_;
+                                            let _e4443 = phi_3568_;
+                                            if _e4441 {
+                                                phi_3572_ = 2f;
+                                                phi_3573_ = true;
+                                            } else {
+                                                phi_3572_ = _e3705;
+                                                phi_3573_ = _e4443;
+                                            }
+                                            let _e4445 = phi_3572_;
+                                            let _e4447 = phi_3573_;
+                                            if _e4447 {
+                                                phi_3577_ = _e4445;
+                                            } else {
+                                                phi_3577_ = _e4439;
+                                            }
+                                            let _e4449 = phi_3577_;
+                                            if (_e4404 < _e4449) {
+                                                phi_3582_ = _e4404;
+                                            } else {
+                                                phi_3582_ = _e4449;
+                                            }
+                                            let _e4452 = phi_3582_;
+                                            if (_e4359 < _e4452) {
+                                                phi_3587_ = _e4359;
+                                            } else {
+                                                phi_3587_ = _e4452;
+                                            }
+                                            let _e4455 = phi_3587_;
+                                            if (_e4455 > _e3705) {
+                                                phi_3592_ = _e4455;
+                                            } else {
+                                                phi_3592_ = _e3705;
+                                            }
+                                            let _e4458 = phi_3592_;
+                                            let _e4459 = (_e4458 > 1f);
+                                            if _e4459 {
+                                                phi_3604_ = f32();
+                                                phi_3605_ = false;
+                                            } else {
+                                                if (_e3723.member_1 == 0u) {
+                                                    phi_3603_ = (1f - _e3705);
+                                                } else {
+                                                    phi_3603_ = (_e4006 + _e4006);
+                                                }
+                                                let _e4464 = phi_3603_;
+                                                phi_3604_ = _e4464;
+                                                phi_3605_ = true;
+                                            }
+                                            let _e4466 = phi_3604_;
+                                            let _e4468 = phi_3605_;
+                                            phi_3606_ = _e4458;
+                                            phi_3607_ = _e4466;
+                                            phi_3608_ = _e4468;
+                                            phi_3609_ = _e4459;
+                                            phi_3610_ = false;
+                                        } else {
+                                            phi_3606_ = f32();
+                                            phi_3607_ = f32();
+                                            phi_3608_ = false;
+                                            phi_3609_ = false;
+                                            phi_3610_ = true;
+                                        }
+                                        let _e4470 = phi_3606_;
+                                        let _e4472 = phi_3607_;
+                                        let _e4474 = phi_3608_;
+                                        let _e4476 = phi_3609_;
+                                        let _e4478 = phi_3610_;
+                                        phi_3611_ = _e4470;
+                                        phi_3612_ = _e4472;
+                                        phi_3613_ = false;
+                                        phi_3614_ = _e4474;
+                                        phi_3615_ = _e4476;
+                                        phi_3616_ = _e4478;
+                                    } else {
+                                        phi_3611_ = f32();
+                                        phi_3612_ = f32();
+                                        phi_3613_ = true;
+                                        phi_3614_ = false;
+                                        phi_3615_ = false;
+                                        phi_3616_ = false;
+                                    }
+                                    let _e4480 = phi_3611_;
+                                    let _e4482 = phi_3612_;
+                                    let _e4484 = phi_3613_;
+                                    let _e4486 = phi_3614_;
+                                    let _e4488 = phi_3615_;
+                                    let _e4490 = phi_3616_;
+                                    phi_3617_ = _e4480;
+                                    phi_3618_ = _e4482;
+                                    phi_3619_ = _e4484;
+                                    phi_3620_ = _e4486;
+                                    phi_3621_ = _e4488;
+                                    phi_3622_ = _e4490;
+                                } else {
+                                    phi_3617_ = f32();
+                                    phi_3618_ = f32();
+                                    phi_3619_ = true;
+                                    phi_3620_ = false;
+                                    phi_3621_ = false;
+                                    phi_3622_ = false;
+                                }
+                                let _e4492 = phi_3617_;
+                                let _e4494 = phi_3618_;
+                                let _e4496 = phi_3619_;
+                                let _e4498 = phi_3620_;
+                                let _e4500 = phi_3621_;
+                                let _e4502 = phi_3622_;
+                                if _e4496 {
+                                    let _e4503 = (_e3705 <= _e3707);
+                                    if _e4503 {
+                                        phi_3951_ = f32();
+                                        phi_3952_ = false;
+                                    } else {
+                                        let _e4506 = local_9.member[0u];
+                                        let _e4509 = local_9.member_1[0u];
+                                        let _e4512 = local_9.member[0u];
+                                        let _e4518 = local_9.member_2[0u];
+                                        let _e4519 = ((_e4506 + ((_e4509 - _e4512) * _e3709)) - _e4518);
+                                        let _e4522 = local_9.member[1u];
+                                        let _e4525 = local_9.member_1[1u];
+                                        let _e4528 = local_9.member[1u];
+                                        let _e4534 = local_9.member_2[1u];
+                                        let _e4535 = ((_e4522 + ((_e4525 - _e4528) * _e3709)) - _e4534);
+                                        if (_e4519 < _e4535) {
+                                            phi_3702_ = _e4519;
+                                        } else {
+                                            phi_3702_ = _e4535;
+                                        }
+                                        let _e4538 = phi_3702_;
+                                        let _e4541 = local_9.member[2u];
+                                        let _e4544 = local_9.member_1[2u];
+                                        let _e4547 = local_9.member[2u];
+                                        let _e4553 = local_9.member_2[2u];
+                                        let _e4554 = ((_e4541 + ((_e4544 - _e4547) * _e3709)) - _e4553);
+                                        let _e4557 = local_9.member[3u];
+                                        let _e4560 = local_9.member_1[3u];
+                                        let _e4563 = local_9.member[3u];
+                                        let _e4569 = local_9.member_2[3u];
+                                        let _e4570 = ((_e4557 + ((_e4560 - _e4563) * _e3709)) - _e4569);
+                                        if (_e4554 < _e4570) {
+                                            phi_3775_ = _e4554;
+                                        } else {
+                                            phi_3775_ = _e4570;
+                                        }
+                                        let _e4573 = phi_3775_;
+                                        if (_e4538 < _e4573) {
+                                            phi_3780_ = _e4538;
+                                        } else {
+                                            phi_3780_ = _e4573;
+                                        }
+                                        let _e4576 = phi_3780_;
+                                        let _e4579 = local_10.member[0u];
+                                        let _e4582 = local_10.member_1[0u];
+                                        let _e4585 = local_10.member[0u];
+                                        let _e4591 = local_10.member_2[0u];
+                                        let _e4592 = ((_e4579 + ((_e4582 - _e4585) * _e3705)) - _e4591);
+                                        let _e4595 = local_10.member[1u];
+                                        let _e4598 = local_10.member_1[1u];
+                                        let _e4601 = local_10.member[1u];
+                                        let _e4607 = local_10.member_2[1u];
+                                        let _e4608 = ((_e4595 + ((_e4598 - _e4601) * _e3705)) - _e4607);
+                                        if (_e4592 < _e4608) {
+                                            phi_3853_ = _e4592;
+                                        } else {
+                                            phi_3853_ = _e4608;
+                                        }
+                                        let _e4611 = phi_3853_;
+                                        let _e4614 = local_10.member[2u];
+                                        let _e4617 = local_10.member_1[2u];
+                                        let _e4620 = local_10.member[2u];
+                                        let _e4626 = local_10.member_2[2u];
+                                        let _e4627 = ((_e4614 + ((_e4617 - _e4620) * _e3705)) - _e4626);
+                                        let _e4630 = local_10.member[3u];
+                                        let _e4633 = local_10.member_1[3u];
+                                        let _e4636 = local_10.member[3u];
+                                        let _e4642 = local_10.member_2[3u];
+                                        let _e4643 = ((_e4630 + ((_e4633 - _e4636) * _e3705)) - _e4642);
+                                        if (_e4627 < _e4643) {
+                                            phi_3926_ = _e4627;
+                                        } else {
+                                            phi_3926_ = _e4643;
+                                        }
+                                        let _e4646 = phi_3926_;
+                                        if (_e4611 < _e4646) {
+                                            phi_3931_ = _e4611;
+                                        } else {
+                                            phi_3931_ = _e4646;
+                                        }
+                                        let _e4649 = phi_3931_;
+                                        if (_e4649 > 0f) {
+                                            phi_3949_ = 0.5f;
+                                        } else {
+                                            let _e4653 = (0.95f * (_e4576 / (_e4576 - _e4649)));
+                                            if (_e4653 > 0.0625f) {
+                                                if (_e4653 < 0.9f) {
+                                                    phi_3947_ = _e4653;
+                                                } else {
+                                                    phi_3947_ = 0.9f;
+                                                }
+                                                let _e4657 = phi_3947_;
+                                                phi_3948_ = _e4657;
+                                            } else {
+                                                phi_3948_ = 0.0625f;
+                                            }
+                                            let _e4659 = phi_3948_;
+                                            phi_3949_ = _e4659;
+                                        }
+                                        let _e4661 = phi_3949_;
+                                        phi_3951_ = (_e4006 * _e4661);
+                                        phi_3952_ = true;
+                                    }
+                                    let _e4664 = phi_3951_;
+                                    let _e4666 = phi_3952_;
+                                    phi_3953_ = _e3707;
+                                    phi_3954_ = _e4664;
+                                    phi_3955_ = _e3709;
+                                    phi_3956_ = _e4666;
+                                    phi_3957_ = _e4503;
+                                    phi_3958_ = false;
+                                    phi_3959_ = false;
+                                } else {
+                                    phi_3953_ = _e4492;
+                                    phi_3954_ = _e4494;
+                                    phi_3955_ = _e3705;
+                                    phi_3956_ = _e4498;
+                                    phi_3957_ = false;
+                                    phi_3958_ = _e4500;
+                                    phi_3959_ = _e4502;
+                                }
+                                let _e4668 = phi_3953_;
+                                let _e4670 = phi_3954_;
+                                let _e4672 = phi_3955_;
+                                let _e4674 = phi_3956_;
+                                let _e4676 = phi_3957_;
+                                let _e4678 = phi_3958_;
+                                let _e4680 = phi_3959_;
+                                if _e4674 {
+                                    let _e4681 = (_e4672 + _e4670);
+                                    if (_e4681 > _e4668) {
+                                        phi_3968_ = _e4681;
+                                    } else {
+                                        phi_3968_ = _e4668;
+                                    }
+                                    let _e4684 = phi_3968_;
+                                    if (_e4684 < 1f) {
+                                        phi_3973_ = _e4684;
+                                    } else {
+                                        phi_3973_ = 1f;
+                                    }
+                                    let _e4687 = phi_3973_;
+                                    if (_e3723.member_1 > 0u) {
+                                        phi_3983_ = ((_e4687 - _e4672) > 0.0000000037252903f);
+                                    } else {
+                                        phi_3983_ = true;
+                                    }
+                                    let _e4692 = phi_3983_;
+                                    if _e4692 {
+                                        phi_3987_ = false;
+                                    } else {
+                                        phi_3987_ = true;
+                                    }
+                                    let _e4694 = phi_3987_;
+                                    phi_3988_ = _e4687;
+                                    phi_3989_ = _e4692;
+                                    phi_3990_ = _e4694;
+                                    phi_3991_ = false;
+                                    phi_3992_ = false;
+                                    phi_3993_ = false;
+                                } else {
+                                    phi_3988_ = f32();
+                                    phi_3989_ = false;
+                                    phi_3990_ = false;
+                                    phi_3991_ = _e4676;
+                                    phi_3992_ = _e4678;
+                                    phi_3993_ = _e4680;
+                                }
+                                let _e4696 = phi_3988_;
+                                let _e4698 = phi_3989_;
+                                let _e4700 = phi_3990_;
+                                let _e4702 = phi_3991_;
+                                let _e4704 = phi_3992_;
+                                let _e4706 = phi_3993_;
+                                phi_2368_ = _e4696;
+                                phi_2370_ = _e4668;
+                                phi_2372_ = _e4672;
+                                phi_3994_ = _e4668;
+                                phi_3995_ = _e4698;
+                                phi_3996_ = _e4700;
+                                phi_3997_ = false;
+                                phi_3998_ = _e4702;
+                                phi_3999_ = _e4704;
+                                phi_4000_ = _e4706;
                             } else {
-                                phi_2553_ = f32();
-                                phi_2099_ = f32();
-                                phi_2554_ = false;
-                                phi_2555_ = false;
-                                phi_2556_ = false;
-                                phi_2557_ = true;
-                                phi_2558_ = false;
-                                phi_2559_ = false;
-                                phi_2560_ = false;
-                                phi_2561_ = false;
-                                phi_2562_ = false;
+                                phi_2368_ = f32();
+                                phi_2370_ = f32();
+                                phi_2372_ = f32();
+                                phi_3994_ = f32();
+                                phi_3995_ = false;
+                                phi_3996_ = false;
+                                phi_3997_ = true;
+                                phi_3998_ = false;
+                                phi_3999_ = false;
+                                phi_4000_ = false;
                             }
-                            let _e3302 = phi_2553_;
-                            let _e3304 = phi_2099_;
-                            let _e3306 = phi_2554_;
-                            let _e3308 = phi_2555_;
-                            let _e3310 = phi_2556_;
-                            let _e3312 = phi_2557_;
-                            let _e3314 = phi_2558_;
-                            let _e3316 = phi_2559_;
-                            let _e3318 = phi_2560_;
-                            let _e3320 = phi_2561_;
-                            let _e3322 = phi_2562_;
-                            local_36 = _e3308;
-                            local_69 = _e3310;
-                            local_70 = _e3312;
-                            local_71 = _e3314;
-                            local_72 = _e3316;
-                            local_73 = _e3318;
-                            local_74 = _e3320;
-                            local_75 = _e3322;
-                            local_76 = _e3302;
-                            local_78 = _e3308;
+                            let _e4708 = phi_2368_;
+                            let _e4710 = phi_2370_;
+                            let _e4712 = phi_2372_;
+                            let _e4714 = phi_3994_;
+                            let _e4716 = phi_3995_;
+                            let _e4718 = phi_3996_;
+                            let _e4720 = phi_3997_;
+                            let _e4722 = phi_3998_;
+                            let _e4724 = phi_3999_;
+                            let _e4726 = phi_4000_;
+                            local_25 = _e4718;
+                            local_43 = _e4714;
+                            local_45 = _e4720;
+                            local_46 = _e4722;
+                            local_47 = _e4724;
+                            local_48 = _e4726;
                             continue;
                             continuing {
-                                phi_2095_ = _e2946;
-                                phi_2098_ = _e3304;
-                                break if !(_e3306);
+                                phi_2364_ = _e3721;
+                                phi_2367_ = _e4708;
+                                phi_2369_ = _e4710;
+                                phi_2371_ = _e4712;
+                                break if !(_e4716);
                             }
                         }
-                        let _e3325 = local_36;
-                        if _e3325 {
-                            phi_2567_ = type_32(0u, type_32().member_1);
-                            phi_2568_ = false;
-                            phi_2569_ = false;
-                            phi_2570_ = false;
-                            phi_2571_ = false;
-                            phi_2572_ = false;
-                            phi_2573_ = false;
-                            phi_2574_ = false;
+                        let _e4729 = local_25;
+                        if _e4729 {
+                            let _e6042 = local_43;
+                            phi_4004_ = _e6042;
+                            phi_4005_ = true;
+                            phi_4006_ = false;
+                            phi_4007_ = false;
+                            phi_4008_ = false;
                         } else {
-                            phi_2567_ = type_32();
-                            let _e4589 = local_69;
-                            phi_2568_ = _e4589;
-                            let _e4592 = local_70;
-                            phi_2569_ = _e4592;
-                            let _e4595 = local_71;
-                            phi_2570_ = _e4595;
-                            let _e4598 = local_72;
-                            phi_2571_ = _e4598;
-                            let _e4601 = local_73;
-                            phi_2572_ = _e4601;
-                            let _e4604 = local_74;
-                            phi_2573_ = _e4604;
-                            let _e4607 = local_75;
-                            phi_2574_ = _e4607;
+                            let _e6044 = local_44;
+                            phi_4004_ = _e6044;
+                            let _e6047 = local_45;
+                            phi_4005_ = _e6047;
+                            let _e6050 = local_46;
+                            phi_4006_ = _e6050;
+                            let _e6053 = local_47;
+                            phi_4007_ = _e6053;
+                            let _e6056 = local_48;
+                            phi_4008_ = _e6056;
                         }
-                        let _e3329 = phi_2567_;
-                        let _e3331 = phi_2568_;
-                        let _e3333 = phi_2569_;
-                        let _e3335 = phi_2570_;
-                        let _e3337 = phi_2571_;
-                        let _e3339 = phi_2572_;
-                        let _e3341 = phi_2573_;
-                        let _e3343 = phi_2574_;
-                        if _e3331 {
-                            let _e4610 = local_76;
-                            phi_2578_ = _e4610;
-                            phi_2579_ = true;
-                            phi_2580_ = false;
-                            phi_2581_ = false;
-                            phi_2582_ = false;
-                            phi_2583_ = false;
-                            phi_2584_ = false;
-                            phi_2585_ = false;
+                        let _e4731 = phi_4004_;
+                        let _e4733 = phi_4005_;
+                        let _e4735 = phi_4006_;
+                        let _e4737 = phi_4007_;
+                        let _e4739 = phi_4008_;
+                        if _e4733 {
+                            phi_4013_ = type_35(1u, _e4731);
+                            phi_4014_ = false;
+                            phi_4015_ = false;
+                            phi_4016_ = false;
                         } else {
-                            let _e4612 = local_77;
-                            phi_2578_ = _e4612;
-                            phi_2579_ = _e3333;
-                            phi_2580_ = _e3335;
-                            phi_2581_ = _e3337;
-                            phi_2582_ = _e3339;
-                            let _e4619 = local_78;
-                            phi_2583_ = _e4619;
-                            phi_2584_ = _e3341;
-                            phi_2585_ = _e3343;
+                            phi_4013_ = type_35();
+                            phi_4014_ = _e4735;
+                            phi_4015_ = _e4737;
+                            phi_4016_ = _e4739;
                         }
-                        let _e3345 = phi_2578_;
-                        let _e3347 = phi_2579_;
-                        let _e3349 = phi_2580_;
-                        let _e3351 = phi_2581_;
-                        let _e3353 = phi_2582_;
-                        let _e3355 = phi_2583_;
-                        let _e3357 = phi_2584_;
-                        let _e3359 = phi_2585_;
-                        if _e3347 {
-                            phi_2590_ = type_32(1u, _e3345);
-                            phi_2591_ = false;
-                            phi_2592_ = false;
-                            phi_2593_ = false;
-                            phi_2594_ = false;
-                            phi_2595_ = false;
-                            phi_2596_ = false;
+                        let _e4742 = phi_4013_;
+                        let _e4744 = phi_4014_;
+                        let _e4746 = phi_4015_;
+                        let _e4748 = phi_4016_;
+                        if _e4744 {
+                            let _e4750 = local_26;
+                            phi_4021_ = type_35(1u, _e4750);
+                            phi_4022_ = false;
+                            phi_4023_ = false;
                         } else {
-                            phi_2590_ = type_32();
-                            phi_2591_ = _e3349;
-                            phi_2592_ = _e3351;
-                            phi_2593_ = _e3353;
-                            phi_2594_ = _e3355;
-                            phi_2595_ = _e3357;
-                            phi_2596_ = _e3359;
+                            phi_4021_ = type_35();
+                            phi_4022_ = _e4746;
+                            phi_4023_ = _e4748;
                         }
-                        let _e3362 = phi_2590_;
-                        let _e3364 = phi_2591_;
-                        let _e3366 = phi_2592_;
-                        let _e3368 = phi_2593_;
-                        let _e3370 = phi_2594_;
-                        let _e3372 = phi_2595_;
-                        let _e3374 = phi_2596_;
-                        if _e3364 {
-                            let _e3376 = local_37;
-                            phi_2601_ = type_32(1u, _e3376);
-                            phi_2602_ = false;
-                            phi_2603_ = false;
-                            phi_2604_ = true;
-                            phi_2605_ = false;
-                            phi_2606_ = false;
+                        let _e4753 = phi_4021_;
+                        let _e4755 = phi_4022_;
+                        let _e4757 = phi_4023_;
+                        if _e4755 {
+                            phi_4028_ = type_35(0u, type_35().member_1);
+                            phi_4029_ = false;
+                            phi_4030_ = true;
                         } else {
-                            phi_2601_ = _e3329;
-                            phi_2602_ = _e3366;
-                            phi_2603_ = _e3368;
-                            phi_2604_ = _e3370;
-                            phi_2605_ = _e3372;
-                            phi_2606_ = _e3374;
+                            phi_4028_ = _e4753;
+                            phi_4029_ = _e4757;
+                            phi_4030_ = _e4744;
                         }
-                        let _e3379 = phi_2601_;
-                        let _e3381 = phi_2602_;
-                        let _e3383 = phi_2603_;
-                        let _e3385 = phi_2604_;
-                        let _e3387 = phi_2605_;
-                        let _e3389 = phi_2606_;
-                        if _e3381 {
-                            let _e3391 = local_38;
-                            phi_2611_ = type_32(1u, _e3391);
-                            phi_2612_ = false;
-                            phi_2613_ = false;
-                            phi_2614_ = false;
-                            phi_2615_ = false;
+                        let _e4761 = phi_4028_;
+                        let _e4763 = phi_4029_;
+                        let _e4765 = phi_4030_;
+                        if _e4763 {
+                            phi_4035_ = type_35(0u, type_35().member_1);
+                            phi_4036_ = true;
                         } else {
-                            phi_2611_ = type_32();
-                            phi_2612_ = _e3383;
-                            phi_2613_ = _e3385;
-                            phi_2614_ = _e3387;
-                            phi_2615_ = _e3389;
+                            phi_4035_ = _e4761;
+                            phi_4036_ = _e4765;
                         }
-                        let _e3394 = phi_2611_;
-                        let _e3396 = phi_2612_;
-                        let _e3398 = phi_2613_;
-                        let _e3400 = phi_2614_;
-                        let _e3402 = phi_2615_;
-                        if _e3396 {
-                            let _e3404 = local_39;
-                            phi_2620_ = type_32(1u, _e3404);
-                            phi_2621_ = true;
-                            phi_2622_ = false;
-                            phi_2623_ = false;
-                            phi_2624_ = false;
+                        let _e4769 = phi_4035_;
+                        let _e4771 = phi_4036_;
+                        if _e4771 {
+                            phi_4040_ = _e4769;
                         } else {
-                            phi_2620_ = _e3394;
-                            phi_2621_ = _e3381;
-                            phi_2622_ = _e3398;
-                            phi_2623_ = _e3400;
-                            phi_2624_ = _e3402;
+                            phi_4040_ = _e4742;
                         }
-                        let _e3407 = phi_2620_;
-                        let _e3409 = phi_2621_;
-                        let _e3411 = phi_2622_;
-                        let _e3413 = phi_2623_;
-                        let _e3415 = phi_2624_;
-                        if _e3409 {
-                            phi_2628_ = _e3407;
-                            phi_2629_ = true;
-                            phi_2630_ = false;
-                            phi_2631_ = false;
-                        } else {
-                            phi_2628_ = _e3379;
-                            phi_2629_ = _e3411;
-                            phi_2630_ = _e3413;
-                            phi_2631_ = _e3415;
-                        }
-                        let _e3417 = phi_2628_;
-                        let _e3419 = phi_2629_;
-                        let _e3421 = phi_2630_;
-                        let _e3423 = phi_2631_;
-                        if _e3419 {
-                            phi_2635_ = false;
-                            phi_2636_ = false;
-                        } else {
-                            phi_2635_ = _e3421;
-                            phi_2636_ = _e3423;
-                        }
-                        let _e3425 = phi_2635_;
-                        let _e3427 = phi_2636_;
-                        if _e3425 {
-                            phi_2640_ = false;
-                            phi_2641_ = false;
-                        } else {
-                            phi_2640_ = _e3427;
-                            phi_2641_ = _e3419;
-                        }
-                        let _e3429 = phi_2640_;
-                        let _e3431 = phi_2641_;
-                        if _e3429 {
-                            phi_2645_ = true;
-                            phi_2646_ = false;
-                        } else {
-                            phi_2645_ = _e3425;
-                            phi_2646_ = _e3431;
-                        }
-                        let _e3433 = phi_2645_;
-                        let _e3435 = phi_2646_;
-                        if _e3433 {
-                            let _e3437 = local_40;
-                            phi_2651_ = type_32(1u, _e3437);
-                            phi_2652_ = true;
-                        } else {
-                            phi_2651_ = _e3417;
-                            phi_2652_ = _e3435;
-                        }
-                        let _e3440 = phi_2651_;
-                        let _e3442 = phi_2652_;
-                        if _e3442 {
-                            phi_2656_ = _e3440;
-                        } else {
-                            phi_2656_ = _e3362;
-                        }
-                        let _e3444 = phi_2656_;
-                        if (_e3444.member != 0u) {
+                        let _e4773 = phi_4040_;
+                        if (_e4773.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2670_ = type_19(0u, 3u);
+                            phi_4054_ = type_9(0u, 3u);
                             loop {
-                                let _e3456 = phi_2670_;
-                                if (_e3456.member < _e3456.member_1) {
-                                    phi_2671_ = type_19((_e3456.member + 1u), _e3456.member_1);
-                                    phi_2694_ = type_19(1u, _e3456.member);
+                                let _e4785 = phi_4054_;
+                                if (_e4785.member < _e4785.member_1) {
+                                    phi_4055_ = type_9((_e4785.member + 1u), _e4785.member_1);
+                                    phi_4078_ = type_9(1u, _e4785.member);
                                 } else {
-                                    phi_2671_ = _e3456;
-                                    phi_2694_ = type_19(0u, type_19().member_1);
+                                    phi_4055_ = _e4785;
+                                    phi_4078_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3468 = phi_2671_;
-                                let _e3470 = phi_2694_;
-                                if (bitcast<i32>(_e3470.member) != 0i) {
-                                    let _e3476 = local_11[_e3470.member_1];
-                                    let _e3477 = (_e3444.member_1 + _e3476);
-                                    if (_e3477 < 1f) {
-                                        phi_2714_ = _e3477;
+                                let _e4797 = phi_4055_;
+                                let _e4799 = phi_4078_;
+                                if (bitcast<i32>(_e4799.member) != 0i) {
+                                    let _e4805 = local_11[_e4799.member_1];
+                                    let _e4806 = (_e4773.member_1 + _e4805);
+                                    if (_e4806 < 1f) {
+                                        phi_4098_ = _e4806;
                                     } else {
-                                        phi_2714_ = 1f;
+                                        phi_4098_ = 1f;
                                     }
-                                    let _e3480 = phi_2714_;
-                                    let _e3483 = local_12.member[0u];
-                                    let _e3489 = local_12.member[1u];
-                                    let _e3505 = local_12.member_1[0u];
-                                    let _e3511 = local_12.member_1[1u];
-                                    let _e3527 = local_12.member_2[0u];
-                                    let _e3533 = local_12.member_2[1u];
-                                    let _e3547 = function_1(array<f32, 3>((_e3483[0] + ((_e3489[0] - _e3483[0]) * _e3480)), (_e3483[1] + ((_e3489[1] - _e3483[1]) * _e3480)), (_e3483[2] + ((_e3489[2] - _e3483[2]) * _e3480))), array<f32, 3>((_e3505[0] + ((_e3511[0] - _e3505[0]) * _e3480)), (_e3505[1] + ((_e3511[1] - _e3505[1]) * _e3480)), (_e3505[2] + ((_e3511[2] - _e3505[2]) * _e3480))), array<f32, 3>((_e3527[0] + ((_e3533[0] - _e3527[0]) * _e3480)), (_e3527[1] + ((_e3533[1] - _e3527[1]) * _e3480)), (_e3527[2] + ((_e3533[2] - _e3527[2]) * _e3480))), 0u);
-                                    let _e3558 = (((_e3547[0] * _e3547[0]) + (_e3547[1] * _e3547[1])) + (_e3547[2] * _e3547[2]));
-                                    if (_e3558 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e3558 > 0f) {
-                                            phi_2837_ = (0.000000000000000000106433627f * 2f);
+                                    let _e4809 = phi_4098_;
+                                    let _e4812 = local_12.member[0u];
+                                    let _e4818 = local_12.member[1u];
+                                    let _e4834 = local_12.member_1[0u];
+                                    let _e4840 = local_12.member_1[1u];
+                                    let _e4856 = local_12.member_2[0u];
+                                    let _e4862 = local_12.member_2[1u];
+                                    let _e4876 = function_1(array<f32, 3>((_e4812[0] + ((_e4818[0] - _e4812[0]) * _e4809)), (_e4812[1] + ((_e4818[1] - _e4812[1]) * _e4809)), (_e4812[2] + ((_e4818[2] - _e4812[2]) * _e4809))), array<f32, 3>((_e4834[0] + ((_e4840[0] - _e4834[0]) * _e4809)), (_e4834[1] + ((_e4840[1] - _e4834[1]) * _e4809)), (_e4834[2] + ((_e4840[2] - _e4834[2]) * _e4809))), array<f32, 3>((_e4856[0] + ((_e4862[0] - _e4856[0]) * _e4809)), (_e4856[1] + ((_e4862[1] - _e4856[1]) * _e4809)), (_e4856[2] + ((_e4862[2] - _e4856[2]) * _e4809))), 0u);
+                                    let _e4887 = (((_e4876[0] * _e4876[0]) + (_e4876[1] * _e4876[1])) + (_e4876[2] * _e4876[2]));
+                                    if (_e4887 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e4887 > 0f) {
+                                            phi_4221_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_2837_ = 0f;
+                                            phi_4221_ = 0f;
                                         }
-                                        let _e3611 = phi_2837_;
-                                        phi_2901_ = _e3611;
+                                        let _e4940 = phi_4221_;
+                                        phi_4285_ = _e4940;
                                     } else {
-                                        phi_2844_ = type_17(0i, 5i);
-                                        phi_2847_ = bitcast<f32>(((bitcast<u32>(_e3558) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_4228_ = type_14(0i, 5i);
+                                        phi_4231_ = bitcast<f32>(((bitcast<u32>(_e4887) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e3566 = phi_2844_;
-                                            let _e3568 = phi_2847_;
-                                            local_41 = _e3568;
-                                            if (_e3566.member < _e3566.member_1) {
-                                                let _e3575 = (_e3566.member + 1i);
-                                                if ((false == (_e3575 > _e3566.member)) != false) {
-                                                    phi_2868_ = true;
+                                            let _e4895 = phi_4228_;
+                                            let _e4897 = phi_4231_;
+                                            local_27 = _e4897;
+                                            if (_e4895.member < _e4895.member_1) {
+                                                let _e4904 = (_e4895.member + 1i);
+                                                if ((false == (_e4904 > _e4895.member)) != false) {
+                                                    phi_4252_ = true;
                                                 } else {
-                                                    phi_2868_ = false;
+                                                    phi_4252_ = false;
                                                 }
-                                                let _e3580 = phi_2868_;
-                                                if _e3580 {
-                                                    phi_2874_ = type_18(0u, type_18().member_1);
+                                                let _e4909 = phi_4252_;
+                                                if _e4909 {
+                                                    phi_4258_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_2874_ = type_18(1u, _e3575);
+                                                    phi_4258_ = type_15(1u, _e4904);
                                                 }
-                                                let _e3585 = phi_2874_;
-                                                phi_2845_ = type_17(_e3585.member_1, _e3566.member_1);
-                                                phi_2888_ = type_18(1u, _e3566.member);
+                                                let _e4914 = phi_4258_;
+                                                phi_4229_ = type_14(_e4914.member_1, _e4895.member_1);
+                                                phi_4272_ = type_15(1u, _e4895.member);
                                             } else {
-                                                phi_2845_ = _e3566;
-                                                phi_2888_ = type_18(0u, type_18().member_1);
+                                                phi_4229_ = _e4895;
+                                                phi_4272_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e3591 = phi_2845_;
-                                            let _e3593 = phi_2888_;
-                                            let _e3596 = (bitcast<i32>(_e3593.member) != 0i);
-                                            if _e3596 {
-                                                phi_2848_ = (0.5f * (_e3568 + (_e3558 / _e3568)));
+                                            let _e4920 = phi_4229_;
+                                            let _e4922 = phi_4272_;
+                                            let _e4925 = (bitcast<i32>(_e4922.member) != 0i);
+                                            if _e4925 {
+                                                phi_4232_ = (0.5f * (_e4897 + (_e4887 / _e4897)));
                                             } else {
-                                                phi_2848_ = f32();
+                                                phi_4232_ = f32();
                                             }
-                                            let _e3601 = phi_2848_;
+                                            let _e4930 = phi_4232_;
                                             continue;
                                             continuing {
-                                                phi_2844_ = _e3591;
-                                                phi_2847_ = _e3601;
-                                                break if !(_e3596);
+                                                phi_4228_ = _e4920;
+                                                phi_4231_ = _e4930;
+                                                break if !(_e4925);
                                             }
                                         }
-                                        let _e3606 = local_41;
-                                        phi_2901_ = (_e3606 * (1f + (8f * 0.000000059604645f)));
+                                        let _e4935 = local_27;
+                                        phi_4285_ = (_e4935 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e3613 = phi_2901_;
-                                    let _e3619 = local_12.member[0u];
-                                    if (_e3619[0] < 0f) {
-                                        phi_2917_ = -(_e3619[0]);
+                                    let _e4942 = phi_4285_;
+                                    let _e4948 = local_12.member[0u];
+                                    if (_e4948[0] < 0f) {
+                                        phi_4301_ = -(_e4948[0]);
                                     } else {
-                                        phi_2917_ = _e3619[0];
+                                        phi_4301_ = _e4948[0];
                                     }
-                                    let _e3626 = phi_2917_;
-                                    if (_e3619[1] < 0f) {
-                                        phi_2924_ = -(_e3619[1]);
+                                    let _e4955 = phi_4301_;
+                                    if (_e4948[1] < 0f) {
+                                        phi_4308_ = -(_e4948[1]);
                                     } else {
-                                        phi_2924_ = _e3619[1];
+                                        phi_4308_ = _e4948[1];
                                     }
-                                    let _e3630 = phi_2924_;
-                                    if (_e3626 > _e3630) {
-                                        phi_2929_ = _e3626;
+                                    let _e4959 = phi_4308_;
+                                    if (_e4955 > _e4959) {
+                                        phi_4313_ = _e4955;
                                     } else {
-                                        phi_2929_ = _e3630;
+                                        phi_4313_ = _e4959;
                                     }
-                                    let _e3633 = phi_2929_;
-                                    if (_e3619[2] < 0f) {
-                                        phi_2936_ = -(_e3619[2]);
+                                    let _e4962 = phi_4313_;
+                                    if (_e4948[2] < 0f) {
+                                        phi_4320_ = -(_e4948[2]);
                                     } else {
-                                        phi_2936_ = _e3619[2];
+                                        phi_4320_ = _e4948[2];
                                     }
-                                    let _e3637 = phi_2936_;
-                                    if (_e3633 > _e3637) {
-                                        phi_2941_ = _e3633;
+                                    let _e4966 = phi_4320_;
+                                    if (_e4962 > _e4966) {
+                                        phi_4325_ = _e4962;
                                     } else {
-                                        phi_2941_ = _e3637;
+                                        phi_4325_ = _e4966;
                                     }
-                                    let _e3640 = phi_2941_;
-                                    let _e3643 = local_12.member[1u];
-                                    if (_e3643[0] < 0f) {
-                                        phi_2954_ = -(_e3643[0]);
+                                    let _e4969 = phi_4325_;
+                                    let _e4972 = local_12.member[1u];
+                                    if (_e4972[0] < 0f) {
+                                        phi_4338_ = -(_e4972[0]);
                                     } else {
-                                        phi_2954_ = _e3643[0];
+                                        phi_4338_ = _e4972[0];
                                     }
-                                    let _e3650 = phi_2954_;
-                                    if (_e3643[1] < 0f) {
-                                        phi_2961_ = -(_e3643[1]);
+                                    let _e4979 = phi_4338_;
+                                    if (_e4972[1] < 0f) {
+                                        phi_4345_ = -(_e4972[1]);
                                     } else {
-                                        phi_2961_ = _e3643[1];
+                                        phi_4345_ = _e4972[1];
                                     }
-                                    let _e3654 = phi_2961_;
-                                    if (_e3650 > _e3654) {
-                                        phi_2966_ = _e3650;
+                                    let _e4983 = phi_4345_;
+                                    if (_e4979 > _e4983) {
+                                        phi_4350_ = _e4979;
                                     } else {
-                                        phi_2966_ = _e3654;
+                                        phi_4350_ = _e4983;
                                     }
-                                    let _e3657 = phi_2966_;
-                                    if (_e3643[2] < 0f) {
-                                        phi_2973_ = -(_e3643[2]);
+                                    let _e4986 = phi_4350_;
+                                    if (_e4972[2] < 0f) {
+                                        phi_4357_ = -(_e4972[2]);
                                     } else {
-                                        phi_2973_ = _e3643[2];
+                                        phi_4357_ = _e4972[2];
                                     }
-                                    let _e3661 = phi_2973_;
-                                    if (_e3657 > _e3661) {
-                                        phi_2978_ = _e3657;
+                                    let _e4990 = phi_4357_;
+                                    if (_e4986 > _e4990) {
+                                        phi_4362_ = _e4986;
                                     } else {
-                                        phi_2978_ = _e3661;
+                                        phi_4362_ = _e4990;
                                     }
-                                    let _e3664 = phi_2978_;
-                                    if (_e3640 > _e3664) {
-                                        phi_2983_ = _e3640;
+                                    let _e4993 = phi_4362_;
+                                    if (_e4969 > _e4993) {
+                                        phi_4367_ = _e4969;
                                     } else {
-                                        phi_2983_ = _e3664;
+                                        phi_4367_ = _e4993;
                                     }
-                                    let _e3667 = phi_2983_;
-                                    let _e3669 = local_12.member_3;
-                                    let _e3673 = local_12.member_1[0u];
-                                    if (_e3673[0] < 0f) {
-                                        phi_3000_ = -(_e3673[0]);
+                                    let _e4996 = phi_4367_;
+                                    let _e4998 = local_12.member_3;
+                                    let _e5002 = local_12.member_1[0u];
+                                    if (_e5002[0] < 0f) {
+                                        phi_4384_ = -(_e5002[0]);
                                     } else {
-                                        phi_3000_ = _e3673[0];
+                                        phi_4384_ = _e5002[0];
                                     }
-                                    let _e3680 = phi_3000_;
-                                    if (_e3673[1] < 0f) {
-                                        phi_3007_ = -(_e3673[1]);
+                                    let _e5009 = phi_4384_;
+                                    if (_e5002[1] < 0f) {
+                                        phi_4391_ = -(_e5002[1]);
                                     } else {
-                                        phi_3007_ = _e3673[1];
+                                        phi_4391_ = _e5002[1];
                                     }
-                                    let _e3684 = phi_3007_;
-                                    if (_e3680 > _e3684) {
-                                        phi_3012_ = _e3680;
+                                    let _e5013 = phi_4391_;
+                                    if (_e5009 > _e5013) {
+                                        phi_4396_ = _e5009;
                                     } else {
-                                        phi_3012_ = _e3684;
+                                        phi_4396_ = _e5013;
                                     }
-                                    let _e3687 = phi_3012_;
-                                    if (_e3673[2] < 0f) {
-                                        phi_3019_ = -(_e3673[2]);
+                                    let _e5016 = phi_4396_;
+                                    if (_e5002[2] < 0f) {
+                                        phi_4403_ = -(_e5002[2]);
                                     } else {
-                                        phi_3019_ = _e3673[2];
+                                        phi_4403_ = _e5002[2];
                                     }
-                                    let _e3691 = phi_3019_;
-                                    if (_e3687 > _e3691) {
-                                        phi_3024_ = _e3687;
+                                    let _e5020 = phi_4403_;
+                                    if (_e5016 > _e5020) {
+                                        phi_4408_ = _e5016;
                                     } else {
-                                        phi_3024_ = _e3691;
+                                        phi_4408_ = _e5020;
                                     }
-                                    let _e3694 = phi_3024_;
-                                    let _e3697 = local_12.member_1[1u];
-                                    if (_e3697[0] < 0f) {
-                                        phi_3038_ = -(_e3697[0]);
+                                    let _e5023 = phi_4408_;
+                                    let _e5026 = local_12.member_1[1u];
+                                    if (_e5026[0] < 0f) {
+                                        phi_4422_ = -(_e5026[0]);
                                     } else {
-                                        phi_3038_ = _e3697[0];
+                                        phi_4422_ = _e5026[0];
                                     }
-                                    let _e3704 = phi_3038_;
-                                    if (_e3697[1] < 0f) {
-                                        phi_3045_ = -(_e3697[1]);
+                                    let _e5033 = phi_4422_;
+                                    if (_e5026[1] < 0f) {
+                                        phi_4429_ = -(_e5026[1]);
                                     } else {
-                                        phi_3045_ = _e3697[1];
+                                        phi_4429_ = _e5026[1];
                                     }
-                                    let _e3708 = phi_3045_;
-                                    if (_e3704 > _e3708) {
-                                        phi_3050_ = _e3704;
+                                    let _e5037 = phi_4429_;
+                                    if (_e5033 > _e5037) {
+                                        phi_4434_ = _e5033;
                                     } else {
-                                        phi_3050_ = _e3708;
+                                        phi_4434_ = _e5037;
                                     }
-                                    let _e3711 = phi_3050_;
-                                    if (_e3697[2] < 0f) {
-                                        phi_3057_ = -(_e3697[2]);
+                                    let _e5040 = phi_4434_;
+                                    if (_e5026[2] < 0f) {
+                                        phi_4441_ = -(_e5026[2]);
                                     } else {
-                                        phi_3057_ = _e3697[2];
+                                        phi_4441_ = _e5026[2];
                                     }
-                                    let _e3715 = phi_3057_;
-                                    if (_e3711 > _e3715) {
-                                        phi_3062_ = _e3711;
+                                    let _e5044 = phi_4441_;
+                                    if (_e5040 > _e5044) {
+                                        phi_4446_ = _e5040;
                                     } else {
-                                        phi_3062_ = _e3715;
+                                        phi_4446_ = _e5044;
                                     }
-                                    let _e3718 = phi_3062_;
-                                    if (_e3694 > _e3718) {
-                                        phi_3067_ = _e3694;
+                                    let _e5047 = phi_4446_;
+                                    if (_e5023 > _e5047) {
+                                        phi_4451_ = _e5023;
                                     } else {
-                                        phi_3067_ = _e3718;
+                                        phi_4451_ = _e5047;
                                     }
-                                    let _e3721 = phi_3067_;
-                                    let _e3723 = local_12.member_3;
-                                    let _e3727 = local_12.member_2[0u];
-                                    if (_e3727[0] < 0f) {
-                                        phi_3084_ = -(_e3727[0]);
+                                    let _e5050 = phi_4451_;
+                                    let _e5052 = local_12.member_3;
+                                    let _e5056 = local_12.member_2[0u];
+                                    if (_e5056[0] < 0f) {
+                                        phi_4468_ = -(_e5056[0]);
                                     } else {
-                                        phi_3084_ = _e3727[0];
+                                        phi_4468_ = _e5056[0];
                                     }
-                                    let _e3734 = phi_3084_;
-                                    if (_e3727[1] < 0f) {
-                                        phi_3091_ = -(_e3727[1]);
+                                    let _e5063 = phi_4468_;
+                                    if (_e5056[1] < 0f) {
+                                        phi_4475_ = -(_e5056[1]);
                                     } else {
-                                        phi_3091_ = _e3727[1];
+                                        phi_4475_ = _e5056[1];
                                     }
-                                    let _e3738 = phi_3091_;
-                                    if (_e3734 > _e3738) {
-                                        phi_3096_ = _e3734;
+                                    let _e5067 = phi_4475_;
+                                    if (_e5063 > _e5067) {
+                                        phi_4480_ = _e5063;
                                     } else {
-                                        phi_3096_ = _e3738;
+                                        phi_4480_ = _e5067;
                                     }
-                                    let _e3741 = phi_3096_;
-                                    if (_e3727[2] < 0f) {
-                                        phi_3103_ = -(_e3727[2]);
+                                    let _e5070 = phi_4480_;
+                                    if (_e5056[2] < 0f) {
+                                        phi_4487_ = -(_e5056[2]);
                                     } else {
-                                        phi_3103_ = _e3727[2];
+                                        phi_4487_ = _e5056[2];
                                     }
-                                    let _e3745 = phi_3103_;
-                                    if (_e3741 > _e3745) {
-                                        phi_3108_ = _e3741;
+                                    let _e5074 = phi_4487_;
+                                    if (_e5070 > _e5074) {
+                                        phi_4492_ = _e5070;
                                     } else {
-                                        phi_3108_ = _e3745;
+                                        phi_4492_ = _e5074;
                                     }
-                                    let _e3748 = phi_3108_;
-                                    let _e3751 = local_12.member_2[1u];
-                                    if (_e3751[0] < 0f) {
-                                        phi_3122_ = -(_e3751[0]);
+                                    let _e5077 = phi_4492_;
+                                    let _e5080 = local_12.member_2[1u];
+                                    if (_e5080[0] < 0f) {
+                                        phi_4506_ = -(_e5080[0]);
                                     } else {
-                                        phi_3122_ = _e3751[0];
+                                        phi_4506_ = _e5080[0];
                                     }
-                                    let _e3758 = phi_3122_;
-                                    if (_e3751[1] < 0f) {
-                                        phi_3129_ = -(_e3751[1]);
+                                    let _e5087 = phi_4506_;
+                                    if (_e5080[1] < 0f) {
+                                        phi_4513_ = -(_e5080[1]);
                                     } else {
-                                        phi_3129_ = _e3751[1];
+                                        phi_4513_ = _e5080[1];
                                     }
-                                    let _e3762 = phi_3129_;
-                                    if (_e3758 > _e3762) {
-                                        phi_3134_ = _e3758;
+                                    let _e5091 = phi_4513_;
+                                    if (_e5087 > _e5091) {
+                                        phi_4518_ = _e5087;
                                     } else {
-                                        phi_3134_ = _e3762;
+                                        phi_4518_ = _e5091;
                                     }
-                                    let _e3765 = phi_3134_;
-                                    if (_e3751[2] < 0f) {
-                                        phi_3141_ = -(_e3751[2]);
+                                    let _e5094 = phi_4518_;
+                                    if (_e5080[2] < 0f) {
+                                        phi_4525_ = -(_e5080[2]);
                                     } else {
-                                        phi_3141_ = _e3751[2];
+                                        phi_4525_ = _e5080[2];
                                     }
-                                    let _e3769 = phi_3141_;
-                                    if (_e3765 > _e3769) {
-                                        phi_3146_ = _e3765;
+                                    let _e5098 = phi_4525_;
+                                    if (_e5094 > _e5098) {
+                                        phi_4530_ = _e5094;
                                     } else {
-                                        phi_3146_ = _e3769;
+                                        phi_4530_ = _e5098;
                                     }
-                                    let _e3772 = phi_3146_;
-                                    if (_e3748 > _e3772) {
-                                        phi_3151_ = _e3748;
+                                    let _e5101 = phi_4530_;
+                                    if (_e5077 > _e5101) {
+                                        phi_4535_ = _e5077;
                                     } else {
-                                        phi_3151_ = _e3772;
+                                        phi_4535_ = _e5101;
                                     }
-                                    let _e3775 = phi_3151_;
-                                    let _e3777 = local_12.member_3;
-                                    let _e3784 = local_12.member_3;
-                                    let _e3791 = (((_e3613 * (1f + (0.000000059604645f * 8f))) + (((((((_e3667 + _e3669) + (_e3721 + _e3723)) + (_e3775 + _e3777)) * (0.000000059604645f * 16f)) + (_e3784 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e248);
-                                    if _e3791 {
-                                        phi_3171_ = false;
+                                    let _e5104 = phi_4535_;
+                                    let _e5106 = local_12.member_3;
+                                    let _e5113 = local_12.member_3;
+                                    let _e5120 = (((_e4942 * (1f + (0.000000059604645f * 8f))) + (((((((_e4996 + _e4998) + (_e5050 + _e5052)) + (_e5104 + _e5106)) * (0.000000059604645f * 16f)) + (_e5113 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e452.member_1);
+                                    if _e5120 {
+                                        phi_4555_ = false;
                                     } else {
-                                        phi_3171_ = true;
+                                        phi_4555_ = true;
                                     }
-                                    let _e3793 = phi_3171_;
-                                    phi_3172_ = _e3793;
-                                    phi_3173_ = _e3791;
+                                    let _e5122 = phi_4555_;
+                                    phi_4556_ = _e5122;
+                                    phi_4557_ = _e5120;
                                 } else {
-                                    phi_3172_ = false;
-                                    phi_3173_ = false;
+                                    phi_4556_ = false;
+                                    phi_4557_ = false;
                                 }
-                                let _e3795 = phi_3172_;
-                                let _e3797 = phi_3173_;
-                                local_42 = _e3797;
+                                let _e5124 = phi_4556_;
+                                let _e5126 = phi_4557_;
+                                local_28 = _e5126;
                                 continue;
                                 continuing {
-                                    phi_2670_ = _e3468;
-                                    break if !(_e3795);
+                                    phi_4054_ = _e4797;
+                                    break if !(_e5124);
                                 }
                             }
-                            let _e3800 = local_42;
-                            if _e3800 {
-                                phi_3178_ = type_32(1u, _e3444.member_1);
-                                phi_3179_ = false;
+                            let _e5129 = local_28;
+                            if _e5129 {
+                                phi_4562_ = type_35(1u, _e4773.member_1);
+                                phi_4563_ = false;
                             } else {
-                                phi_3178_ = type_32();
-                                phi_3179_ = true;
+                                phi_4562_ = type_35();
+                                phi_4563_ = true;
                             }
-                            let _e3803 = phi_3178_;
-                            let _e3805 = phi_3179_;
-                            if _e3805 {
-                                phi_3184_ = type_32(2u, _e3444.member_1);
-                                phi_3185_ = false;
+                            let _e5132 = phi_4562_;
+                            let _e5134 = phi_4563_;
+                            if _e5134 {
+                                phi_4568_ = type_35(2u, _e4773.member_1);
+                                phi_4569_ = false;
                             } else {
-                                phi_3184_ = type_32();
-                                phi_3185_ = true;
+                                phi_4568_ = type_35();
+                                phi_4569_ = true;
                             }
-                            let _e3808 = phi_3184_;
-                            let _e3810 = phi_3185_;
-                            phi_3187_ = _e3808;
-                            phi_3188_ = _e3803;
-                            phi_3189_ = _e3810;
+                            let _e5137 = phi_4568_;
+                            let _e5139 = phi_4569_;
+                            phi_4571_ = _e5137;
+                            phi_4572_ = _e5132;
+                            phi_4573_ = _e5139;
                         } else {
-                            phi_3187_ = type_32();
-                            phi_3188_ = type_32(0u, type_32().member_1);
-                            phi_3189_ = true;
+                            phi_4571_ = type_35();
+                            phi_4572_ = type_35(0u, type_35().member_1);
+                            phi_4573_ = true;
                         }
-                        let _e3812 = phi_3187_;
-                        let _e3814 = phi_3188_;
-                        let _e3816 = phi_3189_;
-                        if _e3816 {
-                            phi_3193_ = _e3814;
+                        let _e5141 = phi_4571_;
+                        let _e5143 = phi_4572_;
+                        let _e5145 = phi_4573_;
+                        if _e5145 {
+                            phi_4577_ = _e5143;
                         } else {
-                            phi_3193_ = _e3812;
+                            phi_4577_ = _e5141;
                         }
-                        let _e3818 = phi_3193_;
-                        phi_6010_ = _e3818;
+                        let _e5147 = phi_4577_;
+                        phi_8459_ = _e5147;
                     } else {
-                        if (_e346 < 0f) {
-                            phi_3203_ = -(_e346);
+                        if (_e590 < 0f) {
+                            phi_4587_ = -(_e590);
                         } else {
-                            phi_3203_ = _e346;
+                            phi_4587_ = _e590;
                         }
-                        let _e689 = phi_3203_;
-                        if (_e369 < 0f) {
-                            phi_3209_ = -(_e369);
+                        let _e933 = phi_4587_;
+                        if (_e613 < 0f) {
+                            phi_4593_ = -(_e613);
                         } else {
-                            phi_3209_ = _e369;
+                            phi_4593_ = _e613;
                         }
-                        let _e693 = phi_3209_;
-                        if (_e689 > _e693) {
-                            phi_3214_ = _e689;
+                        let _e937 = phi_4593_;
+                        if (_e933 > _e937) {
+                            phi_4598_ = _e933;
                         } else {
-                            phi_3214_ = _e693;
+                            phi_4598_ = _e937;
                         }
-                        let _e696 = phi_3214_;
-                        if (_e392 < 0f) {
-                            phi_3220_ = -(_e392);
+                        let _e940 = phi_4598_;
+                        if (_e636 < 0f) {
+                            phi_4604_ = -(_e636);
                         } else {
-                            phi_3220_ = _e392;
+                            phi_4604_ = _e636;
                         }
-                        let _e700 = phi_3220_;
-                        if (_e403 < 0f) {
-                            phi_3226_ = -(_e403);
+                        let _e944 = phi_4604_;
+                        if (_e647 < 0f) {
+                            phi_4610_ = -(_e647);
                         } else {
-                            phi_3226_ = _e403;
+                            phi_4610_ = _e647;
                         }
-                        let _e704 = phi_3226_;
-                        if (_e700 > _e704) {
-                            phi_3231_ = _e700;
+                        let _e948 = phi_4610_;
+                        if (_e944 > _e948) {
+                            phi_4615_ = _e944;
                         } else {
-                            phi_3231_ = _e704;
+                            phi_4615_ = _e948;
                         }
-                        let _e707 = phi_3231_;
-                        if (_e696 > _e707) {
-                            phi_3236_ = _e696;
+                        let _e951 = phi_4615_;
+                        if (_e940 > _e951) {
+                            phi_4620_ = _e940;
                         } else {
-                            phi_3236_ = _e707;
+                            phi_4620_ = _e951;
                         }
-                        let _e710 = phi_3236_;
-                        let _e711 = (0.000000000000000000000000000000000000011754944f * 67108864f);
-                        if (_e710 >= _e711) {
-                            phi_3244_ = (_e710 <= (1f / _e711));
+                        let _e954 = phi_4620_;
+                        let _e955 = (0.000000000000000000000000000000000000011754944f * 67108864f);
+                        if (_e954 >= _e955) {
+                            phi_4628_ = (_e954 <= (1f / _e955));
                         } else {
-                            phi_3244_ = false;
+                            phi_4628_ = false;
                         }
-                        let _e716 = phi_3244_;
-                        if _e716 {
-                            phi_3249_ = (0.000000059604645f * 256f);
+                        let _e960 = phi_4628_;
+                        if _e960 {
+                            phi_4633_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_3249_ = 2f;
+                            phi_4633_ = 2f;
                         }
-                        let _e719 = phi_3249_;
-                        let _e721 = ((_e653 * 0.34f) + (_e710 * _e719));
-                        if _e716 {
-                            phi_3256_ = (1f / _e710);
+                        let _e963 = phi_4633_;
+                        let _e965 = ((_e897 * 0.34f) + (_e954 * _e963));
+                        if _e960 {
+                            phi_4640_ = (1f / _e954);
                         } else {
-                            phi_3256_ = 0f;
+                            phi_4640_ = 0f;
                         }
-                        let _e724 = phi_3256_;
-                        let _e730 = ((_e369 - (3f * _e346)) * _e724);
-                        let _e731 = ((_e392 - _e369) * _e724);
-                        let _e732 = (((3f * _e403) - _e392) * _e724);
+                        let _e968 = phi_4640_;
+                        let _e974 = ((_e613 - (3f * _e590)) * _e968);
+                        let _e975 = ((_e636 - _e613) * _e968);
+                        let _e976 = (((3f * _e647) - _e636) * _e968);
                         local_6[0u] = 0f;
                         local_6[1u] = 1f;
                         local_6[2u] = 1f;
                         local_6[3u] = 1f;
-                        let _e739 = ((_e731 * _e731) - (_e730 * _e732));
-                        if (_e739 > 0f) {
-                            if (_e739 <= 0.000000000000000000000000000000000000011754944f) {
-                                if (_e739 > 0f) {
-                                    phi_3289_ = (0.000000000000000000106433627f * 2f);
+                        let _e983 = ((_e975 * _e975) - (_e974 * _e976));
+                        if (_e983 > 0f) {
+                            if (_e983 <= 0.000000000000000000000000000000000000011754944f) {
+                                if (_e983 > 0f) {
+                                    phi_4673_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_3289_ = 0f;
+                                    phi_4673_ = 0f;
                                 }
-                                let _e793 = phi_3289_;
-                                phi_3353_ = _e793;
+                                let _e1037 = phi_4673_;
+                                phi_4737_ = _e1037;
                             } else {
-                                phi_3296_ = type_17(0i, 5i);
-                                phi_3299_ = bitcast<f32>(((bitcast<u32>(_e739) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_4680_ = type_14(0i, 5i);
+                                phi_4683_ = bitcast<f32>(((bitcast<u32>(_e983) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e748 = phi_3296_;
-                                    let _e750 = phi_3299_;
-                                    local_13 = _e750;
-                                    if (_e748.member < _e748.member_1) {
-                                        let _e757 = (_e748.member + 1i);
-                                        if ((false == (_e757 > _e748.member)) != false) {
-                                            phi_3320_ = true;
+                                    let _e992 = phi_4680_;
+                                    let _e994 = phi_4683_;
+                                    local_13 = _e994;
+                                    if (_e992.member < _e992.member_1) {
+                                        let _e1001 = (_e992.member + 1i);
+                                        if ((false == (_e1001 > _e992.member)) != false) {
+                                            phi_4704_ = true;
                                         } else {
-                                            phi_3320_ = false;
+                                            phi_4704_ = false;
                                         }
-                                        let _e762 = phi_3320_;
-                                        if _e762 {
-                                            phi_3326_ = type_18(0u, type_18().member_1);
+                                        let _e1006 = phi_4704_;
+                                        if _e1006 {
+                                            phi_4710_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_3326_ = type_18(1u, _e757);
+                                            phi_4710_ = type_15(1u, _e1001);
                                         }
-                                        let _e767 = phi_3326_;
-                                        phi_3297_ = type_17(_e767.member_1, _e748.member_1);
-                                        phi_3340_ = type_18(1u, _e748.member);
+                                        let _e1011 = phi_4710_;
+                                        phi_4681_ = type_14(_e1011.member_1, _e992.member_1);
+                                        phi_4724_ = type_15(1u, _e992.member);
                                     } else {
-                                        phi_3297_ = _e748;
-                                        phi_3340_ = type_18(0u, type_18().member_1);
+                                        phi_4681_ = _e992;
+                                        phi_4724_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e773 = phi_3297_;
-                                    let _e775 = phi_3340_;
-                                    let _e778 = (bitcast<i32>(_e775.member) != 0i);
-                                    if _e778 {
-                                        phi_3300_ = (0.5f * (_e750 + (_e739 / _e750)));
+                                    let _e1017 = phi_4681_;
+                                    let _e1019 = phi_4724_;
+                                    let _e1022 = (bitcast<i32>(_e1019.member) != 0i);
+                                    if _e1022 {
+                                        phi_4684_ = (0.5f * (_e994 + (_e983 / _e994)));
                                     } else {
-                                        phi_3300_ = f32();
+                                        phi_4684_ = f32();
                                     }
-                                    let _e783 = phi_3300_;
+                                    let _e1027 = phi_4684_;
                                     continue;
                                     continuing {
-                                        phi_3296_ = _e773;
-                                        phi_3299_ = _e783;
-                                        break if !(_e778);
+                                        phi_4680_ = _e1017;
+                                        phi_4683_ = _e1027;
+                                        break if !(_e1022);
                                     }
                                 }
-                                let _e788 = local_13;
-                                phi_3353_ = (_e788 * (1f + (8f * 0.000000059604645f)));
+                                let _e1032 = local_13;
+                                phi_4737_ = (_e1032 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e795 = phi_3353_;
-                            if (_e731 < 0f) {
-                                phi_3359_ = -(_e795);
+                            let _e1039 = phi_4737_;
+                            if (_e975 < 0f) {
+                                phi_4743_ = -(_e1039);
                             } else {
-                                phi_3359_ = _e795;
+                                phi_4743_ = _e1039;
                             }
-                            let _e799 = phi_3359_;
-                            let _e801 = -((_e731 + _e799));
-                            local_7[0u] = (_e801 / (_e801 + _e732));
-                            local_7[1u] = (_e730 / (_e730 + _e801));
-                            let _e810 = local_7[1u];
-                            let _e811 = local_7[0u];
-                            if (_e810 < _e811) {
-                                let _e814 = local_7[1u];
-                                let _e816 = local_7[0u];
-                                local_7[0u] = _e814;
-                                local_7[1u] = _e816;
+                            let _e1043 = phi_4743_;
+                            let _e1045 = -((_e975 + _e1043));
+                            local_7[0u] = (_e1045 / (_e1045 + _e976));
+                            local_7[1u] = (_e974 / (_e974 + _e1045));
+                            let _e1054 = local_7[1u];
+                            let _e1055 = local_7[0u];
+                            if (_e1054 < _e1055) {
+                                let _e1058 = local_7[1u];
+                                let _e1060 = local_7[0u];
+                                local_7[0u] = _e1058;
+                                local_7[1u] = _e1060;
                             }
-                            phi_3384_ = type_19(0u, 2u);
-                            phi_3387_ = 1u;
+                            phi_4768_ = type_9(0u, 2u);
+                            phi_4771_ = 1u;
                             loop {
-                                let _e820 = phi_3384_;
-                                let _e822 = phi_3387_;
-                                local_43 = _e822;
-                                if (_e820.member < _e820.member_1) {
-                                    phi_3385_ = type_19((_e820.member + 1u), _e820.member_1);
-                                    phi_3410_ = type_19(1u, _e820.member);
+                                let _e1064 = phi_4768_;
+                                let _e1066 = phi_4771_;
+                                local_29 = _e1066;
+                                if (_e1064.member < _e1064.member_1) {
+                                    phi_4769_ = type_9((_e1064.member + 1u), _e1064.member_1);
+                                    phi_4794_ = type_9(1u, _e1064.member);
                                 } else {
-                                    phi_3385_ = _e820;
-                                    phi_3410_ = type_19(0u, type_19().member_1);
+                                    phi_4769_ = _e1064;
+                                    phi_4794_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e834 = phi_3385_;
-                                let _e836 = phi_3410_;
-                                let _e840 = (bitcast<i32>(_e836.member) != 0i);
-                                if _e840 {
-                                    let _e842 = local_7[_e836.member_1];
-                                    if (_e842 > 0f) {
-                                        let _e845 = local_7[_e836.member_1];
-                                        if (_e845 < 1f) {
-                                            let _e848 = local_7[_e836.member_1];
-                                            local_6[_e822] = _e848;
-                                            phi_3454_ = (_e822 + 1u);
+                                let _e1078 = phi_4769_;
+                                let _e1080 = phi_4794_;
+                                let _e1084 = (bitcast<i32>(_e1080.member) != 0i);
+                                if _e1084 {
+                                    let _e1086 = local_7[_e1080.member_1];
+                                    if (_e1086 > 0f) {
+                                        let _e1089 = local_7[_e1080.member_1];
+                                        if (_e1089 < 1f) {
+                                            let _e1092 = local_7[_e1080.member_1];
+                                            local_6[_e1066] = _e1092;
+                                            phi_4838_ = (_e1066 + 1u);
                                         } else {
-                                            phi_3454_ = _e822;
+                                            phi_4838_ = _e1066;
                                         }
-                                        let _e852 = phi_3454_;
-                                        phi_3455_ = _e852;
+                                        let _e1096 = phi_4838_;
+                                        phi_4839_ = _e1096;
                                     } else {
-                                        phi_3455_ = _e822;
+                                        phi_4839_ = _e1066;
                                     }
-                                    let _e854 = phi_3455_;
-                                    phi_3388_ = _e854;
+                                    let _e1098 = phi_4839_;
+                                    phi_4772_ = _e1098;
                                 } else {
-                                    phi_3388_ = u32();
+                                    phi_4772_ = u32();
                                 }
-                                let _e856 = phi_3388_;
+                                let _e1100 = phi_4772_;
                                 continue;
                                 continuing {
-                                    phi_3384_ = _e834;
-                                    phi_3387_ = _e856;
-                                    break if !(_e840);
+                                    phi_4768_ = _e1078;
+                                    phi_4771_ = _e1100;
+                                    break if !(_e1084);
                                 }
                             }
-                            let _e4027 = local_43;
-                            phi_3456_ = _e4027;
+                            let _e5407 = local_29;
+                            phi_4840_ = _e5407;
                         } else {
-                            phi_3456_ = 1u;
+                            phi_4840_ = 1u;
                         }
-                        let _e859 = phi_3456_;
-                        local_6[_e859] = 1f;
-                        let _e861 = local_6;
-                        local_8 = _e861;
-                        phi_3476_ = type_19(0u, _e859);
+                        let _e1103 = phi_4840_;
+                        local_6[_e1103] = 1f;
+                        let _e1105 = local_6;
+                        local_8 = _e1105;
+                        phi_4860_ = type_9(0u, _e1103);
                         loop {
-                            let _e864 = phi_3476_;
-                            if (_e864.member < _e864.member_1) {
-                                phi_3477_ = type_19((_e864.member + 1u), _e864.member_1);
-                                phi_3500_ = type_19(1u, _e864.member);
+                            let _e1108 = phi_4860_;
+                            if (_e1108.member < _e1108.member_1) {
+                                phi_4861_ = type_9((_e1108.member + 1u), _e1108.member_1);
+                                phi_4884_ = type_9(1u, _e1108.member);
                             } else {
-                                phi_3477_ = _e864;
-                                phi_3500_ = type_19(0u, type_19().member_1);
+                                phi_4861_ = _e1108;
+                                phi_4884_ = type_9(0u, type_9().member_1);
                             }
-                            let _e876 = phi_3477_;
-                            let _e878 = phi_3500_;
-                            if (bitcast<i32>(_e878.member) != 0i) {
-                                let _e884 = local_8[_e878.member_1];
-                                let _e887 = local_8[(_e878.member_1 + 1u)];
-                                let _e888 = (1f - _e884);
-                                let _e899 = ((((_e346 * _e888) + (_e369 * _e884)) * (_e888 * _e888)) + (((_e392 * _e888) + (_e403 * _e884)) * (_e884 * _e884)));
-                                let _e900 = (1f - _e887);
-                                let _e911 = ((((_e346 * _e900) + (_e369 * _e887)) * (_e900 * _e900)) + (((_e392 * _e900) + (_e403 * _e887)) * (_e887 * _e887)));
-                                if (_e899 < 0f) {
-                                    phi_3552_ = -(_e899);
+                            let _e1120 = phi_4861_;
+                            let _e1122 = phi_4884_;
+                            if (bitcast<i32>(_e1122.member) != 0i) {
+                                let _e1128 = local_8[_e1122.member_1];
+                                let _e1131 = local_8[(_e1122.member_1 + 1u)];
+                                let _e1132 = (1f - _e1128);
+                                let _e1143 = ((((_e590 * _e1132) + (_e613 * _e1128)) * (_e1132 * _e1132)) + (((_e636 * _e1132) + (_e647 * _e1128)) * (_e1128 * _e1128)));
+                                let _e1144 = (1f - _e1131);
+                                let _e1155 = ((((_e590 * _e1144) + (_e613 * _e1131)) * (_e1144 * _e1144)) + (((_e636 * _e1144) + (_e647 * _e1131)) * (_e1131 * _e1131)));
+                                if (_e1143 < 0f) {
+                                    phi_4936_ = -(_e1143);
                                 } else {
-                                    phi_3552_ = _e899;
+                                    phi_4936_ = _e1143;
                                 }
-                                let _e915 = phi_3552_;
-                                let _e916 = (_e915 > _e721);
-                                if (_e911 < 0f) {
-                                    phi_3559_ = -(_e911);
+                                let _e1159 = phi_4936_;
+                                let _e1160 = (_e1159 > _e965);
+                                if (_e1155 < 0f) {
+                                    phi_4943_ = -(_e1155);
                                 } else {
-                                    phi_3559_ = _e911;
+                                    phi_4943_ = _e1155;
                                 }
-                                let _e920 = phi_3559_;
-                                let _e921 = (_e920 > _e721);
-                                if _e916 {
-                                    if _e921 {
-                                        phi_3570_ = ((_e899 > 0f) != (_e911 > 0f));
-                                        phi_3571_ = false;
+                                let _e1164 = phi_4943_;
+                                let _e1165 = (_e1164 > _e965);
+                                if _e1160 {
+                                    if _e1165 {
+                                        phi_4954_ = ((_e1143 > 0f) != (_e1155 > 0f));
+                                        phi_4955_ = false;
                                     } else {
-                                        phi_3570_ = bool();
-                                        phi_3571_ = true;
+                                        phi_4954_ = bool();
+                                        phi_4955_ = true;
                                     }
-                                    let _e926 = phi_3570_;
-                                    let _e928 = phi_3571_;
-                                    phi_3572_ = _e926;
-                                    phi_3573_ = _e928;
+                                    let _e1170 = phi_4954_;
+                                    let _e1172 = phi_4955_;
+                                    phi_4956_ = _e1170;
+                                    phi_4957_ = _e1172;
                                 } else {
-                                    phi_3572_ = bool();
-                                    phi_3573_ = true;
+                                    phi_4956_ = bool();
+                                    phi_4957_ = true;
                                 }
-                                let _e930 = phi_3572_;
-                                let _e932 = phi_3573_;
-                                if _e932 {
-                                    phi_3577_ = false;
+                                let _e1174 = phi_4956_;
+                                let _e1176 = phi_4957_;
+                                if _e1176 {
+                                    phi_4961_ = false;
                                 } else {
-                                    phi_3577_ = _e930;
+                                    phi_4961_ = _e1174;
                                 }
-                                let _e934 = phi_3577_;
-                                if _e916 {
-                                    if _e921 {
-                                        if _e934 {
-                                            phi_3588_ = type_33();
+                                let _e1178 = phi_4961_;
+                                if _e1160 {
+                                    if _e1165 {
+                                        if _e1178 {
+                                            phi_4972_ = type_37();
                                         } else {
-                                            phi_3588_ = type_33(1f, 0f, _e934);
+                                            phi_4972_ = type_37(1f, 0f, _e1178);
                                         }
-                                        let _e937 = phi_3588_;
-                                        phi_3589_ = _e937;
-                                        phi_3590_ = _e934;
+                                        let _e1181 = phi_4972_;
+                                        phi_4973_ = _e1181;
+                                        phi_4974_ = _e1178;
                                     } else {
-                                        phi_3589_ = type_33();
-                                        phi_3590_ = true;
+                                        phi_4973_ = type_37();
+                                        phi_4974_ = true;
                                     }
-                                    let _e939 = phi_3589_;
-                                    let _e941 = phi_3590_;
-                                    phi_3591_ = _e939;
-                                    phi_3592_ = _e941;
+                                    let _e1183 = phi_4973_;
+                                    let _e1185 = phi_4974_;
+                                    phi_4975_ = _e1183;
+                                    phi_4976_ = _e1185;
                                 } else {
-                                    phi_3591_ = type_33();
-                                    phi_3592_ = true;
+                                    phi_4975_ = type_37();
+                                    phi_4976_ = true;
                                 }
-                                let _e943 = phi_3591_;
-                                let _e945 = phi_3592_;
-                                if _e945 {
-                                    if _e916 {
-                                        if (_e899 < 0f) {
-                                            phi_3603_ = -1f;
+                                let _e1187 = phi_4975_;
+                                let _e1189 = phi_4976_;
+                                if _e1189 {
+                                    if _e1160 {
+                                        if (_e1143 < 0f) {
+                                            phi_4987_ = -1f;
                                         } else {
-                                            phi_3603_ = 1f;
+                                            phi_4987_ = 1f;
                                         }
-                                        let _e948 = phi_3603_;
-                                        let _e951 = (_e392 - _e369);
-                                        phi_3613_ = type_19(0u, 64u);
-                                        phi_3616_ = _e887;
-                                        phi_3618_ = _e884;
-                                        phi_3620_ = (0.5f * (_e884 + _e887));
+                                        let _e1192 = phi_4987_;
+                                        let _e1195 = (_e636 - _e613);
+                                        phi_4997_ = type_9(0u, 64u);
+                                        phi_5000_ = _e1131;
+                                        phi_5002_ = _e1128;
+                                        phi_5004_ = (0.5f * (_e1128 + _e1131));
                                         loop {
-                                            let _e957 = phi_3613_;
-                                            let _e959 = phi_3616_;
-                                            let _e961 = phi_3618_;
-                                            let _e963 = phi_3620_;
-                                            local_45 = _e961;
-                                            if (_e957.member < _e957.member_1) {
-                                                phi_3614_ = type_19((_e957.member + 1u), _e957.member_1);
-                                                phi_3643_ = type_19(1u, _e957.member);
+                                            let _e1201 = phi_4997_;
+                                            let _e1203 = phi_5000_;
+                                            let _e1205 = phi_5002_;
+                                            let _e1207 = phi_5004_;
+                                            local_31 = _e1205;
+                                            if (_e1201.member < _e1201.member_1) {
+                                                phi_4998_ = type_9((_e1201.member + 1u), _e1201.member_1);
+                                                phi_5027_ = type_9(1u, _e1201.member);
                                             } else {
-                                                phi_3614_ = _e957;
-                                                phi_3643_ = type_19(0u, type_19().member_1);
+                                                phi_4998_ = _e1201;
+                                                phi_5027_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e975 = phi_3614_;
-                                            let _e977 = phi_3643_;
-                                            if (bitcast<i32>(_e977.member) != 0i) {
-                                                let _e981 = (1f - _e963);
-                                                let _e994 = ((_e948 * ((((_e346 * _e981) + (_e369 * _e963)) * (_e981 * _e981)) + (((_e392 * _e981) + (_e403 * _e963)) * (_e963 * _e963)))) - _e721);
-                                                if (_e994 > 0f) {
-                                                    phi_3668_ = _e959;
-                                                    phi_3669_ = _e963;
+                                            let _e1219 = phi_4998_;
+                                            let _e1221 = phi_5027_;
+                                            if (bitcast<i32>(_e1221.member) != 0i) {
+                                                let _e1225 = (1f - _e1207);
+                                                let _e1238 = ((_e1192 * ((((_e590 * _e1225) + (_e613 * _e1207)) * (_e1225 * _e1225)) + (((_e636 * _e1225) + (_e647 * _e1207)) * (_e1207 * _e1207)))) - _e965);
+                                                if (_e1238 > 0f) {
+                                                    phi_5052_ = _e1203;
+                                                    phi_5053_ = _e1207;
                                                 } else {
-                                                    phi_3668_ = _e963;
-                                                    phi_3669_ = _e961;
+                                                    phi_5052_ = _e1207;
+                                                    phi_5053_ = _e1205;
                                                 }
-                                                let _e997 = phi_3668_;
-                                                let _e999 = phi_3669_;
-                                                let _e1001 = ((_e997 - _e999) > 0.00000000000022737368f);
-                                                if _e1001 {
-                                                    let _e1002 = (1f - _e963);
-                                                    let _e1014 = (-(_e994) / (_e948 * (((((_e369 - (3f * _e346)) * _e1002) + (_e951 * _e963)) * _e1002) + (((_e951 * _e1002) + (((3f * _e403) - _e392) * _e963)) * _e963))));
-                                                    if (_e994 > 0f) {
-                                                        phi_3695_ = (0.5f * 0.00000000000022737368f);
+                                                let _e1241 = phi_5052_;
+                                                let _e1243 = phi_5053_;
+                                                let _e1245 = ((_e1241 - _e1243) > 0.00000000000022737368f);
+                                                if _e1245 {
+                                                    let _e1246 = (1f - _e1207);
+                                                    let _e1258 = (-(_e1238) / (_e1192 * (((((_e613 - (3f * _e590)) * _e1246) + (_e1195 * _e1207)) * _e1246) + (((_e1195 * _e1246) + (((3f * _e647) - _e636) * _e1207)) * _e1207))));
+                                                    if (_e1238 > 0f) {
+                                                        phi_5079_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_3695_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_5079_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1020 = phi_3695_;
-                                                    let _e1022 = ((_e963 + _e1014) + _e1020);
-                                                    if (_e1022 > _e999) {
-                                                        if (_e1022 < _e997) {
-                                                            if (_e1014 < 0f) {
-                                                                phi_3711_ = -(_e1014);
+                                                    let _e1264 = phi_5079_;
+                                                    let _e1266 = ((_e1207 + _e1258) + _e1264);
+                                                    if (_e1266 > _e1243) {
+                                                        if (_e1266 < _e1241) {
+                                                            if (_e1258 < 0f) {
+                                                                phi_5095_ = -(_e1258);
                                                             } else {
-                                                                phi_3711_ = _e1014;
+                                                                phi_5095_ = _e1258;
                                                             }
-                                                            let _e1028 = phi_3711_;
-                                                            if (_e1028 < (0.5f * (_e997 - _e999))) {
-                                                                phi_3718_ = false;
+                                                            let _e1272 = phi_5095_;
+                                                            if (_e1272 < (0.5f * (_e1241 - _e1243))) {
+                                                                phi_5102_ = false;
                                                             } else {
-                                                                phi_3718_ = true;
+                                                                phi_5102_ = true;
                                                             }
-                                                            let _e1033 = phi_3718_;
-                                                            phi_3719_ = _e1033;
+                                                            let _e1277 = phi_5102_;
+                                                            phi_5103_ = _e1277;
                                                         } else {
-                                                            phi_3719_ = true;
+                                                            phi_5103_ = true;
                                                         }
-                                                        let _e1035 = phi_3719_;
-                                                        phi_3720_ = _e1035;
+                                                        let _e1279 = phi_5103_;
+                                                        phi_5104_ = _e1279;
                                                     } else {
-                                                        phi_3720_ = true;
+                                                        phi_5104_ = true;
                                                     }
-                                                    let _e1037 = phi_3720_;
-                                                    if _e1037 {
-                                                        phi_3726_ = (0.5f * (_e999 + _e997));
+                                                    let _e1281 = phi_5104_;
+                                                    if _e1281 {
+                                                        phi_5110_ = (0.5f * (_e1243 + _e1241));
                                                     } else {
-                                                        phi_3726_ = _e1022;
+                                                        phi_5110_ = _e1266;
                                                     }
-                                                    let _e1041 = phi_3726_;
-                                                    phi_3727_ = _e1041;
-                                                    phi_3728_ = false;
+                                                    let _e1285 = phi_5110_;
+                                                    phi_5111_ = _e1285;
+                                                    phi_5112_ = false;
                                                 } else {
-                                                    phi_3727_ = f32();
-                                                    phi_3728_ = true;
+                                                    phi_5111_ = f32();
+                                                    phi_5112_ = true;
                                                 }
-                                                let _e1043 = phi_3727_;
-                                                let _e1045 = phi_3728_;
-                                                phi_3617_ = _e997;
-                                                phi_3619_ = _e999;
-                                                phi_3621_ = _e1043;
-                                                phi_3729_ = _e999;
-                                                phi_3730_ = _e1001;
-                                                phi_3731_ = _e1045;
+                                                let _e1287 = phi_5111_;
+                                                let _e1289 = phi_5112_;
+                                                phi_5001_ = _e1241;
+                                                phi_5003_ = _e1243;
+                                                phi_5005_ = _e1287;
+                                                phi_5113_ = _e1243;
+                                                phi_5114_ = _e1245;
+                                                phi_5115_ = _e1289;
                                             } else {
-                                                phi_3617_ = f32();
-                                                phi_3619_ = f32();
-                                                phi_3621_ = f32();
-                                                phi_3729_ = f32();
-                                                phi_3730_ = false;
-                                                phi_3731_ = false;
+                                                phi_5001_ = f32();
+                                                phi_5003_ = f32();
+                                                phi_5005_ = f32();
+                                                phi_5113_ = f32();
+                                                phi_5114_ = false;
+                                                phi_5115_ = false;
                                             }
-                                            let _e1047 = phi_3617_;
-                                            let _e1049 = phi_3619_;
-                                            let _e1051 = phi_3621_;
-                                            let _e1053 = phi_3729_;
-                                            let _e1055 = phi_3730_;
-                                            let _e1057 = phi_3731_;
-                                            local_14 = _e1057;
-                                            local_44 = _e1053;
+                                            let _e1291 = phi_5001_;
+                                            let _e1293 = phi_5003_;
+                                            let _e1295 = phi_5005_;
+                                            let _e1297 = phi_5113_;
+                                            let _e1299 = phi_5114_;
+                                            let _e1301 = phi_5115_;
+                                            local_14 = _e1301;
+                                            local_30 = _e1297;
                                             continue;
                                             continuing {
-                                                phi_3613_ = _e975;
-                                                phi_3616_ = _e1047;
-                                                phi_3618_ = _e1049;
-                                                phi_3620_ = _e1051;
-                                                break if !(_e1055);
+                                                phi_4997_ = _e1219;
+                                                phi_5000_ = _e1291;
+                                                phi_5002_ = _e1293;
+                                                phi_5004_ = _e1295;
+                                                break if !(_e1299);
                                             }
                                         }
-                                        let _e1060 = local_14;
-                                        if _e1060 {
-                                            let _e4069 = local_44;
-                                            phi_3735_ = _e4069;
+                                        let _e1304 = local_14;
+                                        if _e1304 {
+                                            let _e5449 = local_30;
+                                            phi_5119_ = _e5449;
                                         } else {
-                                            let _e4071 = local_45;
-                                            phi_3735_ = _e4071;
+                                            let _e5451 = local_31;
+                                            phi_5119_ = _e5451;
                                         }
-                                        let _e1062 = phi_3735_;
-                                        phi_3736_ = _e1062;
+                                        let _e1306 = phi_5119_;
+                                        phi_5120_ = _e1306;
                                     } else {
-                                        phi_3736_ = _e884;
+                                        phi_5120_ = _e1128;
                                     }
-                                    let _e1064 = phi_3736_;
-                                    if _e921 {
-                                        phi_3743_ = type_19(0u, 64u);
-                                        phi_3746_ = (2f * 0.00000000000022737368f);
+                                    let _e1308 = phi_5120_;
+                                    if _e1165 {
+                                        if (_e1155 < 0f) {
+                                            phi_5128_ = -1f;
+                                        } else {
+                                            phi_5128_ = 1f;
+                                        }
+                                        let _e1311 = phi_5128_;
+                                        phi_5132_ = type_9(0u, 64u);
+                                        phi_5135_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1067 = phi_3743_;
-                                            let _e1069 = phi_3746_;
-                                            if (_e1067.member < _e1067.member_1) {
-                                                phi_3744_ = type_19((_e1067.member + 1u), _e1067.member_1);
-                                                phi_3769_ = type_19(1u, _e1067.member);
+                                            let _e1314 = phi_5132_;
+                                            let _e1316 = phi_5135_;
+                                            if (_e1314.member < _e1314.member_1) {
+                                                phi_5133_ = type_9((_e1314.member + 1u), _e1314.member_1);
+                                                phi_5158_ = type_9(1u, _e1314.member);
                                             } else {
-                                                phi_3744_ = _e1067;
-                                                phi_3769_ = type_19(0u, type_19().member_1);
+                                                phi_5133_ = _e1314;
+                                                phi_5158_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1081 = phi_3744_;
-                                            let _e1083 = phi_3769_;
-                                            if (bitcast<i32>(_e1083.member) != 0i) {
-                                                let _e1087 = (_e1064 + _e1069);
-                                                if (_e1087 < _e887) {
-                                                    let _e1089 = (1f - _e1087);
-                                                    let _e1100 = ((((_e346 * _e1089) + (_e369 * _e1087)) * (_e1089 * _e1089)) + (((_e392 * _e1089) + (_e403 * _e1087)) * (_e1087 * _e1087)));
-                                                    let _e1101 = (1f - _e1064);
-                                                    let _e1112 = ((((_e346 * _e1101) + (_e369 * _e1064)) * (_e1101 * _e1101)) + (((_e392 * _e1101) + (_e403 * _e1064)) * (_e1064 * _e1064)));
-                                                    if (_e1100 < 0f) {
-                                                        phi_3810_ = -(_e1100);
+                                            let _e1328 = phi_5133_;
+                                            let _e1330 = phi_5158_;
+                                            if (bitcast<i32>(_e1330.member) != 0i) {
+                                                let _e1334 = (_e1308 + _e1316);
+                                                if (_e1334 < _e1131) {
+                                                    let _e1336 = (1f - _e1334);
+                                                    let _e1349 = ((_e1311 * ((((_e590 * _e1336) + (_e613 * _e1334)) * (_e1336 * _e1336)) + (((_e636 * _e1336) + (_e647 * _e1334)) * (_e1334 * _e1334)))) > _e965);
+                                                    if _e1349 {
+                                                        phi_5188_ = f32();
+                                                        phi_5189_ = false;
                                                     } else {
-                                                        phi_3810_ = _e1100;
+                                                        phi_5188_ = (_e1316 + _e1316);
+                                                        phi_5189_ = true;
                                                     }
-                                                    let _e1116 = phi_3810_;
-                                                    if (_e1116 > _e721) {
-                                                        if (_e1112 < 0f) {
-                                                            phi_3820_ = -(_e1112);
-                                                        } else {
-                                                            phi_3820_ = _e1112;
-                                                        }
-                                                        let _e1121 = phi_3820_;
-                                                        if (_e1121 > _e721) {
-                                                            phi_3828_ = ((_e1100 > 0f) == (_e1112 > 0f));
-                                                        } else {
-                                                            phi_3828_ = false;
-                                                        }
-                                                        let _e1127 = phi_3828_;
-                                                        phi_3830_ = !(_e1127);
-                                                    } else {
-                                                        phi_3830_ = false;
-                                                    }
-                                                    let _e1130 = phi_3830_;
-                                                    if _e1130 {
-                                                        phi_3835_ = f32();
-                                                        phi_3836_ = false;
-                                                    } else {
-                                                        phi_3835_ = (_e1069 + _e1069);
-                                                        phi_3836_ = true;
-                                                    }
-                                                    let _e1133 = phi_3835_;
-                                                    let _e1135 = phi_3836_;
-                                                    phi_3837_ = _e1133;
-                                                    phi_3838_ = _e1135;
-                                                    phi_3839_ = _e1130;
-                                                    phi_3840_ = false;
+                                                    let _e1352 = phi_5188_;
+                                                    let _e1354 = phi_5189_;
+                                                    phi_5190_ = _e1352;
+                                                    phi_5191_ = _e1354;
+                                                    phi_5192_ = _e1349;
+                                                    phi_5193_ = false;
                                                 } else {
-                                                    phi_3837_ = f32();
-                                                    phi_3838_ = false;
-                                                    phi_3839_ = false;
-                                                    phi_3840_ = true;
+                                                    phi_5190_ = f32();
+                                                    phi_5191_ = false;
+                                                    phi_5192_ = false;
+                                                    phi_5193_ = true;
                                                 }
-                                                let _e1137 = phi_3837_;
-                                                let _e1139 = phi_3838_;
-                                                let _e1141 = phi_3839_;
-                                                let _e1143 = phi_3840_;
-                                                phi_3841_ = _e1087;
-                                                phi_3747_ = _e1137;
-                                                phi_3842_ = _e1139;
-                                                phi_3843_ = _e1141;
-                                                phi_3844_ = _e1143;
-                                                phi_3845_ = false;
+                                                let _e1356 = phi_5190_;
+                                                let _e1358 = phi_5191_;
+                                                let _e1360 = phi_5192_;
+                                                let _e1362 = phi_5193_;
+                                                phi_5194_ = _e1334;
+                                                phi_5136_ = _e1356;
+                                                phi_5195_ = _e1358;
+                                                phi_5196_ = _e1360;
+                                                phi_5197_ = _e1362;
+                                                phi_5198_ = false;
                                             } else {
-                                                phi_3841_ = f32();
-                                                phi_3747_ = f32();
-                                                phi_3842_ = false;
-                                                phi_3843_ = false;
-                                                phi_3844_ = false;
-                                                phi_3845_ = true;
+                                                phi_5194_ = f32();
+                                                phi_5136_ = f32();
+                                                phi_5195_ = false;
+                                                phi_5196_ = false;
+                                                phi_5197_ = false;
+                                                phi_5198_ = true;
                                             }
-                                            let _e1145 = phi_3841_;
-                                            let _e1147 = phi_3747_;
-                                            let _e1149 = phi_3842_;
-                                            let _e1151 = phi_3843_;
-                                            let _e1153 = phi_3844_;
-                                            let _e1155 = phi_3845_;
-                                            local_15 = _e1151;
-                                            local_46 = _e1153;
-                                            local_47 = _e1155;
-                                            local_48 = _e1145;
+                                            let _e1364 = phi_5194_;
+                                            let _e1366 = phi_5136_;
+                                            let _e1368 = phi_5195_;
+                                            let _e1370 = phi_5196_;
+                                            let _e1372 = phi_5197_;
+                                            let _e1374 = phi_5198_;
+                                            local_15 = _e1370;
+                                            local_32 = _e1372;
+                                            local_33 = _e1374;
+                                            local_34 = _e1364;
                                             continue;
                                             continuing {
-                                                phi_3743_ = _e1081;
-                                                phi_3746_ = _e1147;
-                                                break if !(_e1149);
+                                                phi_5132_ = _e1328;
+                                                phi_5135_ = _e1366;
+                                                break if !(_e1368);
                                             }
                                         }
-                                        let _e1158 = local_15;
-                                        if _e1158 {
-                                            phi_3849_ = false;
-                                            phi_3850_ = false;
+                                        let _e1377 = local_15;
+                                        if _e1377 {
+                                            phi_5202_ = false;
+                                            phi_5203_ = false;
                                         } else {
-                                            let _e4096 = local_46;
-                                            phi_3849_ = _e4096;
-                                            let _e4099 = local_47;
-                                            phi_3850_ = _e4099;
+                                            let _e5473 = local_32;
+                                            phi_5202_ = _e5473;
+                                            let _e5476 = local_33;
+                                            phi_5203_ = _e5476;
                                         }
-                                        let _e1160 = phi_3849_;
-                                        let _e1162 = phi_3850_;
-                                        if _e1160 {
-                                            phi_3854_ = true;
+                                        let _e1379 = phi_5202_;
+                                        let _e1381 = phi_5203_;
+                                        if _e1379 {
+                                            phi_5207_ = true;
                                         } else {
-                                            phi_3854_ = _e1162;
+                                            phi_5207_ = _e1381;
                                         }
-                                        let _e1164 = phi_3854_;
-                                        if _e1164 {
-                                            phi_3858_ = _e887;
+                                        let _e1383 = phi_5207_;
+                                        if _e1383 {
+                                            phi_5211_ = _e1131;
                                         } else {
-                                            let _e4103 = local_48;
-                                            phi_3858_ = _e4103;
+                                            let _e5480 = local_34;
+                                            phi_5211_ = _e5480;
                                         }
-                                        let _e1166 = phi_3858_;
-                                        phi_3859_ = _e1166;
+                                        let _e1385 = phi_5211_;
+                                        phi_5212_ = _e1385;
                                     } else {
-                                        phi_3859_ = _e887;
+                                        phi_5212_ = _e1131;
                                     }
-                                    let _e1168 = phi_3859_;
-                                    phi_3861_ = type_33(_e1064, _e1168, _e934);
+                                    let _e1387 = phi_5212_;
+                                    phi_5214_ = type_37(_e1308, _e1387, _e1178);
                                 } else {
-                                    phi_3861_ = _e943;
+                                    phi_5214_ = _e1187;
                                 }
-                                let _e1171 = phi_3861_;
-                                if (_e1171.member > _e1171.member_1) {
-                                    phi_5966_ = f32();
-                                    phi_5967_ = true;
-                                    phi_5968_ = false;
-                                    phi_5969_ = false;
-                                    phi_5970_ = false;
+                                let _e1390 = phi_5214_;
+                                if (_e1390.member > _e1390.member_1) {
+                                    phi_8415_ = f32();
+                                    phi_8416_ = true;
+                                    phi_8417_ = false;
+                                    phi_8418_ = false;
+                                    phi_8419_ = false;
                                 } else {
-                                    let _e1178 = ((_e1171.member_1 - _e1171.member) * 0.5f);
-                                    let _e1179 = (_e1171.member + _e1178);
-                                    let _e1181 = (_e1178 + (0.000000059604645f * 4f));
-                                    let _e1183 = local_12.member_3;
-                                    let _e1186 = local_12.member[0u];
-                                    if (_e1186[0] < 0f) {
-                                        phi_3890_ = -(_e1186[0]);
+                                    let _e1397 = ((_e1390.member_1 - _e1390.member) * 0.5f);
+                                    let _e1398 = (_e1390.member + _e1397);
+                                    let _e1400 = (_e1397 + (0.000000059604645f * 4f));
+                                    let _e1402 = local_12.member_3;
+                                    let _e1405 = local_12.member[0u];
+                                    if (_e1405[0] < 0f) {
+                                        phi_5243_ = -(_e1405[0]);
                                     } else {
-                                        phi_3890_ = _e1186[0];
+                                        phi_5243_ = _e1405[0];
                                     }
-                                    let _e1193 = phi_3890_;
-                                    if (_e1186[1] < 0f) {
-                                        phi_3897_ = -(_e1186[1]);
+                                    let _e1412 = phi_5243_;
+                                    if (_e1405[1] < 0f) {
+                                        phi_5250_ = -(_e1405[1]);
                                     } else {
-                                        phi_3897_ = _e1186[1];
+                                        phi_5250_ = _e1405[1];
                                     }
-                                    let _e1197 = phi_3897_;
-                                    if (_e1193 > _e1197) {
-                                        phi_3902_ = _e1193;
+                                    let _e1416 = phi_5250_;
+                                    if (_e1412 > _e1416) {
+                                        phi_5255_ = _e1412;
                                     } else {
-                                        phi_3902_ = _e1197;
+                                        phi_5255_ = _e1416;
                                     }
-                                    let _e1200 = phi_3902_;
-                                    if (_e1186[2] < 0f) {
-                                        phi_3909_ = -(_e1186[2]);
+                                    let _e1419 = phi_5255_;
+                                    if (_e1405[2] < 0f) {
+                                        phi_5262_ = -(_e1405[2]);
                                     } else {
-                                        phi_3909_ = _e1186[2];
+                                        phi_5262_ = _e1405[2];
                                     }
-                                    let _e1204 = phi_3909_;
-                                    if (_e1200 > _e1204) {
-                                        phi_3914_ = _e1200;
+                                    let _e1423 = phi_5262_;
+                                    if (_e1419 > _e1423) {
+                                        phi_5267_ = _e1419;
                                     } else {
-                                        phi_3914_ = _e1204;
+                                        phi_5267_ = _e1423;
                                     }
-                                    let _e1207 = phi_3914_;
-                                    let _e1209 = local_12.member[1u];
-                                    if (_e1209[0] < 0f) {
-                                        phi_3927_ = -(_e1209[0]);
+                                    let _e1426 = phi_5267_;
+                                    let _e1428 = local_12.member[1u];
+                                    if (_e1428[0] < 0f) {
+                                        phi_5280_ = -(_e1428[0]);
                                     } else {
-                                        phi_3927_ = _e1209[0];
+                                        phi_5280_ = _e1428[0];
                                     }
-                                    let _e1216 = phi_3927_;
-                                    if (_e1209[1] < 0f) {
-                                        phi_3934_ = -(_e1209[1]);
+                                    let _e1435 = phi_5280_;
+                                    if (_e1428[1] < 0f) {
+                                        phi_5287_ = -(_e1428[1]);
                                     } else {
-                                        phi_3934_ = _e1209[1];
+                                        phi_5287_ = _e1428[1];
                                     }
-                                    let _e1220 = phi_3934_;
-                                    if (_e1216 > _e1220) {
-                                        phi_3939_ = _e1216;
+                                    let _e1439 = phi_5287_;
+                                    if (_e1435 > _e1439) {
+                                        phi_5292_ = _e1435;
                                     } else {
-                                        phi_3939_ = _e1220;
+                                        phi_5292_ = _e1439;
                                     }
-                                    let _e1223 = phi_3939_;
-                                    if (_e1209[2] < 0f) {
-                                        phi_3946_ = -(_e1209[2]);
+                                    let _e1442 = phi_5292_;
+                                    if (_e1428[2] < 0f) {
+                                        phi_5299_ = -(_e1428[2]);
                                     } else {
-                                        phi_3946_ = _e1209[2];
+                                        phi_5299_ = _e1428[2];
                                     }
-                                    let _e1227 = phi_3946_;
-                                    if (_e1223 > _e1227) {
-                                        phi_3951_ = _e1223;
+                                    let _e1446 = phi_5299_;
+                                    if (_e1442 > _e1446) {
+                                        phi_5304_ = _e1442;
                                     } else {
-                                        phi_3951_ = _e1227;
+                                        phi_5304_ = _e1446;
                                     }
-                                    let _e1230 = phi_3951_;
-                                    if (_e1207 > _e1230) {
-                                        phi_3956_ = _e1207;
+                                    let _e1449 = phi_5304_;
+                                    if (_e1426 > _e1449) {
+                                        phi_5309_ = _e1426;
                                     } else {
-                                        phi_3956_ = _e1230;
+                                        phi_5309_ = _e1449;
                                     }
-                                    let _e1233 = phi_3956_;
-                                    let _e1236 = local_12.member[0u];
-                                    let _e1241 = local_12.member[1u];
-                                    let _e1251 = (_e1236[0] + ((_e1241[0] - _e1236[0]) * _e1179));
-                                    let _e1252 = (_e1236[1] + ((_e1241[1] - _e1236[1]) * _e1179));
-                                    let _e1253 = (_e1236[2] + ((_e1241[2] - _e1236[2]) * _e1179));
-                                    let _e1255 = local_12.member[1u];
-                                    let _e1260 = local_12.member[0u];
-                                    let _e1264 = (_e1255[0] - _e1260[0]);
-                                    let _e1265 = (_e1255[1] - _e1260[1]);
-                                    let _e1266 = (_e1255[2] - _e1260[2]);
-                                    if (_e1264 < 0f) {
-                                        phi_4015_ = -(_e1264);
+                                    let _e1452 = phi_5309_;
+                                    let _e1455 = local_12.member[0u];
+                                    let _e1460 = local_12.member[1u];
+                                    let _e1470 = (_e1455[0] + ((_e1460[0] - _e1455[0]) * _e1398));
+                                    let _e1471 = (_e1455[1] + ((_e1460[1] - _e1455[1]) * _e1398));
+                                    let _e1472 = (_e1455[2] + ((_e1460[2] - _e1455[2]) * _e1398));
+                                    let _e1474 = local_12.member[1u];
+                                    let _e1479 = local_12.member[0u];
+                                    let _e1483 = (_e1474[0] - _e1479[0]);
+                                    let _e1484 = (_e1474[1] - _e1479[1]);
+                                    let _e1485 = (_e1474[2] - _e1479[2]);
+                                    if (_e1483 < 0f) {
+                                        phi_5368_ = -(_e1483);
                                     } else {
-                                        phi_4015_ = _e1264;
+                                        phi_5368_ = _e1483;
                                     }
-                                    let _e1270 = phi_4015_;
-                                    if (_e1265 < 0f) {
-                                        phi_4021_ = -(_e1265);
+                                    let _e1489 = phi_5368_;
+                                    if (_e1484 < 0f) {
+                                        phi_5374_ = -(_e1484);
                                     } else {
-                                        phi_4021_ = _e1265;
+                                        phi_5374_ = _e1484;
                                     }
-                                    let _e1274 = phi_4021_;
-                                    if (_e1270 > _e1274) {
-                                        phi_4026_ = _e1270;
+                                    let _e1493 = phi_5374_;
+                                    if (_e1489 > _e1493) {
+                                        phi_5379_ = _e1489;
                                     } else {
-                                        phi_4026_ = _e1274;
+                                        phi_5379_ = _e1493;
                                     }
-                                    let _e1277 = phi_4026_;
-                                    if (_e1266 < 0f) {
-                                        phi_4032_ = -(_e1266);
+                                    let _e1496 = phi_5379_;
+                                    if (_e1485 < 0f) {
+                                        phi_5385_ = -(_e1485);
                                     } else {
-                                        phi_4032_ = _e1266;
+                                        phi_5385_ = _e1485;
                                     }
-                                    let _e1281 = phi_4032_;
-                                    if (_e1277 > _e1281) {
-                                        phi_4037_ = _e1277;
+                                    let _e1500 = phi_5385_;
+                                    if (_e1496 > _e1500) {
+                                        phi_5390_ = _e1496;
                                     } else {
-                                        phi_4037_ = _e1281;
+                                        phi_5390_ = _e1500;
                                     }
-                                    let _e1284 = phi_4037_;
-                                    let _e1290 = ((((_e1181 * _e1284) * 1.01f) + ((_e1233 + _e1183) * (0.000000059604645f * 8f))) + _e1183);
-                                    if (_e1251 < 0f) {
-                                        phi_4049_ = -(_e1251);
+                                    let _e1503 = phi_5390_;
+                                    let _e1509 = ((((_e1400 * _e1503) * 1.01f) + ((_e1452 + _e1402) * (0.000000059604645f * 8f))) + _e1402);
+                                    if (_e1470 < 0f) {
+                                        phi_5402_ = -(_e1470);
                                     } else {
-                                        phi_4049_ = _e1251;
+                                        phi_5402_ = _e1470;
                                     }
-                                    let _e1294 = phi_4049_;
-                                    if (_e1252 < 0f) {
-                                        phi_4055_ = -(_e1252);
+                                    let _e1513 = phi_5402_;
+                                    if (_e1471 < 0f) {
+                                        phi_5408_ = -(_e1471);
                                     } else {
-                                        phi_4055_ = _e1252;
+                                        phi_5408_ = _e1471;
                                     }
-                                    let _e1298 = phi_4055_;
-                                    if (_e1294 > _e1298) {
-                                        phi_4060_ = _e1294;
+                                    let _e1517 = phi_5408_;
+                                    if (_e1513 > _e1517) {
+                                        phi_5413_ = _e1513;
                                     } else {
-                                        phi_4060_ = _e1298;
+                                        phi_5413_ = _e1517;
                                     }
-                                    let _e1301 = phi_4060_;
-                                    if (_e1253 < 0f) {
-                                        phi_4066_ = -(_e1253);
+                                    let _e1520 = phi_5413_;
+                                    if (_e1472 < 0f) {
+                                        phi_5419_ = -(_e1472);
                                     } else {
-                                        phi_4066_ = _e1253;
+                                        phi_5419_ = _e1472;
                                     }
-                                    let _e1305 = phi_4066_;
-                                    if (_e1301 > _e1305) {
-                                        phi_4071_ = _e1301;
+                                    let _e1524 = phi_5419_;
+                                    if (_e1520 > _e1524) {
+                                        phi_5424_ = _e1520;
                                     } else {
-                                        phi_4071_ = _e1305;
+                                        phi_5424_ = _e1524;
                                     }
-                                    let _e1308 = phi_4071_;
-                                    local_2 = type_24(array<f32, 3>(_e1251, _e1252, _e1253), _e1290, (_e1308 + _e1290));
-                                    let _e1314 = local_12.member_3;
-                                    let _e1316 = local_12.member_1[0u];
-                                    if (_e1316[0] < 0f) {
-                                        phi_4097_ = -(_e1316[0]);
+                                    let _e1527 = phi_5424_;
+                                    local_2 = type_27(array<f32, 3>(_e1470, _e1471, _e1472), _e1509, (_e1527 + _e1509));
+                                    let _e1533 = local_12.member_3;
+                                    let _e1535 = local_12.member_1[0u];
+                                    if (_e1535[0] < 0f) {
+                                        phi_5450_ = -(_e1535[0]);
                                     } else {
-                                        phi_4097_ = _e1316[0];
+                                        phi_5450_ = _e1535[0];
                                     }
-                                    let _e1323 = phi_4097_;
-                                    if (_e1316[1] < 0f) {
-                                        phi_4104_ = -(_e1316[1]);
+                                    let _e1542 = phi_5450_;
+                                    if (_e1535[1] < 0f) {
+                                        phi_5457_ = -(_e1535[1]);
                                     } else {
-                                        phi_4104_ = _e1316[1];
+                                        phi_5457_ = _e1535[1];
                                     }
-                                    let _e1327 = phi_4104_;
-                                    if (_e1323 > _e1327) {
-                                        phi_4109_ = _e1323;
+                                    let _e1546 = phi_5457_;
+                                    if (_e1542 > _e1546) {
+                                        phi_5462_ = _e1542;
                                     } else {
-                                        phi_4109_ = _e1327;
+                                        phi_5462_ = _e1546;
                                     }
-                                    let _e1330 = phi_4109_;
-                                    if (_e1316[2] < 0f) {
-                                        phi_4116_ = -(_e1316[2]);
+                                    let _e1549 = phi_5462_;
+                                    if (_e1535[2] < 0f) {
+                                        phi_5469_ = -(_e1535[2]);
                                     } else {
-                                        phi_4116_ = _e1316[2];
+                                        phi_5469_ = _e1535[2];
                                     }
-                                    let _e1334 = phi_4116_;
-                                    if (_e1330 > _e1334) {
-                                        phi_4121_ = _e1330;
+                                    let _e1553 = phi_5469_;
+                                    if (_e1549 > _e1553) {
+                                        phi_5474_ = _e1549;
                                     } else {
-                                        phi_4121_ = _e1334;
+                                        phi_5474_ = _e1553;
                                     }
-                                    let _e1337 = phi_4121_;
-                                    let _e1339 = local_12.member_1[1u];
-                                    if (_e1339[0] < 0f) {
-                                        phi_4134_ = -(_e1339[0]);
+                                    let _e1556 = phi_5474_;
+                                    let _e1558 = local_12.member_1[1u];
+                                    if (_e1558[0] < 0f) {
+                                        phi_5487_ = -(_e1558[0]);
                                     } else {
-                                        phi_4134_ = _e1339[0];
+                                        phi_5487_ = _e1558[0];
                                     }
-                                    let _e1346 = phi_4134_;
-                                    if (_e1339[1] < 0f) {
-                                        phi_4141_ = -(_e1339[1]);
+                                    let _e1565 = phi_5487_;
+                                    if (_e1558[1] < 0f) {
+                                        phi_5494_ = -(_e1558[1]);
                                     } else {
-                                        phi_4141_ = _e1339[1];
+                                        phi_5494_ = _e1558[1];
                                     }
-                                    let _e1350 = phi_4141_;
-                                    if (_e1346 > _e1350) {
-                                        phi_4146_ = _e1346;
+                                    let _e1569 = phi_5494_;
+                                    if (_e1565 > _e1569) {
+                                        phi_5499_ = _e1565;
                                     } else {
-                                        phi_4146_ = _e1350;
+                                        phi_5499_ = _e1569;
                                     }
-                                    let _e1353 = phi_4146_;
-                                    if (_e1339[2] < 0f) {
-                                        phi_4153_ = -(_e1339[2]);
+                                    let _e1572 = phi_5499_;
+                                    if (_e1558[2] < 0f) {
+                                        phi_5506_ = -(_e1558[2]);
                                     } else {
-                                        phi_4153_ = _e1339[2];
+                                        phi_5506_ = _e1558[2];
                                     }
-                                    let _e1357 = phi_4153_;
-                                    if (_e1353 > _e1357) {
-                                        phi_4158_ = _e1353;
+                                    let _e1576 = phi_5506_;
+                                    if (_e1572 > _e1576) {
+                                        phi_5511_ = _e1572;
                                     } else {
-                                        phi_4158_ = _e1357;
+                                        phi_5511_ = _e1576;
                                     }
-                                    let _e1360 = phi_4158_;
-                                    if (_e1337 > _e1360) {
-                                        phi_4163_ = _e1337;
+                                    let _e1579 = phi_5511_;
+                                    if (_e1556 > _e1579) {
+                                        phi_5516_ = _e1556;
                                     } else {
-                                        phi_4163_ = _e1360;
+                                        phi_5516_ = _e1579;
                                     }
-                                    let _e1363 = phi_4163_;
-                                    let _e1366 = local_12.member_1[0u];
-                                    let _e1371 = local_12.member_1[1u];
-                                    let _e1381 = (_e1366[0] + ((_e1371[0] - _e1366[0]) * _e1179));
-                                    let _e1382 = (_e1366[1] + ((_e1371[1] - _e1366[1]) * _e1179));
-                                    let _e1383 = (_e1366[2] + ((_e1371[2] - _e1366[2]) * _e1179));
-                                    let _e1385 = local_12.member_1[1u];
-                                    let _e1390 = local_12.member_1[0u];
-                                    let _e1394 = (_e1385[0] - _e1390[0]);
-                                    let _e1395 = (_e1385[1] - _e1390[1]);
-                                    let _e1396 = (_e1385[2] - _e1390[2]);
-                                    if (_e1394 < 0f) {
-                                        phi_4222_ = -(_e1394);
+                                    let _e1582 = phi_5516_;
+                                    let _e1585 = local_12.member_1[0u];
+                                    let _e1590 = local_12.member_1[1u];
+                                    let _e1600 = (_e1585[0] + ((_e1590[0] - _e1585[0]) * _e1398));
+                                    let _e1601 = (_e1585[1] + ((_e1590[1] - _e1585[1]) * _e1398));
+                                    let _e1602 = (_e1585[2] + ((_e1590[2] - _e1585[2]) * _e1398));
+                                    let _e1604 = local_12.member_1[1u];
+                                    let _e1609 = local_12.member_1[0u];
+                                    let _e1613 = (_e1604[0] - _e1609[0]);
+                                    let _e1614 = (_e1604[1] - _e1609[1]);
+                                    let _e1615 = (_e1604[2] - _e1609[2]);
+                                    if (_e1613 < 0f) {
+                                        phi_5575_ = -(_e1613);
                                     } else {
-                                        phi_4222_ = _e1394;
+                                        phi_5575_ = _e1613;
                                     }
-                                    let _e1400 = phi_4222_;
-                                    if (_e1395 < 0f) {
-                                        phi_4228_ = -(_e1395);
+                                    let _e1619 = phi_5575_;
+                                    if (_e1614 < 0f) {
+                                        phi_5581_ = -(_e1614);
                                     } else {
-                                        phi_4228_ = _e1395;
+                                        phi_5581_ = _e1614;
                                     }
-                                    let _e1404 = phi_4228_;
-                                    if (_e1400 > _e1404) {
-                                        phi_4233_ = _e1400;
+                                    let _e1623 = phi_5581_;
+                                    if (_e1619 > _e1623) {
+                                        phi_5586_ = _e1619;
                                     } else {
-                                        phi_4233_ = _e1404;
+                                        phi_5586_ = _e1623;
                                     }
-                                    let _e1407 = phi_4233_;
-                                    if (_e1396 < 0f) {
-                                        phi_4239_ = -(_e1396);
+                                    let _e1626 = phi_5586_;
+                                    if (_e1615 < 0f) {
+                                        phi_5592_ = -(_e1615);
                                     } else {
-                                        phi_4239_ = _e1396;
+                                        phi_5592_ = _e1615;
                                     }
-                                    let _e1411 = phi_4239_;
-                                    if (_e1407 > _e1411) {
-                                        phi_4244_ = _e1407;
+                                    let _e1630 = phi_5592_;
+                                    if (_e1626 > _e1630) {
+                                        phi_5597_ = _e1626;
                                     } else {
-                                        phi_4244_ = _e1411;
+                                        phi_5597_ = _e1630;
                                     }
-                                    let _e1414 = phi_4244_;
-                                    let _e1420 = ((((_e1181 * _e1414) * 1.01f) + ((_e1363 + _e1314) * (0.000000059604645f * 8f))) + _e1314);
-                                    if (_e1381 < 0f) {
-                                        phi_4256_ = -(_e1381);
+                                    let _e1633 = phi_5597_;
+                                    let _e1639 = ((((_e1400 * _e1633) * 1.01f) + ((_e1582 + _e1533) * (0.000000059604645f * 8f))) + _e1533);
+                                    if (_e1600 < 0f) {
+                                        phi_5609_ = -(_e1600);
                                     } else {
-                                        phi_4256_ = _e1381;
+                                        phi_5609_ = _e1600;
                                     }
-                                    let _e1424 = phi_4256_;
-                                    if (_e1382 < 0f) {
-                                        phi_4262_ = -(_e1382);
+                                    let _e1643 = phi_5609_;
+                                    if (_e1601 < 0f) {
+                                        phi_5615_ = -(_e1601);
                                     } else {
-                                        phi_4262_ = _e1382;
+                                        phi_5615_ = _e1601;
                                     }
-                                    let _e1428 = phi_4262_;
-                                    if (_e1424 > _e1428) {
-                                        phi_4267_ = _e1424;
+                                    let _e1647 = phi_5615_;
+                                    if (_e1643 > _e1647) {
+                                        phi_5620_ = _e1643;
                                     } else {
-                                        phi_4267_ = _e1428;
+                                        phi_5620_ = _e1647;
                                     }
-                                    let _e1431 = phi_4267_;
-                                    if (_e1383 < 0f) {
-                                        phi_4273_ = -(_e1383);
+                                    let _e1650 = phi_5620_;
+                                    if (_e1602 < 0f) {
+                                        phi_5626_ = -(_e1602);
                                     } else {
-                                        phi_4273_ = _e1383;
+                                        phi_5626_ = _e1602;
                                     }
-                                    let _e1435 = phi_4273_;
-                                    if (_e1431 > _e1435) {
-                                        phi_4278_ = _e1431;
+                                    let _e1654 = phi_5626_;
+                                    if (_e1650 > _e1654) {
+                                        phi_5631_ = _e1650;
                                     } else {
-                                        phi_4278_ = _e1435;
+                                        phi_5631_ = _e1654;
                                     }
-                                    let _e1438 = phi_4278_;
-                                    local_3 = type_24(array<f32, 3>(_e1381, _e1382, _e1383), _e1420, (_e1438 + _e1420));
-                                    let _e1444 = local_12.member_3;
-                                    let _e1446 = local_12.member_2[0u];
-                                    if (_e1446[0] < 0f) {
-                                        phi_4304_ = -(_e1446[0]);
+                                    let _e1657 = phi_5631_;
+                                    local_3 = type_27(array<f32, 3>(_e1600, _e1601, _e1602), _e1639, (_e1657 + _e1639));
+                                    let _e1663 = local_12.member_3;
+                                    let _e1665 = local_12.member_2[0u];
+                                    if (_e1665[0] < 0f) {
+                                        phi_5657_ = -(_e1665[0]);
                                     } else {
-                                        phi_4304_ = _e1446[0];
+                                        phi_5657_ = _e1665[0];
                                     }
-                                    let _e1453 = phi_4304_;
-                                    if (_e1446[1] < 0f) {
-                                        phi_4311_ = -(_e1446[1]);
+                                    let _e1672 = phi_5657_;
+                                    if (_e1665[1] < 0f) {
+                                        phi_5664_ = -(_e1665[1]);
                                     } else {
-                                        phi_4311_ = _e1446[1];
+                                        phi_5664_ = _e1665[1];
                                     }
-                                    let _e1457 = phi_4311_;
-                                    if (_e1453 > _e1457) {
-                                        phi_4316_ = _e1453;
+                                    let _e1676 = phi_5664_;
+                                    if (_e1672 > _e1676) {
+                                        phi_5669_ = _e1672;
                                     } else {
-                                        phi_4316_ = _e1457;
+                                        phi_5669_ = _e1676;
                                     }
-                                    let _e1460 = phi_4316_;
-                                    if (_e1446[2] < 0f) {
-                                        phi_4323_ = -(_e1446[2]);
+                                    let _e1679 = phi_5669_;
+                                    if (_e1665[2] < 0f) {
+                                        phi_5676_ = -(_e1665[2]);
                                     } else {
-                                        phi_4323_ = _e1446[2];
+                                        phi_5676_ = _e1665[2];
                                     }
-                                    let _e1464 = phi_4323_;
-                                    if (_e1460 > _e1464) {
-                                        phi_4328_ = _e1460;
+                                    let _e1683 = phi_5676_;
+                                    if (_e1679 > _e1683) {
+                                        phi_5681_ = _e1679;
                                     } else {
-                                        phi_4328_ = _e1464;
+                                        phi_5681_ = _e1683;
                                     }
-                                    let _e1467 = phi_4328_;
-                                    let _e1469 = local_12.member_2[1u];
-                                    if (_e1469[0] < 0f) {
-                                        phi_4341_ = -(_e1469[0]);
+                                    let _e1686 = phi_5681_;
+                                    let _e1688 = local_12.member_2[1u];
+                                    if (_e1688[0] < 0f) {
+                                        phi_5694_ = -(_e1688[0]);
                                     } else {
-                                        phi_4341_ = _e1469[0];
+                                        phi_5694_ = _e1688[0];
                                     }
-                                    let _e1476 = phi_4341_;
-                                    if (_e1469[1] < 0f) {
-                                        phi_4348_ = -(_e1469[1]);
+                                    let _e1695 = phi_5694_;
+                                    if (_e1688[1] < 0f) {
+                                        phi_5701_ = -(_e1688[1]);
                                     } else {
-                                        phi_4348_ = _e1469[1];
+                                        phi_5701_ = _e1688[1];
                                     }
-                                    let _e1480 = phi_4348_;
-                                    if (_e1476 > _e1480) {
-                                        phi_4353_ = _e1476;
+                                    let _e1699 = phi_5701_;
+                                    if (_e1695 > _e1699) {
+                                        phi_5706_ = _e1695;
                                     } else {
-                                        phi_4353_ = _e1480;
+                                        phi_5706_ = _e1699;
                                     }
-                                    let _e1483 = phi_4353_;
-                                    if (_e1469[2] < 0f) {
-                                        phi_4360_ = -(_e1469[2]);
+                                    let _e1702 = phi_5706_;
+                                    if (_e1688[2] < 0f) {
+                                        phi_5713_ = -(_e1688[2]);
                                     } else {
-                                        phi_4360_ = _e1469[2];
+                                        phi_5713_ = _e1688[2];
                                     }
-                                    let _e1487 = phi_4360_;
-                                    if (_e1483 > _e1487) {
-                                        phi_4365_ = _e1483;
+                                    let _e1706 = phi_5713_;
+                                    if (_e1702 > _e1706) {
+                                        phi_5718_ = _e1702;
                                     } else {
-                                        phi_4365_ = _e1487;
+                                        phi_5718_ = _e1706;
                                     }
-                                    let _e1490 = phi_4365_;
-                                    if (_e1467 > _e1490) {
-                                        phi_4370_ = _e1467;
+                                    let _e1709 = phi_5718_;
+                                    if (_e1686 > _e1709) {
+                                        phi_5723_ = _e1686;
                                     } else {
-                                        phi_4370_ = _e1490;
+                                        phi_5723_ = _e1709;
                                     }
-                                    let _e1493 = phi_4370_;
-                                    let _e1496 = local_12.member_2[0u];
-                                    let _e1501 = local_12.member_2[1u];
-                                    let _e1511 = (_e1496[0] + ((_e1501[0] - _e1496[0]) * _e1179));
-                                    let _e1512 = (_e1496[1] + ((_e1501[1] - _e1496[1]) * _e1179));
-                                    let _e1513 = (_e1496[2] + ((_e1501[2] - _e1496[2]) * _e1179));
-                                    let _e1515 = local_12.member_2[1u];
-                                    let _e1520 = local_12.member_2[0u];
-                                    let _e1524 = (_e1515[0] - _e1520[0]);
-                                    let _e1525 = (_e1515[1] - _e1520[1]);
-                                    let _e1526 = (_e1515[2] - _e1520[2]);
-                                    if (_e1524 < 0f) {
-                                        phi_4429_ = -(_e1524);
+                                    let _e1712 = phi_5723_;
+                                    let _e1715 = local_12.member_2[0u];
+                                    let _e1720 = local_12.member_2[1u];
+                                    let _e1730 = (_e1715[0] + ((_e1720[0] - _e1715[0]) * _e1398));
+                                    let _e1731 = (_e1715[1] + ((_e1720[1] - _e1715[1]) * _e1398));
+                                    let _e1732 = (_e1715[2] + ((_e1720[2] - _e1715[2]) * _e1398));
+                                    let _e1734 = local_12.member_2[1u];
+                                    let _e1739 = local_12.member_2[0u];
+                                    let _e1743 = (_e1734[0] - _e1739[0]);
+                                    let _e1744 = (_e1734[1] - _e1739[1]);
+                                    let _e1745 = (_e1734[2] - _e1739[2]);
+                                    if (_e1743 < 0f) {
+                                        phi_5782_ = -(_e1743);
                                     } else {
-                                        phi_4429_ = _e1524;
+                                        phi_5782_ = _e1743;
                                     }
-                                    let _e1530 = phi_4429_;
-                                    if (_e1525 < 0f) {
-                                        phi_4435_ = -(_e1525);
+                                    let _e1749 = phi_5782_;
+                                    if (_e1744 < 0f) {
+                                        phi_5788_ = -(_e1744);
                                     } else {
-                                        phi_4435_ = _e1525;
+                                        phi_5788_ = _e1744;
                                     }
-                                    let _e1534 = phi_4435_;
-                                    if (_e1530 > _e1534) {
-                                        phi_4440_ = _e1530;
+                                    let _e1753 = phi_5788_;
+                                    if (_e1749 > _e1753) {
+                                        phi_5793_ = _e1749;
                                     } else {
-                                        phi_4440_ = _e1534;
+                                        phi_5793_ = _e1753;
                                     }
-                                    let _e1537 = phi_4440_;
-                                    if (_e1526 < 0f) {
-                                        phi_4446_ = -(_e1526);
+                                    let _e1756 = phi_5793_;
+                                    if (_e1745 < 0f) {
+                                        phi_5799_ = -(_e1745);
                                     } else {
-                                        phi_4446_ = _e1526;
+                                        phi_5799_ = _e1745;
                                     }
-                                    let _e1541 = phi_4446_;
-                                    if (_e1537 > _e1541) {
-                                        phi_4451_ = _e1537;
+                                    let _e1760 = phi_5799_;
+                                    if (_e1756 > _e1760) {
+                                        phi_5804_ = _e1756;
                                     } else {
-                                        phi_4451_ = _e1541;
+                                        phi_5804_ = _e1760;
                                     }
-                                    let _e1544 = phi_4451_;
-                                    let _e1550 = ((((_e1181 * _e1544) * 1.01f) + ((_e1493 + _e1444) * (0.000000059604645f * 8f))) + _e1444);
-                                    if (_e1511 < 0f) {
-                                        phi_4463_ = -(_e1511);
+                                    let _e1763 = phi_5804_;
+                                    let _e1769 = ((((_e1400 * _e1763) * 1.01f) + ((_e1712 + _e1663) * (0.000000059604645f * 8f))) + _e1663);
+                                    if (_e1730 < 0f) {
+                                        phi_5816_ = -(_e1730);
                                     } else {
-                                        phi_4463_ = _e1511;
+                                        phi_5816_ = _e1730;
                                     }
-                                    let _e1554 = phi_4463_;
-                                    if (_e1512 < 0f) {
-                                        phi_4469_ = -(_e1512);
+                                    let _e1773 = phi_5816_;
+                                    if (_e1731 < 0f) {
+                                        phi_5822_ = -(_e1731);
                                     } else {
-                                        phi_4469_ = _e1512;
+                                        phi_5822_ = _e1731;
                                     }
-                                    let _e1558 = phi_4469_;
-                                    if (_e1554 > _e1558) {
-                                        phi_4474_ = _e1554;
+                                    let _e1777 = phi_5822_;
+                                    if (_e1773 > _e1777) {
+                                        phi_5827_ = _e1773;
                                     } else {
-                                        phi_4474_ = _e1558;
+                                        phi_5827_ = _e1777;
                                     }
-                                    let _e1561 = phi_4474_;
-                                    if (_e1513 < 0f) {
-                                        phi_4480_ = -(_e1513);
+                                    let _e1780 = phi_5827_;
+                                    if (_e1732 < 0f) {
+                                        phi_5833_ = -(_e1732);
                                     } else {
-                                        phi_4480_ = _e1513;
+                                        phi_5833_ = _e1732;
                                     }
-                                    let _e1565 = phi_4480_;
-                                    if (_e1561 > _e1565) {
-                                        phi_4485_ = _e1561;
+                                    let _e1784 = phi_5833_;
+                                    if (_e1780 > _e1784) {
+                                        phi_5838_ = _e1780;
                                     } else {
-                                        phi_4485_ = _e1565;
+                                        phi_5838_ = _e1784;
                                     }
-                                    let _e1568 = phi_4485_;
-                                    local_4 = type_24(array<f32, 3>(_e1511, _e1512, _e1513), _e1550, (_e1568 + _e1550));
-                                    let _e1573 = local_3.member;
-                                    let _e1578 = local_4.member;
-                                    let _e1584 = ((_e1573[1] * _e1578[2]) - (_e1573[2] * _e1578[1]));
-                                    let _e1587 = ((_e1573[2] * _e1578[0]) - (_e1573[0] * _e1578[2]));
-                                    let _e1590 = ((_e1573[0] * _e1578[1]) - (_e1573[1] * _e1578[0]));
-                                    if (_e1584 < 0f) {
-                                        phi_4534_ = -(_e1584);
+                                    let _e1787 = phi_5838_;
+                                    local_4 = type_27(array<f32, 3>(_e1730, _e1731, _e1732), _e1769, (_e1787 + _e1769));
+                                    let _e1792 = local_3.member;
+                                    let _e1797 = local_4.member;
+                                    let _e1803 = ((_e1792[1] * _e1797[2]) - (_e1792[2] * _e1797[1]));
+                                    let _e1806 = ((_e1792[2] * _e1797[0]) - (_e1792[0] * _e1797[2]));
+                                    let _e1809 = ((_e1792[0] * _e1797[1]) - (_e1792[1] * _e1797[0]));
+                                    if (_e1803 < 0f) {
+                                        phi_5887_ = -(_e1803);
                                     } else {
-                                        phi_4534_ = _e1584;
+                                        phi_5887_ = _e1803;
                                     }
-                                    let _e1594 = phi_4534_;
-                                    if (_e1587 < 0f) {
-                                        phi_4540_ = -(_e1587);
+                                    let _e1813 = phi_5887_;
+                                    if (_e1806 < 0f) {
+                                        phi_5893_ = -(_e1806);
                                     } else {
-                                        phi_4540_ = _e1587;
+                                        phi_5893_ = _e1806;
                                     }
-                                    let _e1598 = phi_4540_;
-                                    if (_e1594 > _e1598) {
-                                        if (_e1584 < 0f) {
-                                            phi_4550_ = -(_e1584);
+                                    let _e1817 = phi_5893_;
+                                    if (_e1813 > _e1817) {
+                                        if (_e1803 < 0f) {
+                                            phi_5903_ = -(_e1803);
                                         } else {
-                                            phi_4550_ = _e1584;
+                                            phi_5903_ = _e1803;
                                         }
-                                        let _e1616 = phi_4550_;
-                                        if (_e1590 < 0f) {
-                                            phi_4556_ = -(_e1590);
+                                        let _e1835 = phi_5903_;
+                                        if (_e1809 < 0f) {
+                                            phi_5909_ = -(_e1809);
                                         } else {
-                                            phi_4556_ = _e1590;
+                                            phi_5909_ = _e1809;
                                         }
-                                        let _e1620 = phi_4556_;
-                                        if (_e1616 > _e1620) {
-                                            phi_4561_ = 2u;
-                                            phi_4562_ = 1u;
+                                        let _e1839 = phi_5909_;
+                                        if (_e1835 > _e1839) {
+                                            phi_5914_ = 2u;
+                                            phi_5915_ = 1u;
                                         } else {
-                                            phi_4561_ = 1u;
-                                            phi_4562_ = 0u;
+                                            phi_5914_ = 1u;
+                                            phi_5915_ = 0u;
                                         }
-                                        let _e1623 = phi_4561_;
-                                        let _e1625 = phi_4562_;
-                                        phi_4581_ = _e1623;
-                                        phi_4582_ = _e1625;
+                                        let _e1842 = phi_5914_;
+                                        let _e1844 = phi_5915_;
+                                        phi_5934_ = _e1842;
+                                        phi_5935_ = _e1844;
                                     } else {
-                                        if (_e1587 < 0f) {
-                                            phi_4568_ = -(_e1587);
+                                        if (_e1806 < 0f) {
+                                            phi_5921_ = -(_e1806);
                                         } else {
-                                            phi_4568_ = _e1587;
+                                            phi_5921_ = _e1806;
                                         }
-                                        let _e1603 = phi_4568_;
-                                        if (_e1590 < 0f) {
-                                            phi_4574_ = -(_e1590);
+                                        let _e1822 = phi_5921_;
+                                        if (_e1809 < 0f) {
+                                            phi_5927_ = -(_e1809);
                                         } else {
-                                            phi_4574_ = _e1590;
+                                            phi_5927_ = _e1809;
                                         }
-                                        let _e1607 = phi_4574_;
-                                        if (_e1603 > _e1607) {
-                                            phi_4579_ = 0u;
-                                            phi_4580_ = 2u;
+                                        let _e1826 = phi_5927_;
+                                        if (_e1822 > _e1826) {
+                                            phi_5932_ = 0u;
+                                            phi_5933_ = 2u;
                                         } else {
-                                            phi_4579_ = 1u;
-                                            phi_4580_ = 0u;
+                                            phi_5932_ = 1u;
+                                            phi_5933_ = 0u;
                                         }
-                                        let _e1610 = phi_4579_;
-                                        let _e1612 = phi_4580_;
-                                        phi_4581_ = _e1610;
-                                        phi_4582_ = _e1612;
+                                        let _e1829 = phi_5932_;
+                                        let _e1831 = phi_5933_;
+                                        phi_5934_ = _e1829;
+                                        phi_5935_ = _e1831;
                                     }
-                                    let _e1627 = phi_4581_;
-                                    let _e1629 = phi_4582_;
-                                    let _e1632 = local_3.member[_e1629];
-                                    let _e1635 = local_4.member[_e1627];
-                                    let _e1639 = local_3.member[_e1627];
-                                    let _e1642 = local_4.member[_e1629];
-                                    let _e1644 = ((_e1632 * _e1635) - (_e1639 * _e1642));
-                                    let _e1646 = local_3.member_1;
-                                    let _e1648 = local_4.member_2;
-                                    let _e1651 = local_3.member_2;
-                                    let _e1653 = local_4.member_1;
-                                    let _e1658 = local_3.member_2;
-                                    let _e1660 = local_4.member_2;
-                                    let _e1667 = local_3.member_2;
-                                    let _e1670 = local_4.member_2;
-                                    let _e1674 = (((((_e1646 * _e1648) + (_e1651 * _e1653)) * 2.01f) + ((_e1658 * _e1660) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1667) * (1f + _e1670))));
-                                    if (_e1644 < 0f) {
-                                        phi_4649_ = -(_e1644);
+                                    let _e1846 = phi_5934_;
+                                    let _e1848 = phi_5935_;
+                                    let _e1851 = local_3.member[_e1848];
+                                    let _e1854 = local_4.member[_e1846];
+                                    let _e1858 = local_3.member[_e1846];
+                                    let _e1861 = local_4.member[_e1848];
+                                    let _e1863 = ((_e1851 * _e1854) - (_e1858 * _e1861));
+                                    let _e1865 = local_3.member_1;
+                                    let _e1867 = local_4.member_2;
+                                    let _e1870 = local_3.member_2;
+                                    let _e1872 = local_4.member_1;
+                                    let _e1877 = local_3.member_2;
+                                    let _e1880 = local_4.member_2;
+                                    let _e1888 = local_3.member_2;
+                                    let _e1891 = local_4.member_2;
+                                    let _e1895 = (((((_e1865 * _e1867) + (_e1870 * _e1872)) * 2.01f) + (((_e1877 * 2f) * (_e1880 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1888) * (1f + _e1891))));
+                                    if (_e1863 < 0f) {
+                                        phi_6004_ = -(_e1863);
                                     } else {
-                                        phi_4649_ = _e1644;
+                                        phi_6004_ = _e1863;
                                     }
-                                    let _e1678 = phi_4649_;
-                                    if (_e1678 > _e1674) {
-                                        if (_e1644 < 0f) {
-                                            phi_4658_ = -1f;
+                                    let _e1899 = phi_6004_;
+                                    if (_e1899 > _e1895) {
+                                        if (_e1863 < 0f) {
+                                            phi_6013_ = -1f;
                                         } else {
-                                            phi_4658_ = 1f;
+                                            phi_6013_ = 1f;
                                         }
-                                        let _e1682 = phi_4658_;
-                                        let _e1685 = local_2.member[_e1629];
-                                        let _e1688 = local_4.member[_e1627];
-                                        let _e1692 = local_2.member[_e1627];
-                                        let _e1695 = local_4.member[_e1629];
-                                        let _e1699 = local_2.member_1;
-                                        let _e1701 = local_4.member_2;
-                                        let _e1704 = local_2.member_2;
-                                        let _e1706 = local_4.member_1;
-                                        let _e1711 = local_2.member_2;
-                                        let _e1713 = local_4.member_2;
-                                        let _e1720 = local_2.member_2;
-                                        let _e1723 = local_4.member_2;
-                                        let _e1727 = (((((_e1699 * _e1701) + (_e1704 * _e1706)) * 2.01f) + ((_e1711 * _e1713) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1720) * (1f + _e1723))));
-                                        let _e1730 = local_3.member[_e1629];
-                                        let _e1733 = local_2.member[_e1627];
-                                        let _e1737 = local_3.member[_e1627];
-                                        let _e1740 = local_2.member[_e1629];
-                                        let _e1744 = local_3.member_1;
-                                        let _e1746 = local_2.member_2;
-                                        let _e1749 = local_3.member_2;
-                                        let _e1751 = local_2.member_1;
-                                        let _e1756 = local_3.member_2;
-                                        let _e1758 = local_2.member_2;
-                                        let _e1765 = local_3.member_2;
-                                        let _e1768 = local_2.member_2;
-                                        let _e1772 = (((((_e1744 * _e1746) + (_e1749 * _e1751)) * 2.01f) + ((_e1756 * _e1758) * (0.000000059604645f * 8f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1765) * (1f + _e1768))));
-                                        let _e1773 = (_e1644 * _e1682);
-                                        let _e1774 = (((_e1685 * _e1688) - (_e1692 * _e1695)) * _e1682);
-                                        let _e1775 = (((_e1730 * _e1733) - (_e1737 * _e1740)) * _e1682);
-                                        if (_e1773 < 0f) {
-                                            phi_4789_ = -(_e1773);
+                                        let _e1903 = phi_6013_;
+                                        let _e1906 = local_2.member[_e1848];
+                                        let _e1909 = local_4.member[_e1846];
+                                        let _e1913 = local_2.member[_e1846];
+                                        let _e1916 = local_4.member[_e1848];
+                                        let _e1920 = local_2.member_1;
+                                        let _e1922 = local_4.member_2;
+                                        let _e1925 = local_2.member_2;
+                                        let _e1927 = local_4.member_1;
+                                        let _e1932 = local_2.member_2;
+                                        let _e1935 = local_4.member_2;
+                                        let _e1943 = local_2.member_2;
+                                        let _e1946 = local_4.member_2;
+                                        let _e1950 = (((((_e1920 * _e1922) + (_e1925 * _e1927)) * 2.01f) + (((_e1932 * 2f) * (_e1935 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1943) * (1f + _e1946))));
+                                        let _e1953 = local_3.member[_e1848];
+                                        let _e1956 = local_2.member[_e1846];
+                                        let _e1960 = local_3.member[_e1846];
+                                        let _e1963 = local_2.member[_e1848];
+                                        let _e1967 = local_3.member_1;
+                                        let _e1969 = local_2.member_2;
+                                        let _e1972 = local_3.member_2;
+                                        let _e1974 = local_2.member_1;
+                                        let _e1979 = local_3.member_2;
+                                        let _e1982 = local_2.member_2;
+                                        let _e1990 = local_3.member_2;
+                                        let _e1993 = local_2.member_2;
+                                        let _e1997 = (((((_e1967 * _e1969) + (_e1972 * _e1974)) * 2.01f) + (((_e1979 * 2f) * (_e1982 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1990) * (1f + _e1993))));
+                                        let _e1998 = (_e1863 * _e1903);
+                                        let _e1999 = (((_e1906 * _e1909) - (_e1913 * _e1916)) * _e1903);
+                                        let _e2000 = (((_e1953 * _e1956) - (_e1960 * _e1963)) * _e1903);
+                                        if (_e1998 < 0f) {
+                                            phi_6148_ = -(_e1998);
                                         } else {
-                                            phi_4789_ = _e1773;
+                                            phi_6148_ = _e1998;
                                         }
-                                        let _e1779 = phi_4789_;
-                                        if (_e1774 < 0f) {
-                                            phi_4795_ = -(_e1774);
+                                        let _e2004 = phi_6148_;
+                                        if (_e1999 < 0f) {
+                                            phi_6154_ = -(_e1999);
                                         } else {
-                                            phi_4795_ = _e1774;
+                                            phi_6154_ = _e1999;
                                         }
-                                        let _e1783 = phi_4795_;
-                                        if (_e1775 < 0f) {
-                                            phi_4802_ = -(_e1775);
+                                        let _e2008 = phi_6154_;
+                                        if (_e2000 < 0f) {
+                                            phi_6161_ = -(_e2000);
                                         } else {
-                                            phi_4802_ = _e1775;
+                                            phi_6161_ = _e2000;
                                         }
-                                        let _e1788 = phi_4802_;
-                                        let _e1793 = ((_e1773 - _e1774) - _e1775);
-                                        let _e1796 = (((_e1674 + _e1727) + _e1772) + (((_e1779 + _e1783) + _e1788) * (0.000000059604645f * 4f)));
-                                        local_5[0u].member = _e1774;
-                                        local_5[0u].member_1 = _e1727;
-                                        local_5[1u].member = _e1775;
-                                        local_5[1u].member_1 = _e1772;
-                                        local_5[2u].member = _e1793;
-                                        local_5[2u].member_1 = _e1796;
-                                        local_5[3u].member = _e1793;
-                                        local_5[3u].member_1 = _e1796;
-                                        phi_4845_ = type_19(0u, 4u);
-                                        phi_4848_ = true;
+                                        let _e2013 = phi_6161_;
+                                        let _e2018 = ((_e1998 - _e1999) - _e2000);
+                                        let _e2021 = (((_e1895 + _e1950) + _e1997) + (((_e2004 + _e2008) + _e2013) * (0.000000059604645f * 4f)));
+                                        local_5[0u].member = _e1999;
+                                        local_5[0u].member_1 = _e1950;
+                                        local_5[1u].member = _e2000;
+                                        local_5[1u].member_1 = _e1997;
+                                        local_5[2u].member = _e2018;
+                                        local_5[2u].member_1 = _e2021;
+                                        local_5[3u].member = _e2018;
+                                        local_5[3u].member_1 = _e2021;
+                                        phi_6204_ = type_9(0u, 4u);
+                                        phi_6207_ = true;
                                         loop {
-                                            let _e1811 = phi_4845_;
-                                            let _e1813 = phi_4848_;
-                                            local_17 = _e1813;
-                                            if (_e1811.member < _e1811.member_1) {
-                                                phi_4846_ = type_19((_e1811.member + 1u), _e1811.member_1);
-                                                phi_4871_ = type_19(1u, _e1811.member);
+                                            let _e2036 = phi_6204_;
+                                            let _e2038 = phi_6207_;
+                                            local_17 = _e2038;
+                                            if (_e2036.member < _e2036.member_1) {
+                                                phi_6205_ = type_9((_e2036.member + 1u), _e2036.member_1);
+                                                phi_6230_ = type_9(1u, _e2036.member);
                                             } else {
-                                                phi_4846_ = _e1811;
-                                                phi_4871_ = type_19(0u, type_19().member_1);
+                                                phi_6205_ = _e2036;
+                                                phi_6230_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1825 = phi_4846_;
-                                            let _e1827 = phi_4871_;
-                                            if (bitcast<i32>(_e1827.member) != 0i) {
-                                                let _e1834 = local_5[_e1827.member_1].member;
-                                                let _e1837 = local_5[_e1827.member_1].member_1;
-                                                let _e1839 = (_e1834 < -(_e1837));
-                                                if _e1839 {
-                                                    phi_4898_ = bool();
-                                                    phi_4899_ = false;
+                                            let _e2050 = phi_6205_;
+                                            let _e2052 = phi_6230_;
+                                            if (bitcast<i32>(_e2052.member) != 0i) {
+                                                let _e2059 = local_5[_e2052.member_1].member;
+                                                let _e2062 = local_5[_e2052.member_1].member_1;
+                                                let _e2064 = (_e2059 < -(_e2062));
+                                                if _e2064 {
+                                                    phi_6257_ = bool();
+                                                    phi_6258_ = false;
                                                 } else {
-                                                    phi_4898_ = (_e1813 && (_e1834 > _e1837));
-                                                    phi_4899_ = true;
+                                                    phi_6257_ = (_e2038 && (_e2059 > _e2062));
+                                                    phi_6258_ = true;
                                                 }
-                                                let _e1843 = phi_4898_;
-                                                let _e1845 = phi_4899_;
-                                                phi_4849_ = _e1843;
-                                                phi_4900_ = _e1845;
-                                                phi_4901_ = _e1839;
+                                                let _e2068 = phi_6257_;
+                                                let _e2070 = phi_6258_;
+                                                phi_6208_ = _e2068;
+                                                phi_6259_ = _e2070;
+                                                phi_6260_ = _e2064;
                                             } else {
-                                                phi_4849_ = bool();
-                                                phi_4900_ = false;
-                                                phi_4901_ = false;
+                                                phi_6208_ = bool();
+                                                phi_6259_ = false;
+                                                phi_6260_ = false;
                                             }
-                                            let _e1847 = phi_4849_;
-                                            let _e1849 = phi_4900_;
-                                            let _e1851 = phi_4901_;
-                                            local_16 = _e1851;
+                                            let _e2072 = phi_6208_;
+                                            let _e2074 = phi_6259_;
+                                            let _e2076 = phi_6260_;
+                                            local_16 = _e2076;
                                             continue;
                                             continuing {
-                                                phi_4845_ = _e1825;
-                                                phi_4848_ = _e1847;
-                                                break if !(_e1849);
+                                                phi_6204_ = _e2050;
+                                                phi_6207_ = _e2072;
+                                                break if !(_e2074);
                                             }
                                         }
-                                        let _e1854 = local_16;
-                                        if _e1854 {
-                                            phi_4905_ = false;
+                                        let _e2079 = local_16;
+                                        if _e2079 {
+                                            phi_6264_ = false;
                                         } else {
-                                            phi_4905_ = true;
+                                            phi_6264_ = true;
                                         }
-                                        let _e1856 = phi_4905_;
-                                        if _e1856 {
-                                            let _e1858 = local_17;
-                                            if _e1858 {
-                                                phi_4912_ = 1u;
+                                        let _e2081 = phi_6264_;
+                                        if _e2081 {
+                                            let _e2083 = local_17;
+                                            if _e2083 {
+                                                phi_6271_ = 1u;
                                             } else {
-                                                phi_4912_ = 2u;
+                                                phi_6271_ = 2u;
                                             }
-                                            let _e1860 = phi_4912_;
-                                            phi_4913_ = _e1860;
-                                            phi_4914_ = false;
+                                            let _e2085 = phi_6271_;
+                                            phi_6272_ = _e2085;
+                                            phi_6273_ = false;
                                         } else {
-                                            phi_4913_ = u32();
-                                            phi_4914_ = true;
+                                            phi_6272_ = u32();
+                                            phi_6273_ = true;
                                         }
-                                        let _e1862 = phi_4913_;
-                                        let _e1864 = phi_4914_;
-                                        phi_4915_ = _e1862;
-                                        phi_4916_ = 0u;
-                                        phi_4917_ = _e1864;
+                                        let _e2087 = phi_6272_;
+                                        let _e2089 = phi_6273_;
+                                        phi_6274_ = _e2087;
+                                        phi_6275_ = 0u;
+                                        phi_6276_ = _e2089;
                                     } else {
-                                        phi_4915_ = u32();
-                                        phi_4916_ = 2u;
-                                        phi_4917_ = true;
+                                        phi_6274_ = u32();
+                                        phi_6275_ = 2u;
+                                        phi_6276_ = true;
                                     }
-                                    let _e1866 = phi_4915_;
-                                    let _e1868 = phi_4916_;
-                                    let _e1870 = phi_4917_;
-                                    if _e1870 {
-                                        phi_4921_ = _e1868;
+                                    let _e2091 = phi_6274_;
+                                    let _e2093 = phi_6275_;
+                                    let _e2095 = phi_6276_;
+                                    if _e2095 {
+                                        phi_6280_ = _e2093;
                                     } else {
-                                        phi_4921_ = _e1866;
+                                        phi_6280_ = _e2091;
                                     }
-                                    let _e1872 = phi_4921_;
-                                    let _e1873 = (_e1872 == 0u);
-                                    if _e1873 {
-                                        phi_5962_ = f32();
-                                        phi_5963_ = false;
-                                        phi_5964_ = false;
-                                        phi_5965_ = false;
+                                    let _e2097 = phi_6280_;
+                                    let _e2098 = (_e2097 == 0u);
+                                    if _e2098 {
+                                        phi_8411_ = f32();
+                                        phi_8412_ = false;
+                                        phi_8413_ = false;
+                                        phi_8414_ = false;
                                     } else {
-                                        if (_e1872 == 1u) {
-                                            if _e1171.member_2 {
-                                                if ((_e1171.member_1 - _e1171.member) <= 0.0000005f) {
-                                                    phi_4941_ = false;
+                                        if (_e2097 == 1u) {
+                                            if _e1390.member_2 {
+                                                if ((_e1390.member_1 - _e1390.member) <= 0.0000005f) {
+                                                    phi_6300_ = false;
                                                 } else {
-                                                    phi_4941_ = true;
+                                                    phi_6300_ = true;
                                                 }
-                                                let _e1881 = phi_4941_;
-                                                phi_4942_ = _e1881;
+                                                let _e2106 = phi_6300_;
+                                                phi_6301_ = _e2106;
                                             } else {
-                                                phi_4942_ = true;
+                                                phi_6301_ = true;
                                             }
-                                            let _e1883 = phi_4942_;
-                                            phi_4943_ = _e1883;
+                                            let _e2108 = phi_6301_;
+                                            phi_6302_ = _e2108;
                                         } else {
-                                            phi_4943_ = true;
+                                            phi_6302_ = true;
                                         }
-                                        let _e1885 = phi_4943_;
-                                        if _e1885 {
-                                            let _e1890 = local_12.member[0u];
-                                            let _e1896 = local_12.member_1[0u];
-                                            let _e1902 = local_12.member_2[0u];
-                                            local = array<array<f32, 3>, 4>(_e1890, array<f32, 3>((_e1890[0] - _e1896[0]), (_e1890[1] - _e1896[1]), (_e1890[2] - _e1896[2])), array<f32, 3>((_e1890[0] - _e1902[0]), (_e1890[1] - _e1902[1]), (_e1890[2] - _e1902[2])), _e1890);
-                                            let _e1917 = local_12.member[1u];
-                                            let _e1923 = local_12.member_1[1u];
-                                            let _e1929 = local_12.member_2[1u];
-                                            local_1 = array<array<f32, 3>, 4>(_e1917, array<f32, 3>((_e1917[0] - _e1923[0]), (_e1917[1] - _e1923[1]), (_e1917[2] - _e1923[2])), array<f32, 3>((_e1917[0] - _e1929[0]), (_e1917[1] - _e1929[1]), (_e1917[2] - _e1929[2])), _e1917);
-                                            let _e1944 = local_12.member[0u];
-                                            if (_e1944[0] < 0f) {
-                                                phi_5139_ = -(_e1944[0]);
+                                        let _e2110 = phi_6302_;
+                                        if _e2110 {
+                                            let _e2115 = local_12.member[0u];
+                                            let _e2121 = local_12.member_1[0u];
+                                            let _e2127 = local_12.member_2[0u];
+                                            let _e2139 = local_12.member[1u];
+                                            let _e2145 = local_12.member_1[1u];
+                                            let _e2151 = local_12.member_2[1u];
+                                            let _e2163 = local_12.member[0u];
+                                            if (_e2163[0] < 0f) {
+                                                phi_6450_ = -(_e2163[0]);
                                             } else {
-                                                phi_5139_ = _e1944[0];
+                                                phi_6450_ = _e2163[0];
                                             }
-                                            let _e1951 = phi_5139_;
-                                            if (_e1944[1] < 0f) {
-                                                phi_5146_ = -(_e1944[1]);
+                                            let _e2170 = phi_6450_;
+                                            if (_e2163[1] < 0f) {
+                                                phi_6457_ = -(_e2163[1]);
                                             } else {
-                                                phi_5146_ = _e1944[1];
+                                                phi_6457_ = _e2163[1];
                                             }
-                                            let _e1955 = phi_5146_;
-                                            if (_e1951 > _e1955) {
-                                                phi_5151_ = _e1951;
+                                            let _e2174 = phi_6457_;
+                                            if (_e2170 > _e2174) {
+                                                phi_6462_ = _e2170;
                                             } else {
-                                                phi_5151_ = _e1955;
+                                                phi_6462_ = _e2174;
                                             }
-                                            let _e1958 = phi_5151_;
-                                            if (_e1944[2] < 0f) {
-                                                phi_5158_ = -(_e1944[2]);
+                                            let _e2177 = phi_6462_;
+                                            if (_e2163[2] < 0f) {
+                                                phi_6469_ = -(_e2163[2]);
                                             } else {
-                                                phi_5158_ = _e1944[2];
+                                                phi_6469_ = _e2163[2];
                                             }
-                                            let _e1962 = phi_5158_;
-                                            if (_e1958 > _e1962) {
-                                                phi_5163_ = _e1958;
+                                            let _e2181 = phi_6469_;
+                                            if (_e2177 > _e2181) {
+                                                phi_6474_ = _e2177;
                                             } else {
-                                                phi_5163_ = _e1962;
+                                                phi_6474_ = _e2181;
                                             }
-                                            let _e1965 = phi_5163_;
-                                            let _e1968 = local_12.member[1u];
-                                            if (_e1968[0] < 0f) {
-                                                phi_5176_ = -(_e1968[0]);
+                                            let _e2184 = phi_6474_;
+                                            let _e2187 = local_12.member[1u];
+                                            if (_e2187[0] < 0f) {
+                                                phi_6487_ = -(_e2187[0]);
                                             } else {
-                                                phi_5176_ = _e1968[0];
+                                                phi_6487_ = _e2187[0];
                                             }
-                                            let _e1975 = phi_5176_;
-                                            if (_e1968[1] < 0f) {
-                                                phi_5183_ = -(_e1968[1]);
+                                            let _e2194 = phi_6487_;
+                                            if (_e2187[1] < 0f) {
+                                                phi_6494_ = -(_e2187[1]);
                                             } else {
-                                                phi_5183_ = _e1968[1];
+                                                phi_6494_ = _e2187[1];
                                             }
-                                            let _e1979 = phi_5183_;
-                                            if (_e1975 > _e1979) {
-                                                phi_5188_ = _e1975;
+                                            let _e2198 = phi_6494_;
+                                            if (_e2194 > _e2198) {
+                                                phi_6499_ = _e2194;
                                             } else {
-                                                phi_5188_ = _e1979;
+                                                phi_6499_ = _e2198;
                                             }
-                                            let _e1982 = phi_5188_;
-                                            if (_e1968[2] < 0f) {
-                                                phi_5195_ = -(_e1968[2]);
+                                            let _e2201 = phi_6499_;
+                                            if (_e2187[2] < 0f) {
+                                                phi_6506_ = -(_e2187[2]);
                                             } else {
-                                                phi_5195_ = _e1968[2];
+                                                phi_6506_ = _e2187[2];
                                             }
-                                            let _e1986 = phi_5195_;
-                                            if (_e1982 > _e1986) {
-                                                phi_5200_ = _e1982;
+                                            let _e2205 = phi_6506_;
+                                            if (_e2201 > _e2205) {
+                                                phi_6511_ = _e2201;
                                             } else {
-                                                phi_5200_ = _e1986;
+                                                phi_6511_ = _e2205;
                                             }
-                                            let _e1989 = phi_5200_;
-                                            if (_e1965 > _e1989) {
-                                                phi_5205_ = _e1965;
+                                            let _e2208 = phi_6511_;
+                                            if (_e2184 > _e2208) {
+                                                phi_6516_ = _e2184;
                                             } else {
-                                                phi_5205_ = _e1989;
+                                                phi_6516_ = _e2208;
                                             }
-                                            let _e1992 = phi_5205_;
-                                            let _e1994 = local_12.member_3;
-                                            let _e1998 = local_12.member_1[0u];
-                                            if (_e1998[0] < 0f) {
-                                                phi_5222_ = -(_e1998[0]);
+                                            let _e2211 = phi_6516_;
+                                            let _e2213 = local_12.member_3;
+                                            let _e2217 = local_12.member_1[0u];
+                                            if (_e2217[0] < 0f) {
+                                                phi_6533_ = -(_e2217[0]);
                                             } else {
-                                                phi_5222_ = _e1998[0];
+                                                phi_6533_ = _e2217[0];
                                             }
-                                            let _e2005 = phi_5222_;
-                                            if (_e1998[1] < 0f) {
-                                                phi_5229_ = -(_e1998[1]);
+                                            let _e2224 = phi_6533_;
+                                            if (_e2217[1] < 0f) {
+                                                phi_6540_ = -(_e2217[1]);
                                             } else {
-                                                phi_5229_ = _e1998[1];
+                                                phi_6540_ = _e2217[1];
                                             }
-                                            let _e2009 = phi_5229_;
-                                            if (_e2005 > _e2009) {
-                                                phi_5234_ = _e2005;
+                                            let _e2228 = phi_6540_;
+                                            if (_e2224 > _e2228) {
+                                                phi_6545_ = _e2224;
                                             } else {
-                                                phi_5234_ = _e2009;
+                                                phi_6545_ = _e2228;
                                             }
-                                            let _e2012 = phi_5234_;
-                                            if (_e1998[2] < 0f) {
-                                                phi_5241_ = -(_e1998[2]);
+                                            let _e2231 = phi_6545_;
+                                            if (_e2217[2] < 0f) {
+                                                phi_6552_ = -(_e2217[2]);
                                             } else {
-                                                phi_5241_ = _e1998[2];
+                                                phi_6552_ = _e2217[2];
                                             }
-                                            let _e2016 = phi_5241_;
-                                            if (_e2012 > _e2016) {
-                                                phi_5246_ = _e2012;
+                                            let _e2235 = phi_6552_;
+                                            if (_e2231 > _e2235) {
+                                                phi_6557_ = _e2231;
                                             } else {
-                                                phi_5246_ = _e2016;
+                                                phi_6557_ = _e2235;
                                             }
-                                            let _e2019 = phi_5246_;
-                                            let _e2022 = local_12.member_1[1u];
-                                            if (_e2022[0] < 0f) {
-                                                phi_5260_ = -(_e2022[0]);
+                                            let _e2238 = phi_6557_;
+                                            let _e2241 = local_12.member_1[1u];
+                                            if (_e2241[0] < 0f) {
+                                                phi_6571_ = -(_e2241[0]);
                                             } else {
-                                                phi_5260_ = _e2022[0];
+                                                phi_6571_ = _e2241[0];
                                             }
-                                            let _e2029 = phi_5260_;
-                                            if (_e2022[1] < 0f) {
-                                                phi_5267_ = -(_e2022[1]);
+                                            let _e2248 = phi_6571_;
+                                            if (_e2241[1] < 0f) {
+                                                phi_6578_ = -(_e2241[1]);
                                             } else {
-                                                phi_5267_ = _e2022[1];
+                                                phi_6578_ = _e2241[1];
                                             }
-                                            let _e2033 = phi_5267_;
-                                            if (_e2029 > _e2033) {
-                                                phi_5272_ = _e2029;
+                                            let _e2252 = phi_6578_;
+                                            if (_e2248 > _e2252) {
+                                                phi_6583_ = _e2248;
                                             } else {
-                                                phi_5272_ = _e2033;
+                                                phi_6583_ = _e2252;
                                             }
-                                            let _e2036 = phi_5272_;
-                                            if (_e2022[2] < 0f) {
-                                                phi_5279_ = -(_e2022[2]);
+                                            let _e2255 = phi_6583_;
+                                            if (_e2241[2] < 0f) {
+                                                phi_6590_ = -(_e2241[2]);
                                             } else {
-                                                phi_5279_ = _e2022[2];
+                                                phi_6590_ = _e2241[2];
                                             }
-                                            let _e2040 = phi_5279_;
-                                            if (_e2036 > _e2040) {
-                                                phi_5284_ = _e2036;
+                                            let _e2259 = phi_6590_;
+                                            if (_e2255 > _e2259) {
+                                                phi_6595_ = _e2255;
                                             } else {
-                                                phi_5284_ = _e2040;
+                                                phi_6595_ = _e2259;
                                             }
-                                            let _e2043 = phi_5284_;
-                                            if (_e2019 > _e2043) {
-                                                phi_5289_ = _e2019;
+                                            let _e2262 = phi_6595_;
+                                            if (_e2238 > _e2262) {
+                                                phi_6600_ = _e2238;
                                             } else {
-                                                phi_5289_ = _e2043;
+                                                phi_6600_ = _e2262;
                                             }
-                                            let _e2046 = phi_5289_;
-                                            let _e2048 = local_12.member_3;
-                                            let _e2052 = local_12.member_2[0u];
-                                            if (_e2052[0] < 0f) {
-                                                phi_5306_ = -(_e2052[0]);
+                                            let _e2265 = phi_6600_;
+                                            let _e2267 = local_12.member_3;
+                                            let _e2271 = local_12.member_2[0u];
+                                            if (_e2271[0] < 0f) {
+                                                phi_6617_ = -(_e2271[0]);
                                             } else {
-                                                phi_5306_ = _e2052[0];
+                                                phi_6617_ = _e2271[0];
                                             }
-                                            let _e2059 = phi_5306_;
-                                            if (_e2052[1] < 0f) {
-                                                phi_5313_ = -(_e2052[1]);
+                                            let _e2278 = phi_6617_;
+                                            if (_e2271[1] < 0f) {
+                                                phi_6624_ = -(_e2271[1]);
                                             } else {
-                                                phi_5313_ = _e2052[1];
+                                                phi_6624_ = _e2271[1];
                                             }
-                                            let _e2063 = phi_5313_;
-                                            if (_e2059 > _e2063) {
-                                                phi_5318_ = _e2059;
+                                            let _e2282 = phi_6624_;
+                                            if (_e2278 > _e2282) {
+                                                phi_6629_ = _e2278;
                                             } else {
-                                                phi_5318_ = _e2063;
+                                                phi_6629_ = _e2282;
                                             }
-                                            let _e2066 = phi_5318_;
-                                            if (_e2052[2] < 0f) {
-                                                phi_5325_ = -(_e2052[2]);
+                                            let _e2285 = phi_6629_;
+                                            if (_e2271[2] < 0f) {
+                                                phi_6636_ = -(_e2271[2]);
                                             } else {
-                                                phi_5325_ = _e2052[2];
+                                                phi_6636_ = _e2271[2];
                                             }
-                                            let _e2070 = phi_5325_;
-                                            if (_e2066 > _e2070) {
-                                                phi_5330_ = _e2066;
+                                            let _e2289 = phi_6636_;
+                                            if (_e2285 > _e2289) {
+                                                phi_6641_ = _e2285;
                                             } else {
-                                                phi_5330_ = _e2070;
+                                                phi_6641_ = _e2289;
                                             }
-                                            let _e2073 = phi_5330_;
-                                            let _e2076 = local_12.member_2[1u];
-                                            if (_e2076[0] < 0f) {
-                                                phi_5344_ = -(_e2076[0]);
+                                            let _e2292 = phi_6641_;
+                                            let _e2295 = local_12.member_2[1u];
+                                            if (_e2295[0] < 0f) {
+                                                phi_6655_ = -(_e2295[0]);
                                             } else {
-                                                phi_5344_ = _e2076[0];
+                                                phi_6655_ = _e2295[0];
                                             }
-                                            let _e2083 = phi_5344_;
-                                            if (_e2076[1] < 0f) {
-                                                phi_5351_ = -(_e2076[1]);
+                                            let _e2302 = phi_6655_;
+                                            if (_e2295[1] < 0f) {
+                                                phi_6662_ = -(_e2295[1]);
                                             } else {
-                                                phi_5351_ = _e2076[1];
+                                                phi_6662_ = _e2295[1];
                                             }
-                                            let _e2087 = phi_5351_;
-                                            if (_e2083 > _e2087) {
-                                                phi_5356_ = _e2083;
+                                            let _e2306 = phi_6662_;
+                                            if (_e2302 > _e2306) {
+                                                phi_6667_ = _e2302;
                                             } else {
-                                                phi_5356_ = _e2087;
+                                                phi_6667_ = _e2306;
                                             }
-                                            let _e2090 = phi_5356_;
-                                            if (_e2076[2] < 0f) {
-                                                phi_5363_ = -(_e2076[2]);
+                                            let _e2309 = phi_6667_;
+                                            if (_e2295[2] < 0f) {
+                                                phi_6674_ = -(_e2295[2]);
                                             } else {
-                                                phi_5363_ = _e2076[2];
+                                                phi_6674_ = _e2295[2];
                                             }
-                                            let _e2094 = phi_5363_;
-                                            if (_e2090 > _e2094) {
-                                                phi_5368_ = _e2090;
+                                            let _e2313 = phi_6674_;
+                                            if (_e2309 > _e2313) {
+                                                phi_6679_ = _e2309;
                                             } else {
-                                                phi_5368_ = _e2094;
+                                                phi_6679_ = _e2313;
                                             }
-                                            let _e2097 = phi_5368_;
-                                            if (_e2073 > _e2097) {
-                                                phi_5373_ = _e2073;
+                                            let _e2316 = phi_6679_;
+                                            if (_e2292 > _e2316) {
+                                                phi_6684_ = _e2292;
                                             } else {
-                                                phi_5373_ = _e2097;
+                                                phi_6684_ = _e2316;
                                             }
-                                            let _e2100 = phi_5373_;
-                                            let _e2102 = local_12.member_3;
-                                            let _e2109 = local_12.member_3;
-                                            phi_5389_ = type_19(0u, 48u);
-                                            phi_5392_ = _e1171.member;
+                                            let _e2319 = phi_6684_;
+                                            let _e2321 = local_12.member_3;
+                                            let _e2328 = local_12.member_3;
+                                            local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                            phi_6723_ = type_9(0u, 96u);
+                                            phi_6726_ = _e1390.member;
+                                            phi_6728_ = _e1390.member;
+                                            phi_6730_ = _e1390.member;
                                             loop {
-                                                let _e2115 = phi_5389_;
-                                                let _e2117 = phi_5392_;
-                                                local_61 = _e2117;
-                                                local_24 = _e2117;
-                                                local_25 = _e2117;
-                                                local_26 = _e2117;
-                                                local_27 = _e2117;
-                                                if (_e2115.member < _e2115.member_1) {
-                                                    phi_5390_ = type_19((_e2115.member + 1u), _e2115.member_1);
-                                                    phi_5415_ = type_19(1u, _e2115.member);
+                                                let _e2334 = phi_6723_;
+                                                let _e2336 = phi_6726_;
+                                                let _e2338 = phi_6728_;
+                                                let _e2340 = phi_6730_;
+                                                local_36 = _e2338;
+                                                local_20 = _e2336;
+                                                if (_e2334.member < _e2334.member_1) {
+                                                    phi_6724_ = type_9((_e2334.member + 1u), _e2334.member_1);
+                                                    phi_6753_ = type_9(1u, _e2334.member);
                                                 } else {
-                                                    phi_5390_ = _e2115;
-                                                    phi_5415_ = type_19(0u, type_19().member_1);
+                                                    phi_6724_ = _e2334;
+                                                    phi_6753_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2129 = phi_5390_;
-                                                let _e2131 = phi_5415_;
-                                                if (bitcast<i32>(_e2131.member) != 0i) {
-                                                    let _e2137 = local_12.member[0u];
-                                                    let _e2143 = local_12.member[1u];
-                                                    let _e2159 = local_12.member_1[0u];
-                                                    let _e2165 = local_12.member_1[1u];
-                                                    let _e2181 = local_12.member_2[0u];
-                                                    let _e2187 = local_12.member_2[1u];
-                                                    let _e2201 = function_1(array<f32, 3>((_e2137[0] + ((_e2143[0] - _e2137[0]) * _e2117)), (_e2137[1] + ((_e2143[1] - _e2137[1]) * _e2117)), (_e2137[2] + ((_e2143[2] - _e2137[2]) * _e2117))), array<f32, 3>((_e2159[0] + ((_e2165[0] - _e2159[0]) * _e2117)), (_e2159[1] + ((_e2165[1] - _e2159[1]) * _e2117)), (_e2159[2] + ((_e2165[2] - _e2159[2]) * _e2117))), array<f32, 3>((_e2181[0] + ((_e2187[0] - _e2181[0]) * _e2117)), (_e2181[1] + ((_e2187[1] - _e2181[1]) * _e2117)), (_e2181[2] + ((_e2187[2] - _e2181[2]) * _e2117))), 0u);
-                                                    if (_e2201[0] < 0f) {
-                                                        phi_5526_ = -(_e2201[0]);
+                                                let _e2352 = phi_6724_;
+                                                let _e2354 = phi_6753_;
+                                                if (bitcast<i32>(_e2354.member) != 0i) {
+                                                    let _e2361 = local_12.member[0u];
+                                                    let _e2367 = local_12.member[1u];
+                                                    let _e2383 = local_12.member_1[0u];
+                                                    let _e2389 = local_12.member_1[1u];
+                                                    let _e2405 = local_12.member_2[0u];
+                                                    let _e2411 = local_12.member_2[1u];
+                                                    let _e2425 = function_1(array<f32, 3>((_e2361[0] + ((_e2367[0] - _e2361[0]) * _e2336)), (_e2361[1] + ((_e2367[1] - _e2361[1]) * _e2336)), (_e2361[2] + ((_e2367[2] - _e2361[2]) * _e2336))), array<f32, 3>((_e2383[0] + ((_e2389[0] - _e2383[0]) * _e2336)), (_e2383[1] + ((_e2389[1] - _e2383[1]) * _e2336)), (_e2383[2] + ((_e2389[2] - _e2383[2]) * _e2336))), array<f32, 3>((_e2405[0] + ((_e2411[0] - _e2405[0]) * _e2336)), (_e2405[1] + ((_e2411[1] - _e2405[1]) * _e2336)), (_e2405[2] + ((_e2411[2] - _e2405[2]) * _e2336))), 0u);
+                                                    if (_e2425[0] < 0f) {
+                                                        phi_6865_ = -(_e2425[0]);
                                                     } else {
-                                                        phi_5526_ = _e2201[0];
+                                                        phi_6865_ = _e2425[0];
                                                     }
-                                                    let _e2206 = phi_5526_;
-                                                    if (_e2201[1] < 0f) {
-                                                        phi_5533_ = -(_e2201[1]);
+                                                    let _e2430 = phi_6865_;
+                                                    if (_e2425[1] < 0f) {
+                                                        phi_6872_ = -(_e2425[1]);
                                                     } else {
-                                                        phi_5533_ = _e2201[1];
+                                                        phi_6872_ = _e2425[1];
                                                     }
-                                                    let _e2211 = phi_5533_;
-                                                    if (_e2201[2] < 0f) {
-                                                        phi_5541_ = -(_e2201[2]);
+                                                    let _e2435 = phi_6872_;
+                                                    if (_e2425[2] < 0f) {
+                                                        phi_6880_ = -(_e2425[2]);
                                                     } else {
-                                                        phi_5541_ = _e2201[2];
+                                                        phi_6880_ = _e2425[2];
                                                     }
-                                                    let _e2217 = phi_5541_;
-                                                    let _e2218 = ((_e2206 + _e2211) + _e2217);
-                                                    if (_e2218 > 0f) {
-                                                        if ((bitcast<u32>(_e2218) & 2139095040u) != 2139095040u) {
-                                                            let _e2223 = (1f / _e2218);
-                                                            let _e2225 = (_e2201[0] * _e2223);
-                                                            let _e2227 = (_e2201[1] * _e2223);
-                                                            let _e2229 = (_e2201[2] * _e2223);
-                                                            let _e2234 = (((_e2225 * _e2225) + (_e2227 * _e2227)) + (_e2229 * _e2229));
-                                                            if (_e2234 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2234 > 0f) {
-                                                                    phi_5578_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2441 = phi_6880_;
+                                                    let _e2442 = ((_e2430 + _e2435) + _e2441);
+                                                    if (_e2442 > 0f) {
+                                                        if ((bitcast<u32>(_e2442) & 2139095040u) != 2139095040u) {
+                                                            let _e2447 = (1f / _e2442);
+                                                            let _e2449 = (_e2425[0] * _e2447);
+                                                            let _e2451 = (_e2425[1] * _e2447);
+                                                            let _e2453 = (_e2425[2] * _e2447);
+                                                            let _e2458 = (((_e2449 * _e2449) + (_e2451 * _e2451)) + (_e2453 * _e2453));
+                                                            if (_e2458 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2458 > 0f) {
+                                                                    phi_6917_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_5578_ = 0f;
+                                                                    phi_6917_ = 0f;
                                                                 }
-                                                                let _e2287 = phi_5578_;
-                                                                phi_5642_ = _e2287;
+                                                                let _e2511 = phi_6917_;
+                                                                phi_6981_ = _e2511;
                                                             } else {
-                                                                phi_5585_ = type_17(0i, 5i);
-                                                                phi_5588_ = bitcast<f32>(((bitcast<u32>(_e2234) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_6924_ = type_14(0i, 5i);
+                                                                phi_6927_ = bitcast<f32>(((bitcast<u32>(_e2458) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2242 = phi_5585_;
-                                                                    let _e2244 = phi_5588_;
-                                                                    local_18 = _e2244;
-                                                                    if (_e2242.member < _e2242.member_1) {
-                                                                        let _e2251 = (_e2242.member + 1i);
-                                                                        if ((false == (_e2251 > _e2242.member)) != false) {
-                                                                            phi_5609_ = true;
+                                                                    let _e2466 = phi_6924_;
+                                                                    let _e2468 = phi_6927_;
+                                                                    local_18 = _e2468;
+                                                                    if (_e2466.member < _e2466.member_1) {
+                                                                        let _e2475 = (_e2466.member + 1i);
+                                                                        if ((false == (_e2475 > _e2466.member)) != false) {
+                                                                            phi_6948_ = true;
                                                                         } else {
-                                                                            phi_5609_ = false;
+                                                                            phi_6948_ = false;
                                                                         }
-                                                                        let _e2256 = phi_5609_;
-                                                                        if _e2256 {
-                                                                            phi_5615_ = type_18(0u, type_18().member_1);
+                                                                        let _e2480 = phi_6948_;
+                                                                        if _e2480 {
+                                                                            phi_6954_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_5615_ = type_18(1u, _e2251);
+                                                                            phi_6954_ = type_15(1u, _e2475);
                                                                         }
-                                                                        let _e2261 = phi_5615_;
-                                                                        phi_5586_ = type_17(_e2261.member_1, _e2242.member_1);
-                                                                        phi_5629_ = type_18(1u, _e2242.member);
+                                                                        let _e2485 = phi_6954_;
+                                                                        phi_6925_ = type_14(_e2485.member_1, _e2466.member_1);
+                                                                        phi_6968_ = type_15(1u, _e2466.member);
                                                                     } else {
-                                                                        phi_5586_ = _e2242;
-                                                                        phi_5629_ = type_18(0u, type_18().member_1);
+                                                                        phi_6925_ = _e2466;
+                                                                        phi_6968_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2267 = phi_5586_;
-                                                                    let _e2269 = phi_5629_;
-                                                                    let _e2272 = (bitcast<i32>(_e2269.member) != 0i);
-                                                                    if _e2272 {
-                                                                        phi_5589_ = (0.5f * (_e2244 + (_e2234 / _e2244)));
+                                                                    let _e2491 = phi_6925_;
+                                                                    let _e2493 = phi_6968_;
+                                                                    let _e2496 = (bitcast<i32>(_e2493.member) != 0i);
+                                                                    if _e2496 {
+                                                                        phi_6928_ = (0.5f * (_e2468 + (_e2458 / _e2468)));
                                                                     } else {
-                                                                        phi_5589_ = f32();
+                                                                        phi_6928_ = f32();
                                                                     }
-                                                                    let _e2277 = phi_5589_;
+                                                                    let _e2501 = phi_6928_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5585_ = _e2267;
-                                                                        phi_5588_ = _e2277;
-                                                                        break if !(_e2272);
+                                                                        phi_6924_ = _e2491;
+                                                                        phi_6927_ = _e2501;
+                                                                        break if !(_e2496);
                                                                     }
                                                                 }
-                                                                let _e2282 = local_18;
-                                                                phi_5642_ = (_e2282 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2506 = local_18;
+                                                                phi_6981_ = (_e2506 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2289 = phi_5642_;
-                                                            phi_5651_ = type_19(0u, 4u);
-                                                            phi_5654_ = 2f;
-                                                            loop {
-                                                                let _e2297 = phi_5651_;
-                                                                let _e2299 = phi_5654_;
-                                                                local_20 = _e2299;
-                                                                local_21 = _e2299;
-                                                                local_22 = _e2299;
-                                                                local_51 = _e2299;
-                                                                local_52 = _e2299;
-                                                                if (_e2297.member < _e2297.member_1) {
-                                                                    phi_5652_ = type_19((_e2297.member + 1u), _e2297.member_1);
-                                                                    phi_5677_ = type_19(1u, _e2297.member);
-                                                                } else {
-                                                                    phi_5652_ = _e2297;
-                                                                    phi_5677_ = type_19(0u, type_19().member_1);
-                                                                }
-                                                                let _e2311 = phi_5652_;
-                                                                let _e2313 = phi_5677_;
-                                                                if (bitcast<i32>(_e2313.member) != 0i) {
-                                                                    let _e2319 = local[_e2313.member_1];
-                                                                    let _e2327 = (((_e2225 * _e2319[0]) + (_e2227 * _e2319[1])) + (_e2229 * _e2319[2]));
-                                                                    let _e2329 = local_1[_e2313.member_1];
-                                                                    let _e2337 = (((_e2225 * _e2329[0]) + (_e2227 * _e2329[1])) + (_e2229 * _e2329[2]));
-                                                                    if (_e2327 < 0f) {
-                                                                        phi_5728_ = -(_e2327);
-                                                                    } else {
-                                                                        phi_5728_ = _e2327;
-                                                                    }
-                                                                    let _e2341 = phi_5728_;
-                                                                    if (_e2337 < 0f) {
-                                                                        phi_5734_ = -(_e2337);
-                                                                    } else {
-                                                                        phi_5734_ = _e2337;
-                                                                    }
-                                                                    let _e2345 = phi_5734_;
-                                                                    let _e2349 = (((((((((_e1992 + _e1994) + (_e2046 + _e2048)) + (_e2100 + _e2102)) * (0.000000059604645f * 16f)) + (_e2109 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2289) * (1f + (0.000000059604645f * 8f)))) + ((_e2341 + _e2345) * (0.000000059604645f * 8f)));
-                                                                    if (_e2327 > _e2349) {
-                                                                        if (_e2337 > _e2349) {
-                                                                            phi_5747_ = false;
-                                                                        } else {
-                                                                            phi_5747_ = true;
-                                                                        }
-                                                                        let _e2353 = phi_5747_;
-                                                                        phi_5748_ = _e2353;
-                                                                    } else {
-                                                                        phi_5748_ = true;
-                                                                    }
-                                                                    let _e2355 = phi_5748_;
-                                                                    if _e2355 {
-                                                                        if ((_e2327 + ((_e2337 - _e2327) * _e2117)) > _e2349) {
-                                                                            if (_e2337 < _e2327) {
-                                                                                let _e2363 = ((_e2327 - _e2337) <= (0.25f / 0.000000000000000000000000000000000000011754944f));
-                                                                                if _e2363 {
-                                                                                    let _e2369 = (((_e2327 - _e2349) / (_e2327 - _e2337)) * (1f - (0.000000059604645f * 16f)));
-                                                                                    if (_e2299 < _e2369) {
-                                                                                        phi_5779_ = _e2299;
-                                                                                    } else {
-                                                                                        phi_5779_ = _e2369;
-                                                                                    }
-                                                                                    let _e2372 = phi_5779_;
-                                                                                    phi_5780_ = _e2372;
-                                                                                } else {
-                                                                                    phi_5780_ = f32();
-                                                                                }
-                                                                                let _e2374 = phi_5780_;
-                                                                                phi_5781_ = _e2374;
-                                                                                phi_5782_ = _e2363;
-                                                                            } else {
-                                                                                phi_5781_ = _e2299;
-                                                                                phi_5782_ = true;
-                                                                            }
-                                                                            let _e2376 = phi_5781_;
-                                                                            let _e2378 = phi_5782_;
-                                                                            if _e2378 {
-                                                                                phi_5786_ = false;
-                                                                            } else {
-                                                                                phi_5786_ = true;
-                                                                            }
-                                                                            let _e2380 = phi_5786_;
-                                                                            phi_5787_ = _e2376;
-                                                                            phi_5788_ = _e2378;
-                                                                            phi_5789_ = _e2380;
-                                                                            phi_5790_ = false;
-                                                                        } else {
-                                                                            phi_5787_ = f32();
-                                                                            phi_5788_ = false;
-                                                                            phi_5789_ = false;
-                                                                            phi_5790_ = true;
-                                                                        }
-                                                                        let _e2382 = phi_5787_;
-                                                                        let _e2384 = phi_5788_;
-                                                                        let _e2386 = phi_5789_;
-                                                                        let _e2388 = phi_5790_;
-                                                                        phi_5791_ = _e2382;
-                                                                        phi_5792_ = _e2384;
-                                                                        phi_5793_ = _e2386;
-                                                                        phi_5794_ = _e2388;
-                                                                    } else {
-                                                                        phi_5791_ = _e2299;
-                                                                        phi_5792_ = true;
-                                                                        phi_5793_ = false;
-                                                                        phi_5794_ = false;
-                                                                    }
-                                                                    let _e2390 = phi_5791_;
-                                                                    let _e2392 = phi_5792_;
-                                                                    let _e2394 = phi_5793_;
-                                                                    let _e2396 = phi_5794_;
-                                                                    phi_5655_ = _e2390;
-                                                                    phi_5795_ = _e2392;
-                                                                    phi_5796_ = false;
-                                                                    phi_5797_ = _e2394;
-                                                                    phi_5798_ = _e2396;
-                                                                } else {
-                                                                    phi_5655_ = f32();
-                                                                    phi_5795_ = false;
-                                                                    phi_5796_ = true;
-                                                                    phi_5797_ = false;
-                                                                    phi_5798_ = false;
-                                                                }
-                                                                let _e2398 = phi_5655_;
-                                                                let _e2400 = phi_5795_;
-                                                                let _e2402 = phi_5796_;
-                                                                let _e2404 = phi_5797_;
-                                                                let _e2406 = phi_5798_;
-                                                                local_19 = _e2402;
-                                                                local_49 = _e2404;
-                                                                local_50 = _e2406;
-                                                                continue;
-                                                                continuing {
-                                                                    phi_5651_ = _e2311;
-                                                                    phi_5654_ = _e2398;
-                                                                    break if !(_e2400);
-                                                                }
-                                                            }
-                                                            let _e2409 = local_19;
-                                                            if _e2409 {
-                                                                let _e2411 = local_20;
-                                                                let _e2412 = (_e2411 > _e1171.member_1);
-                                                                if _e2412 {
-                                                                    phi_5819_ = false;
-                                                                    phi_5820_ = false;
-                                                                    phi_5821_ = false;
-                                                                } else {
-                                                                    let _e2414 = local_21;
-                                                                    if (_e2414 > _e2117) {
-                                                                        let _e2417 = local_22;
-                                                                        let _e2419 = ((_e2417 - _e2117) < 0.00000000023283064f);
-                                                                        if _e2419 {
-                                                                            phi_5815_ = false;
-                                                                        } else {
-                                                                            phi_5815_ = true;
-                                                                        }
-                                                                        let _e2421 = phi_5815_;
-                                                                        phi_5816_ = _e2421;
-                                                                        phi_5817_ = _e2419;
-                                                                        phi_5818_ = false;
-                                                                    } else {
-                                                                        phi_5816_ = false;
-                                                                        phi_5817_ = false;
-                                                                        phi_5818_ = true;
-                                                                    }
-                                                                    let _e2423 = phi_5816_;
-                                                                    let _e2425 = phi_5817_;
-                                                                    let _e2427 = phi_5818_;
-                                                                    phi_5819_ = _e2423;
-                                                                    phi_5820_ = _e2425;
-                                                                    phi_5821_ = _e2427;
-                                                                }
-                                                                let _e2429 = phi_5819_;
-                                                                let _e2431 = phi_5820_;
-                                                                let _e2433 = phi_5821_;
-                                                                phi_5822_ = _e2429;
-                                                                phi_5823_ = _e2412;
-                                                                phi_5824_ = _e2431;
-                                                                phi_5825_ = _e2433;
-                                                                phi_5826_ = false;
-                                                                phi_5827_ = false;
+                                                            let _e2513 = phi_6981_;
+                                                            let _e2514 = (0.000000059604645f * 12f);
+                                                            let _e2519 = ((((((((_e2211 + _e2213) + (_e2265 + _e2267)) + (_e2319 + _e2321)) * (0.000000059604645f * 16f)) + (_e2328 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2513) * (1f + _e2514)));
+                                                            let _e2524 = (((_e2449 * _e2115[0]) + (_e2451 * _e2115[1])) + (_e2453 * _e2115[2]));
+                                                            let _e2529 = (((_e2449 * (_e2115[0] - _e2121[0])) + (_e2451 * (_e2115[1] - _e2121[1]))) + (_e2453 * (_e2115[2] - _e2121[2])));
+                                                            let _e2534 = (((_e2449 * (_e2115[0] - _e2127[0])) + (_e2451 * (_e2115[1] - _e2127[1]))) + (_e2453 * (_e2115[2] - _e2127[2])));
+                                                            let _e2539 = (((_e2449 * _e2115[0]) + (_e2451 * _e2115[1])) + (_e2453 * _e2115[2]));
+                                                            let _e2545 = (((_e2449 * _e2139[0]) + (_e2451 * _e2139[1])) + (_e2453 * _e2139[2]));
+                                                            let _e2550 = (((_e2449 * (_e2139[0] - _e2145[0])) + (_e2451 * (_e2139[1] - _e2145[1]))) + (_e2453 * (_e2139[2] - _e2145[2])));
+                                                            let _e2555 = (((_e2449 * (_e2139[0] - _e2151[0])) + (_e2451 * (_e2139[1] - _e2151[1]))) + (_e2453 * (_e2139[2] - _e2151[2])));
+                                                            let _e2560 = (((_e2449 * _e2139[0]) + (_e2451 * _e2139[1])) + (_e2453 * _e2139[2]));
+                                                            if (_e2524 < 0f) {
+                                                                phi_7047_ = -(_e2524);
                                                             } else {
-                                                                phi_5822_ = false;
-                                                                phi_5823_ = false;
-                                                                phi_5824_ = false;
-                                                                phi_5825_ = false;
-                                                                let _e4301 = local_49;
-                                                                phi_5826_ = _e4301;
-                                                                let _e4304 = local_50;
-                                                                phi_5827_ = _e4304;
+                                                                phi_7047_ = _e2524;
                                                             }
-                                                            let _e2435 = phi_5822_;
-                                                            let _e2437 = phi_5823_;
-                                                            let _e2439 = phi_5824_;
-                                                            let _e2441 = phi_5825_;
-                                                            let _e2443 = phi_5826_;
-                                                            let _e2445 = phi_5827_;
-                                                            let _e4307 = local_51;
-                                                            phi_5828_ = _e4307;
-                                                            let _e4310 = local_52;
-                                                            phi_5829_ = _e4310;
-                                                            phi_5830_ = _e2435;
-                                                            phi_5831_ = _e2437;
-                                                            phi_5832_ = _e2439;
-                                                            phi_5833_ = _e2441;
-                                                            phi_5834_ = _e2443;
-                                                            phi_5835_ = _e2445;
-                                                            phi_5836_ = false;
+                                                            let _e2565 = phi_7047_;
+                                                            if (_e2545 < 0f) {
+                                                                phi_7053_ = -(_e2545);
+                                                            } else {
+                                                                phi_7053_ = _e2545;
+                                                            }
+                                                            let _e2569 = phi_7053_;
+                                                            if (_e2529 < 0f) {
+                                                                phi_7062_ = -(_e2529);
+                                                            } else {
+                                                                phi_7062_ = _e2529;
+                                                            }
+                                                            let _e2576 = phi_7062_;
+                                                            if (_e2550 < 0f) {
+                                                                phi_7068_ = -(_e2550);
+                                                            } else {
+                                                                phi_7068_ = _e2550;
+                                                            }
+                                                            let _e2580 = phi_7068_;
+                                                            if (_e2534 < 0f) {
+                                                                phi_7077_ = -(_e2534);
+                                                            } else {
+                                                                phi_7077_ = _e2534;
+                                                            }
+                                                            let _e2587 = phi_7077_;
+                                                            if (_e2555 < 0f) {
+                                                                phi_7083_ = -(_e2555);
+                                                            } else {
+                                                                phi_7083_ = _e2555;
+                                                            }
+                                                            let _e2591 = phi_7083_;
+                                                            if (_e2539 < 0f) {
+                                                                phi_7092_ = -(_e2539);
+                                                            } else {
+                                                                phi_7092_ = _e2539;
+                                                            }
+                                                            let _e2598 = phi_7092_;
+                                                            if (_e2560 < 0f) {
+                                                                phi_7098_ = -(_e2560);
+                                                            } else {
+                                                                phi_7098_ = _e2560;
+                                                            }
+                                                            let _e2602 = phi_7098_;
+                                                            phi_7104_ = type_30(array<f32, 4>(_e2524, _e2529, _e2534, _e2539), array<f32, 4>(_e2545, _e2550, _e2555, _e2560), array<f32, 4>((_e2519 + ((_e2565 + _e2569) * _e2514)), (_e2519 + ((_e2576 + _e2580) * _e2514)), (_e2519 + ((_e2587 + _e2591) * _e2514)), (_e2519 + ((_e2598 + _e2602) * _e2514))));
+                                                            phi_7105_ = false;
                                                         } else {
-                                                            phi_5828_ = f32();
-                                                            phi_5829_ = f32();
-                                                            phi_5830_ = false;
-                                                            phi_5831_ = false;
-                                                            phi_5832_ = false;
-                                                            phi_5833_ = false;
-                                                            phi_5834_ = false;
-                                                            phi_5835_ = false;
-                                                            phi_5836_ = true;
+                                                            phi_7104_ = type_30();
+                                                            phi_7105_ = true;
                                                         }
-                                                        let _e2447 = phi_5828_;
-                                                        let _e2449 = phi_5829_;
-                                                        let _e2451 = phi_5830_;
-                                                        let _e2453 = phi_5831_;
-                                                        let _e2455 = phi_5832_;
-                                                        let _e2457 = phi_5833_;
-                                                        let _e2459 = phi_5834_;
-                                                        let _e2461 = phi_5835_;
-                                                        let _e2463 = phi_5836_;
-                                                        phi_5837_ = _e2447;
-                                                        phi_5838_ = _e2449;
-                                                        phi_5839_ = _e2451;
-                                                        phi_5840_ = _e2453;
-                                                        phi_5841_ = _e2455;
-                                                        phi_5842_ = _e2457;
-                                                        phi_5843_ = _e2459;
-                                                        phi_5844_ = _e2461;
-                                                        phi_5845_ = _e2463;
-                                                        phi_5846_ = false;
+                                                        let _e2609 = phi_7104_;
+                                                        let _e2611 = phi_7105_;
+                                                        phi_7106_ = _e2609;
+                                                        phi_7107_ = _e2611;
                                                     } else {
-                                                        phi_5837_ = f32();
-                                                        phi_5838_ = f32();
-                                                        phi_5839_ = false;
-                                                        phi_5840_ = false;
-                                                        phi_5841_ = false;
-                                                        phi_5842_ = false;
-                                                        phi_5843_ = false;
-                                                        phi_5844_ = false;
-                                                        phi_5845_ = false;
-                                                        phi_5846_ = true;
+                                                        phi_7106_ = type_30();
+                                                        phi_7107_ = true;
                                                     }
-                                                    let _e2465 = phi_5837_;
-                                                    let _e2467 = phi_5838_;
-                                                    let _e2469 = phi_5839_;
-                                                    let _e2471 = phi_5840_;
-                                                    let _e2473 = phi_5841_;
-                                                    let _e2475 = phi_5842_;
-                                                    let _e2477 = phi_5843_;
-                                                    let _e2479 = phi_5844_;
-                                                    let _e2481 = phi_5845_;
-                                                    let _e2483 = phi_5846_;
-                                                    phi_5847_ = _e2465;
-                                                    phi_5393_ = _e2467;
-                                                    phi_5848_ = _e2469;
-                                                    phi_5849_ = _e2471;
-                                                    phi_5850_ = _e2473;
-                                                    phi_5851_ = false;
-                                                    phi_5852_ = _e2475;
-                                                    phi_5853_ = _e2477;
-                                                    phi_5854_ = _e2479;
-                                                    phi_5855_ = _e2481;
-                                                    phi_5856_ = _e2483;
+                                                    let _e2613 = phi_7106_;
+                                                    let _e2615 = phi_7107_;
+                                                    if _e2615 {
+                                                        phi_7115_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                    } else {
+                                                        phi_7115_ = _e2613;
+                                                    }
+                                                    let _e2617 = phi_7115_;
+                                                    local_1 = type_30(array<f32, 4>(_e2617.member[0], _e2617.member[1], _e2617.member[2], _e2617.member[3]), array<f32, 4>(_e2617.member_1[0], _e2617.member_1[1], _e2617.member_1[2], _e2617.member_1[3]), array<f32, 4>(_e2617.member_2[0], _e2617.member_2[1], _e2617.member_2[2], _e2617.member_2[3]));
+                                                    let _e2637 = (_e2336 - _e2340);
+                                                    let _e2640 = local_1.member[0u];
+                                                    let _e2643 = local_1.member_1[0u];
+                                                    let _e2646 = local_1.member[0u];
+                                                    let _e2652 = local_1.member_2[0u];
+                                                    if (((_e2640 + ((_e2643 - _e2646) * _e2336)) - _e2652) > 0f) {
+                                                        let _e2657 = local_1.member[1u];
+                                                        let _e2660 = local_1.member_1[1u];
+                                                        let _e2663 = local_1.member[1u];
+                                                        let _e2669 = local_1.member_2[1u];
+                                                        if (((_e2657 + ((_e2660 - _e2663) * _e2336)) - _e2669) > 0f) {
+                                                            let _e2674 = local_1.member[2u];
+                                                            let _e2677 = local_1.member_1[2u];
+                                                            let _e2680 = local_1.member[2u];
+                                                            let _e2686 = local_1.member_2[2u];
+                                                            if (((_e2674 + ((_e2677 - _e2680) * _e2336)) - _e2686) > 0f) {
+                                                                let _e2691 = local_1.member[3u];
+                                                                let _e2694 = local_1.member_1[3u];
+                                                                let _e2697 = local_1.member[3u];
+                                                                let _e2703 = local_1.member_2[3u];
+                                                                phi_7285_ = (((_e2691 + ((_e2694 - _e2697) * _e2336)) - _e2703) > 0f);
+                                                                phi_7286_ = false;
+                                                            } else {
+                                                                phi_7285_ = bool();
+                                                                phi_7286_ = true;
+                                                            }
+                                                            let _e2707 = phi_7285_;
+                                                            let _e2709 = phi_7286_;
+                                                            phi_7287_ = _e2707;
+                                                            phi_7288_ = _e2709;
+                                                        } else {
+                                                            phi_7287_ = bool();
+                                                            phi_7288_ = true;
+                                                        }
+                                                        let _e2711 = phi_7287_;
+                                                        let _e2713 = phi_7288_;
+                                                        phi_7289_ = _e2711;
+                                                        phi_7290_ = _e2713;
+                                                    } else {
+                                                        phi_7289_ = bool();
+                                                        phi_7290_ = true;
+                                                    }
+                                                    let _e2715 = phi_7289_;
+                                                    let _e2717 = phi_7290_;
+                                                    if _e2717 {
+                                                        phi_7294_ = false;
+                                                    } else {
+                                                        phi_7294_ = _e2715;
+                                                    }
+                                                    let _e2719 = phi_7294_;
+                                                    if _e2719 {
+                                                        if (_e2336 <= _e2338) {
+                                                            phi_7604_ = true;
+                                                        } else {
+                                                            let _e2723 = local.member[0u];
+                                                            let _e2726 = local.member_1[0u];
+                                                            let _e2729 = local.member[0u];
+                                                            let _e2735 = local.member_2[0u];
+                                                            let _e2739 = local_1.member[0u];
+                                                            let _e2742 = local_1.member_1[0u];
+                                                            let _e2745 = local_1.member[0u];
+                                                            let _e2751 = local_1.member_2[0u];
+                                                            if ((((_e2723 + ((_e2726 - _e2729) * _e2336)) - _e2735) + ((_e2739 + ((_e2742 - _e2745) * _e2340)) - _e2751)) > 0f) {
+                                                                let _e2757 = local.member[1u];
+                                                                let _e2760 = local.member_1[1u];
+                                                                let _e2763 = local.member[1u];
+                                                                let _e2769 = local.member_2[1u];
+                                                                let _e2773 = local_1.member[1u];
+                                                                let _e2776 = local_1.member_1[1u];
+                                                                let _e2779 = local_1.member[1u];
+                                                                let _e2785 = local_1.member_2[1u];
+                                                                if ((((_e2757 + ((_e2760 - _e2763) * _e2336)) - _e2769) + ((_e2773 + ((_e2776 - _e2779) * _e2340)) - _e2785)) > 0f) {
+                                                                    let _e2791 = local.member[2u];
+                                                                    let _e2794 = local.member_1[2u];
+                                                                    let _e2797 = local.member[2u];
+                                                                    let _e2803 = local.member_2[2u];
+                                                                    let _e2807 = local_1.member[2u];
+                                                                    let _e2810 = local_1.member_1[2u];
+                                                                    let _e2813 = local_1.member[2u];
+                                                                    let _e2819 = local_1.member_2[2u];
+                                                                    if ((((_e2791 + ((_e2794 - _e2797) * _e2336)) - _e2803) + ((_e2807 + ((_e2810 - _e2813) * _e2340)) - _e2819)) > 0f) {
+                                                                        let _e2825 = local.member[3u];
+                                                                        let _e2828 = local.member_1[3u];
+                                                                        let _e2831 = local.member[3u];
+                                                                        let _e2837 = local.member_2[3u];
+                                                                        let _e2841 = local_1.member[3u];
+                                                                        let _e2844 = local_1.member_1[3u];
+                                                                        let _e2847 = local_1.member[3u];
+                                                                        let _e2853 = local_1.member_2[3u];
+                                                                        phi_7591_ = ((((_e2825 + ((_e2828 - _e2831) * _e2336)) - _e2837) + ((_e2841 + ((_e2844 - _e2847) * _e2340)) - _e2853)) > 0f);
+                                                                        phi_7592_ = false;
+                                                                    } else {
+                                                                        phi_7591_ = bool();
+                                                                        phi_7592_ = true;
+                                                                    }
+                                                                    let _e2858 = phi_7591_;
+                                                                    let _e2860 = phi_7592_;
+                                                                    phi_7593_ = _e2858;
+                                                                    phi_7594_ = _e2860;
+                                                                } else {
+                                                                    phi_7593_ = bool();
+                                                                    phi_7594_ = true;
+                                                                }
+                                                                let _e2862 = phi_7593_;
+                                                                let _e2864 = phi_7594_;
+                                                                phi_7595_ = _e2862;
+                                                                phi_7596_ = _e2864;
+                                                            } else {
+                                                                phi_7595_ = bool();
+                                                                phi_7596_ = true;
+                                                            }
+                                                            let _e2866 = phi_7595_;
+                                                            let _e2868 = phi_7596_;
+                                                            if _e2868 {
+                                                                phi_7600_ = false;
+                                                            } else {
+                                                                phi_7600_ = _e2866;
+                                                            }
+                                                            let _e2870 = phi_7600_;
+                                                            phi_7604_ = _e2870;
+                                                        }
+                                                        let _e2872 = phi_7604_;
+                                                        if _e2872 {
+                                                            if (_e2354.member_1 > 0u) {
+                                                                if (_e2336 >= _e1390.member_1) {
+                                                                    phi_7616_ = false;
+                                                                } else {
+                                                                    phi_7616_ = true;
+                                                                }
+                                                                let _e2876 = phi_7616_;
+                                                                phi_7617_ = _e2876;
+                                                            } else {
+                                                                phi_7617_ = true;
+                                                            }
+                                                            let _e2878 = phi_7617_;
+                                                            if _e2878 {
+                                                                local = type_30(array<f32, 4>(_e2617.member[0], _e2617.member[1], _e2617.member[2], _e2617.member[3]), array<f32, 4>(_e2617.member_1[0], _e2617.member_1[1], _e2617.member_1[2], _e2617.member_1[3]), array<f32, 4>(_e2617.member_2[0], _e2617.member_2[1], _e2617.member_2[2], _e2617.member_2[3]));
+                                                                let _e2900 = local.member[0u];
+                                                                let _e2903 = local.member_1[0u];
+                                                                let _e2906 = local.member_2[0u];
+                                                                if (_e2900 > _e2906) {
+                                                                    if (_e2903 > _e2906) {
+                                                                        phi_7691_ = false;
+                                                                    } else {
+                                                                        phi_7691_ = true;
+                                                                    }
+                                                                    let _e2910 = phi_7691_;
+                                                                    phi_7692_ = _e2910;
+                                                                } else {
+                                                                    phi_7692_ = true;
+                                                                }
+                                                                let _e2912 = phi_7692_;
+                                                                if _e2912 {
+                                                                    let _e2913 = (_e2903 >= _e2900);
+                                                                    if _e2913 {
+                                                                        phi_7714_ = f32();
+                                                                        phi_7715_ = false;
+                                                                    } else {
+                                                                        if ((_e2900 - _e2903) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7712_ = (((_e2900 - _e2906) / (_e2900 - _e2903)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7713_ = false;
+                                                                        } else {
+                                                                            phi_7712_ = f32();
+                                                                            phi_7713_ = true;
+                                                                        }
+                                                                        let _e2924 = phi_7712_;
+                                                                        let _e2926 = phi_7713_;
+                                                                        phi_7714_ = _e2924;
+                                                                        phi_7715_ = _e2926;
+                                                                    }
+                                                                    let _e2928 = phi_7714_;
+                                                                    let _e2930 = phi_7715_;
+                                                                    phi_7716_ = _e2928;
+                                                                    phi_7717_ = _e2913;
+                                                                    phi_7718_ = _e2930;
+                                                                } else {
+                                                                    phi_7716_ = f32();
+                                                                    phi_7717_ = true;
+                                                                    phi_7718_ = false;
+                                                                }
+                                                                let _e2932 = phi_7716_;
+                                                                let _e2934 = phi_7717_;
+                                                                let _e2936 = phi_7718_;
+                                                                if _e2934 {
+                                                                    phi_7722_ = 2f;
+                                                                    phi_7723_ = true;
+                                                                } else {
+                                                                    phi_7722_ = _e2336;
+                                                                    phi_7723_ = _e2936;
+                                                                }
+                                                                let _e2938 = phi_7722_;
+                                                                let _e2940 = phi_7723_;
+                                                                if _e2940 {
+                                                                    phi_7727_ = _e2938;
+                                                                } else {
+                                                                    phi_7727_ = _e2932;
+                                                                }
+                                                                let _e2942 = phi_7727_;
+                                                                let _e2945 = local.member[1u];
+                                                                let _e2948 = local.member_1[1u];
+                                                                let _e2951 = local.member_2[1u];
+                                                                if (_e2945 > _e2951) {
+                                                                    if (_e2948 > _e2951) {
+                                                                        phi_7759_ = false;
+                                                                    } else {
+                                                                        phi_7759_ = true;
+                                                                    }
+                                                                    let _e2955 = phi_7759_;
+                                                                    phi_7760_ = _e2955;
+                                                                } else {
+                                                                    phi_7760_ = true;
+                                                                }
+                                                                let _e2957 = phi_7760_;
+                                                                if _e2957 {
+                                                                    let _e2958 = (_e2948 >= _e2945);
+                                                                    if _e2958 {
+                                                                        phi_7782_ = f32();
+                                                                        phi_7783_ = false;
+                                                                    } else {
+                                                                        if ((_e2945 - _e2948) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7780_ = (((_e2945 - _e2951) / (_e2945 - _e2948)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7781_ = false;
+                                                                        } else {
+                                                                            phi_7780_ = f32();
+                                                                            phi_7781_ = true;
+                                                                        }
+                                                                        let _e2969 = phi_7780_;
+                                                                        let _e2971 = phi_7781_;
+                                                                        phi_7782_ = _e2969;
+                                                                        phi_7783_ = _e2971;
+                                                                    }
+                                                                    let _e2973 = phi_7782_;
+                                                                    let _e2975 = phi_7783_;
+                                                                    phi_7784_ = _e2973;
+                                                                    phi_7785_ = _e2958;
+                                                                    phi_7786_ = _e2975;
+                                                                } else {
+                                                                    phi_7784_ = f32();
+                                                                    phi_7785_ = true;
+                                                                    phi_7786_ = false;
+                                                                }
+                                                                let _e2977 = phi_7784_;
+                                                                let _e2979 = phi_7785_;
+                                                                let _e2981 = phi_7786_;
+                                                                if _e2979 {
+                                                                    phi_7790_ = 2f;
+                                                                    phi_7791_ = true;
+                                                                } else {
+                                                                    phi_7790_ = _e2336;
+                                                                    phi_7791_ = _e2981;
+                                                                }
+                                                                let _e2983 = phi_7790_;
+                                                                let _e2985 = phi_7791_;
+                                                                if _e2985 {
+                                                                    phi_7795_ = _e2983;
+                                                                } else {
+                                                                    phi_7795_ = _e2977;
+                                                                }
+                                                                let _e2987 = phi_7795_;
+                                                                if (_e2942 < _e2987) {
+                                                                    phi_7800_ = _e2942;
+                                                                } else {
+                                                                    phi_7800_ = _e2987;
+                                                                }
+                                                                let _e2990 = phi_7800_;
+                                                                let _e2993 = local.member[2u];
+                                                                let _e2996 = local.member_1[2u];
+                                                                let _e2999 = local.member_2[2u];
+                                                                if (_e2993 > _e2999) {
+                                                                    if (_e2996 > _e2999) {
+                                                                        phi_7832_ = false;
+                                                                    } else {
+                                                                        phi_7832_ = true;
+                                                                    }
+                                                                    let _e3003 = phi_7832_;
+                                                                    phi_7833_ = _e3003;
+                                                                } else {
+                                                                    phi_7833_ = true;
+                                                                }
+                                                                let _e3005 = phi_7833_;
+                                                                if _e3005 {
+                                                                    let _e3006 = (_e2996 >= _e2993);
+                                                                    if _e3006 {
+                                                                        phi_7855_ = f32();
+                                                                        phi_7856_ = false;
+                                                                    } else {
+                                                                        if ((_e2993 - _e2996) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7853_ = (((_e2993 - _e2999) / (_e2993 - _e2996)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7854_ = false;
+                                                                        } else {
+                                                                            phi_7853_ = f32();
+                                                                            phi_7854_ = true;
+                                                                        }
+                                                                        let _e3017 = phi_7853_;
+                                                                        let _e3019 = phi_7854_;
+                                                                        phi_7855_ = _e3017;
+                                                                        phi_7856_ = _e3019;
+                                                                    }
+                                                                    let _e3021 = phi_7855_;
+                                                                    let _e3023 = phi_7856_;
+                                                                    phi_7857_ = _e3021;
+                                                                    phi_7858_ = _e3006;
+                                                                    phi_7859_ = _e3023;
+                                                                } else {
+                                                                    phi_7857_ = f32();
+                                                                    phi_7858_ = true;
+                                                                    phi_7859_ = false;
+                                                                }
+                                                                let _e3025 = phi_7857_;
+                                                                let _e3027 = phi_7858_;
+                                                                let _e3029 = phi_7859_;
+                                                                if _e3027 {
+                                                                    phi_7863_ = 2f;
+                                                                    phi_7864_ = true;
+                                                                } else {
+                                                                    phi_7863_ = _e2336;
+                                                                    phi_7864_ = _e3029;
+                                                                }
+                                                                let _e3031 = phi_7863_;
+                                                                let _e3033 = phi_7864_;
+                                                                if _e3033 {
+                                                                    phi_7868_ = _e3031;
+                                                                } else {
+                                                                    phi_7868_ = _e3025;
+                                                                }
+                                                                let _e3035 = phi_7868_;
+                                                                let _e3038 = local.member[3u];
+                                                                let _e3041 = local.member_1[3u];
+                                                                let _e3044 = local.member_2[3u];
+                                                                if (_e3038 > _e3044) {
+                                                                    if (_e3041 > _e3044) {
+                                                                        phi_7900_ = false;
+                                                                    } else {
+                                                                        phi_7900_ = true;
+                                                                    }
+                                                                    let _e3048 = phi_7900_;
+                                                                    phi_7901_ = _e3048;
+                                                                } else {
+                                                                    phi_7901_ = true;
+                                                                }
+                                                                let _e3050 = phi_7901_;
+                                                                if _e3050 {
+                                                                    let _e3051 = (_e3041 >= _e3038);
+                                                                    if _e3051 {
+                                                                        phi_7923_ = f32();
+                                                                        phi_7924_ = false;
+                                                                    } else {
+                                                                        if ((_e3038 - _e3041) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7921_ = (((_e3038 - _e3044) / (_e3038 - _e3041)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7922_ = false;
+                                                                        } else {
+                                                                            phi_7921_ = f32();
+                                                                            phi_7922_ = true;
+                                                                        }
+                                                                        let _e3062 = phi_7921_;
+                                                                        let _e3064 = phi_7922_;
+                                                                        phi_7923_ = _e3062;
+                                                                        phi_7924_ = _e3064;
+                                                                    }
+                                                                    let _e3066 = phi_7923_;
+                                                                    let _e3068 = phi_7924_;
+                                                                    phi_7925_ = _e3066;
+                                                                    phi_7926_ = _e3051;
+                                                                    phi_7927_ = _e3068;
+                                                                } else {
+                                                                    phi_7925_ = f32();
+                                                                    phi_7926_ = true;
+                                                                    phi_7927_ = false;
+                                                                }
+                                                                let _e3070 = phi_7925_;
+                                                                let _e3072 = phi_7926_;
+                                                                let _e3074 = phi_7927_;
+                                                                if _e3072 {
+                                                                    phi_7931_ = 2f;
+                                                                    phi_7932_ = true;
+                                                                } else {
+                                                                    phi_7931_ = _e2336;
+                                                                    phi_7932_ = _e3074;
+                                                                }
+                                                                let _e3076 = phi_7931_;
+                                                                let _e3078 = phi_7932_;
+                                                                if _e3078 {
+                                                                    phi_7936_ = _e3076;
+                                                                } else {
+                                                                    phi_7936_ = _e3070;
+                                                                }
+                                                                let _e3080 = phi_7936_;
+                                                                if (_e3035 < _e3080) {
+                                                                    phi_7941_ = _e3035;
+                                                                } else {
+                                                                    phi_7941_ = _e3080;
+                                                                }
+                                                                let _e3083 = phi_7941_;
+                                                                if (_e2990 < _e3083) {
+                                                                    phi_7946_ = _e2990;
+                                                                } else {
+                                                                    phi_7946_ = _e3083;
+                                                                }
+                                                                let _e3086 = phi_7946_;
+                                                                if (_e3086 > _e2336) {
+                                                                    phi_7951_ = _e3086;
+                                                                } else {
+                                                                    phi_7951_ = _e2336;
+                                                                }
+                                                                let _e3089 = phi_7951_;
+                                                                let _e3090 = (_e3089 > _e1390.member_1);
+                                                                if _e3090 {
+                                                                    phi_7963_ = f32();
+                                                                    phi_7964_ = false;
+                                                                } else {
+                                                                    if (_e2354.member_1 == 0u) {
+                                                                        phi_7962_ = (_e1390.member_1 - _e2336);
+                                                                    } else {
+                                                                        phi_7962_ = (_e2637 + _e2637);
+                                                                    }
+                                                                    let _e3095 = phi_7962_;
+                                                                    phi_7963_ = _e3095;
+                                                                    phi_7964_ = true;
+                                                                }
+                                                                let _e3097 = phi_7963_;
+                                                                let _e3099 = phi_7964_;
+                                                                phi_7965_ = _e3089;
+                                                                phi_7966_ = _e3097;
+                                                                phi_7967_ = _e3099;
+                                                                phi_7968_ = _e3090;
+                                                                phi_7969_ = false;
+                                                            } else {
+                                                                phi_7965_ = f32();
+                                                                phi_7966_ = f32();
+                                                                phi_7967_ = false;
+                                                                phi_7968_ = false;
+                                                                phi_7969_ = true;
+                                                            }
+                                                            let _e3101 = phi_7965_;
+                                                            let _e3103 = phi_7966_;
+                                                            let _e3105 = phi_7967_;
+                                                            let _e3107 = phi_7968_;
+                                                            let _e3109 = phi_7969_;
+                                                            phi_7970_ = _e3101;
+                                                            phi_7971_ = _e3103;
+                                                            phi_7972_ = false;
+                                                            phi_7973_ = _e3105;
+                                                            phi_7974_ = _e3107;
+                                                            phi_7975_ = _e3109;
+                                                        } else {
+                                                            phi_7970_ = f32();
+                                                            phi_7971_ = f32();
+                                                            phi_7972_ = true;
+                                                            phi_7973_ = false;
+                                                            phi_7974_ = false;
+                                                            phi_7975_ = false;
+                                                        }
+                                                        let _e3111 = phi_7970_;
+                                                        let _e3113 = phi_7971_;
+                                                        let _e3115 = phi_7972_;
+                                                        let _e3117 = phi_7973_;
+                                                        let _e3119 = phi_7974_;
+                                                        let _e3121 = phi_7975_;
+                                                        phi_7976_ = _e3111;
+                                                        phi_7977_ = _e3113;
+                                                        phi_7978_ = _e3115;
+                                                        phi_7979_ = _e3117;
+                                                        phi_7980_ = _e3119;
+                                                        phi_7981_ = _e3121;
+                                                    } else {
+                                                        phi_7976_ = f32();
+                                                        phi_7977_ = f32();
+                                                        phi_7978_ = true;
+                                                        phi_7979_ = false;
+                                                        phi_7980_ = false;
+                                                        phi_7981_ = false;
+                                                    }
+                                                    let _e3123 = phi_7976_;
+                                                    let _e3125 = phi_7977_;
+                                                    let _e3127 = phi_7978_;
+                                                    let _e3129 = phi_7979_;
+                                                    let _e3131 = phi_7980_;
+                                                    let _e3133 = phi_7981_;
+                                                    if _e3127 {
+                                                        let _e3134 = (_e2336 <= _e2338);
+                                                        if _e3134 {
+                                                            phi_8310_ = f32();
+                                                            phi_8311_ = false;
+                                                        } else {
+                                                            let _e3137 = local.member[0u];
+                                                            let _e3140 = local.member_1[0u];
+                                                            let _e3143 = local.member[0u];
+                                                            let _e3149 = local.member_2[0u];
+                                                            let _e3150 = ((_e3137 + ((_e3140 - _e3143) * _e2340)) - _e3149);
+                                                            let _e3153 = local.member[1u];
+                                                            let _e3156 = local.member_1[1u];
+                                                            let _e3159 = local.member[1u];
+                                                            let _e3165 = local.member_2[1u];
+                                                            let _e3166 = ((_e3153 + ((_e3156 - _e3159) * _e2340)) - _e3165);
+                                                            if (_e3150 < _e3166) {
+                                                                phi_8061_ = _e3150;
+                                                            } else {
+                                                                phi_8061_ = _e3166;
+                                                            }
+                                                            let _e3169 = phi_8061_;
+                                                            let _e3172 = local.member[2u];
+                                                            let _e3175 = local.member_1[2u];
+                                                            let _e3178 = local.member[2u];
+                                                            let _e3184 = local.member_2[2u];
+                                                            let _e3185 = ((_e3172 + ((_e3175 - _e3178) * _e2340)) - _e3184);
+                                                            let _e3188 = local.member[3u];
+                                                            let _e3191 = local.member_1[3u];
+                                                            let _e3194 = local.member[3u];
+                                                            let _e3200 = local.member_2[3u];
+                                                            let _e3201 = ((_e3188 + ((_e3191 - _e3194) * _e2340)) - _e3200);
+                                                            if (_e3185 < _e3201) {
+                                                                phi_8134_ = _e3185;
+                                                            } else {
+                                                                phi_8134_ = _e3201;
+                                                            }
+                                                            let _e3204 = phi_8134_;
+                                                            if (_e3169 < _e3204) {
+                                                                phi_8139_ = _e3169;
+                                                            } else {
+                                                                phi_8139_ = _e3204;
+                                                            }
+                                                            let _e3207 = phi_8139_;
+                                                            let _e3210 = local_1.member[0u];
+                                                            let _e3213 = local_1.member_1[0u];
+                                                            let _e3216 = local_1.member[0u];
+                                                            let _e3222 = local_1.member_2[0u];
+                                                            let _e3223 = ((_e3210 + ((_e3213 - _e3216) * _e2336)) - _e3222);
+                                                            let _e3226 = local_1.member[1u];
+                                                            let _e3229 = local_1.member_1[1u];
+                                                            let _e3232 = local_1.member[1u];
+                                                            let _e3238 = local_1.member_2[1u];
+                                                            let _e3239 = ((_e3226 + ((_e3229 - _e3232) * _e2336)) - _e3238);
+                                                            if (_e3223 < _e3239) {
+                                                                phi_8212_ = _e3223;
+                                                            } else {
+                                                                phi_8212_ = _e3239;
+                                                            }
+                                                            let _e3242 = phi_8212_;
+                                                            let _e3245 = local_1.member[2u];
+                                                            let _e3248 = local_1.member_1[2u];
+                                                            let _e3251 = local_1.member[2u];
+                                                            let _e3257 = local_1.member_2[2u];
+                                                            let _e3258 = ((_e3245 + ((_e3248 - _e3251) * _e2336)) - _e3257);
+                                                            let _e3261 = local_1.member[3u];
+                                                            let _e3264 = local_1.member_1[3u];
+                                                            let _e3267 = local_1.member[3u];
+                                                            let _e3273 = local_1.member_2[3u];
+                                                            let _e3274 = ((_e3261 + ((_e3264 - _e3267) * _e2336)) - _e3273);
+                                                            if (_e3258 < _e3274) {
+                                                                phi_8285_ = _e3258;
+                                                            } else {
+                                                                phi_8285_ = _e3274;
+                                                            }
+                                                            let _e3277 = phi_8285_;
+                                                            if (_e3242 < _e3277) {
+                                                                phi_8290_ = _e3242;
+                                                            } else {
+                                                                phi_8290_ = _e3277;
+                                                            }
+                                                            let _e3280 = phi_8290_;
+                                                            if (_e3280 > 0f) {
+                                                                phi_8308_ = 0.5f;
+                                                            } else {
+                                                                let _e3284 = (0.95f * (_e3207 / (_e3207 - _e3280)));
+                                                                if (_e3284 > 0.0625f) {
+                                                                    if (_e3284 < 0.9f) {
+                                                                        phi_8306_ = _e3284;
+                                                                    } else {
+                                                                        phi_8306_ = 0.9f;
+                                                                    }
+                                                                    let _e3288 = phi_8306_;
+                                                                    phi_8307_ = _e3288;
+                                                                } else {
+                                                                    phi_8307_ = 0.0625f;
+                                                                }
+                                                                let _e3290 = phi_8307_;
+                                                                phi_8308_ = _e3290;
+                                                            }
+                                                            let _e3292 = phi_8308_;
+                                                            phi_8310_ = (_e2637 * _e3292);
+                                                            phi_8311_ = true;
+                                                        }
+                                                        let _e3295 = phi_8310_;
+                                                        let _e3297 = phi_8311_;
+                                                        phi_8312_ = _e2338;
+                                                        phi_8313_ = _e3295;
+                                                        phi_8314_ = _e2340;
+                                                        phi_8315_ = _e3297;
+                                                        phi_8316_ = _e3134;
+                                                        phi_8317_ = false;
+                                                        phi_8318_ = false;
+                                                    } else {
+                                                        phi_8312_ = _e3123;
+                                                        phi_8313_ = _e3125;
+                                                        phi_8314_ = _e2336;
+                                                        phi_8315_ = _e3129;
+                                                        phi_8316_ = false;
+                                                        phi_8317_ = _e3131;
+                                                        phi_8318_ = _e3133;
+                                                    }
+                                                    let _e3299 = phi_8312_;
+                                                    let _e3301 = phi_8313_;
+                                                    let _e3303 = phi_8314_;
+                                                    let _e3305 = phi_8315_;
+                                                    let _e3307 = phi_8316_;
+                                                    let _e3309 = phi_8317_;
+                                                    let _e3311 = phi_8318_;
+                                                    if _e3305 {
+                                                        let _e3312 = (_e3303 + _e3301);
+                                                        if (_e3312 > _e3299) {
+                                                            phi_8327_ = _e3312;
+                                                        } else {
+                                                            phi_8327_ = _e3299;
+                                                        }
+                                                        let _e3315 = phi_8327_;
+                                                        if (_e3315 < _e1390.member_1) {
+                                                            phi_8332_ = _e3315;
+                                                        } else {
+                                                            phi_8332_ = _e1390.member_1;
+                                                        }
+                                                        let _e3318 = phi_8332_;
+                                                        if (_e2354.member_1 > 0u) {
+                                                            phi_8342_ = ((_e3318 - _e3303) > 0.0000000037252903f);
+                                                        } else {
+                                                            phi_8342_ = true;
+                                                        }
+                                                        let _e3323 = phi_8342_;
+                                                        if _e3323 {
+                                                            phi_8346_ = false;
+                                                        } else {
+                                                            phi_8346_ = true;
+                                                        }
+                                                        let _e3325 = phi_8346_;
+                                                        phi_8347_ = _e3318;
+                                                        phi_8348_ = _e3323;
+                                                        phi_8349_ = _e3325;
+                                                        phi_8350_ = false;
+                                                        phi_8351_ = false;
+                                                        phi_8352_ = false;
+                                                    } else {
+                                                        phi_8347_ = f32();
+                                                        phi_8348_ = false;
+                                                        phi_8349_ = false;
+                                                        phi_8350_ = _e3307;
+                                                        phi_8351_ = _e3309;
+                                                        phi_8352_ = _e3311;
+                                                    }
+                                                    let _e3327 = phi_8347_;
+                                                    let _e3329 = phi_8348_;
+                                                    let _e3331 = phi_8349_;
+                                                    let _e3333 = phi_8350_;
+                                                    let _e3335 = phi_8351_;
+                                                    let _e3337 = phi_8352_;
+                                                    phi_6727_ = _e3327;
+                                                    phi_6729_ = _e3299;
+                                                    phi_6731_ = _e3303;
+                                                    phi_8353_ = _e3299;
+                                                    phi_8354_ = _e3329;
+                                                    phi_8355_ = _e3331;
+                                                    phi_8356_ = false;
+                                                    phi_8357_ = _e3333;
+                                                    phi_8358_ = _e3335;
+                                                    phi_8359_ = _e3337;
                                                 } else {
-                                                    phi_5847_ = f32();
-                                                    phi_5393_ = f32();
-                                                    phi_5848_ = false;
-                                                    phi_5849_ = false;
-                                                    phi_5850_ = false;
-                                                    phi_5851_ = true;
-                                                    phi_5852_ = false;
-                                                    phi_5853_ = false;
-                                                    phi_5854_ = false;
-                                                    phi_5855_ = false;
-                                                    phi_5856_ = false;
+                                                    phi_6727_ = f32();
+                                                    phi_6729_ = f32();
+                                                    phi_6731_ = f32();
+                                                    phi_8353_ = f32();
+                                                    phi_8354_ = false;
+                                                    phi_8355_ = false;
+                                                    phi_8356_ = true;
+                                                    phi_8357_ = false;
+                                                    phi_8358_ = false;
+                                                    phi_8359_ = false;
                                                 }
-                                                let _e2485 = phi_5847_;
-                                                let _e2487 = phi_5393_;
-                                                let _e2489 = phi_5848_;
-                                                let _e2491 = phi_5849_;
-                                                let _e2493 = phi_5850_;
-                                                let _e2495 = phi_5851_;
-                                                let _e2497 = phi_5852_;
-                                                let _e2499 = phi_5853_;
-                                                let _e2501 = phi_5854_;
-                                                let _e2503 = phi_5855_;
-                                                let _e2505 = phi_5856_;
-                                                local_23 = _e2491;
-                                                local_53 = _e2493;
-                                                local_54 = _e2495;
-                                                local_55 = _e2497;
-                                                local_56 = _e2499;
-                                                local_57 = _e2501;
-                                                local_58 = _e2503;
-                                                local_59 = _e2505;
-                                                local_60 = _e2485;
-                                                local_62 = _e2491;
+                                                let _e3339 = phi_6727_;
+                                                let _e3341 = phi_6729_;
+                                                let _e3343 = phi_6731_;
+                                                let _e3345 = phi_8353_;
+                                                let _e3347 = phi_8354_;
+                                                let _e3349 = phi_8355_;
+                                                let _e3351 = phi_8356_;
+                                                let _e3353 = phi_8357_;
+                                                let _e3355 = phi_8358_;
+                                                let _e3357 = phi_8359_;
+                                                local_19 = _e3349;
+                                                local_35 = _e3345;
+                                                local_37 = _e3351;
+                                                local_38 = _e3353;
+                                                local_39 = _e3355;
+                                                local_40 = _e3357;
                                                 continue;
                                                 continuing {
-                                                    phi_5389_ = _e2129;
-                                                    phi_5392_ = _e2487;
-                                                    break if !(_e2489);
+                                                    phi_6723_ = _e2352;
+                                                    phi_6726_ = _e3339;
+                                                    phi_6728_ = _e3341;
+                                                    phi_6730_ = _e3343;
+                                                    break if !(_e3347);
                                                 }
                                             }
-                                            let _e2508 = local_23;
-                                            if _e2508 {
-                                                phi_5861_ = type_32(0u, type_32().member_1);
-                                                phi_5862_ = false;
-                                                phi_5863_ = false;
-                                                phi_5864_ = false;
-                                                phi_5865_ = false;
-                                                phi_5866_ = false;
-                                                phi_5867_ = false;
-                                                phi_5868_ = false;
+                                            let _e3360 = local_19;
+                                            if _e3360 {
+                                                let _e5780 = local_35;
+                                                phi_8363_ = _e5780;
+                                                phi_8364_ = true;
+                                                phi_8365_ = false;
+                                                phi_8366_ = false;
+                                                phi_8367_ = false;
                                             } else {
-                                                phi_5861_ = type_32();
-                                                let _e4343 = local_53;
-                                                phi_5862_ = _e4343;
-                                                let _e4346 = local_54;
-                                                phi_5863_ = _e4346;
-                                                let _e4349 = local_55;
-                                                phi_5864_ = _e4349;
-                                                let _e4352 = local_56;
-                                                phi_5865_ = _e4352;
-                                                let _e4355 = local_57;
-                                                phi_5866_ = _e4355;
-                                                let _e4358 = local_58;
-                                                phi_5867_ = _e4358;
-                                                let _e4361 = local_59;
-                                                phi_5868_ = _e4361;
+                                                let _e5782 = local_36;
+                                                phi_8363_ = _e5782;
+                                                let _e5785 = local_37;
+                                                phi_8364_ = _e5785;
+                                                let _e5788 = local_38;
+                                                phi_8365_ = _e5788;
+                                                let _e5791 = local_39;
+                                                phi_8366_ = _e5791;
+                                                let _e5794 = local_40;
+                                                phi_8367_ = _e5794;
                                             }
-                                            let _e2512 = phi_5861_;
-                                            let _e2514 = phi_5862_;
-                                            let _e2516 = phi_5863_;
-                                            let _e2518 = phi_5864_;
-                                            let _e2520 = phi_5865_;
-                                            let _e2522 = phi_5866_;
-                                            let _e2524 = phi_5867_;
-                                            let _e2526 = phi_5868_;
-                                            if _e2514 {
-                                                let _e4364 = local_60;
-                                                phi_5872_ = _e4364;
-                                                phi_5873_ = true;
-                                                phi_5874_ = false;
-                                                phi_5875_ = false;
-                                                phi_5876_ = false;
-                                                phi_5877_ = false;
-                                                phi_5878_ = false;
-                                                phi_5879_ = false;
+                                            let _e3362 = phi_8363_;
+                                            let _e3364 = phi_8364_;
+                                            let _e3366 = phi_8365_;
+                                            let _e3368 = phi_8366_;
+                                            let _e3370 = phi_8367_;
+                                            if _e3364 {
+                                                phi_8372_ = type_35(1u, _e3362);
+                                                phi_8373_ = false;
+                                                phi_8374_ = false;
+                                                phi_8375_ = false;
                                             } else {
-                                                let _e4366 = local_61;
-                                                phi_5872_ = _e4366;
-                                                phi_5873_ = _e2516;
-                                                phi_5874_ = _e2518;
-                                                phi_5875_ = _e2520;
-                                                phi_5876_ = _e2522;
-                                                let _e4373 = local_62;
-                                                phi_5877_ = _e4373;
-                                                phi_5878_ = _e2524;
-                                                phi_5879_ = _e2526;
+                                                phi_8372_ = type_35();
+                                                phi_8373_ = _e3366;
+                                                phi_8374_ = _e3368;
+                                                phi_8375_ = _e3370;
                                             }
-                                            let _e2528 = phi_5872_;
-                                            let _e2530 = phi_5873_;
-                                            let _e2532 = phi_5874_;
-                                            let _e2534 = phi_5875_;
-                                            let _e2536 = phi_5876_;
-                                            let _e2538 = phi_5877_;
-                                            let _e2540 = phi_5878_;
-                                            let _e2542 = phi_5879_;
-                                            if _e2530 {
-                                                phi_5884_ = type_32(1u, _e2528);
-                                                phi_5885_ = false;
-                                                phi_5886_ = false;
-                                                phi_5887_ = false;
-                                                phi_5888_ = false;
-                                                phi_5889_ = false;
-                                                phi_5890_ = false;
+                                            let _e3373 = phi_8372_;
+                                            let _e3375 = phi_8373_;
+                                            let _e3377 = phi_8374_;
+                                            let _e3379 = phi_8375_;
+                                            if _e3375 {
+                                                let _e3381 = local_20;
+                                                phi_8380_ = type_35(1u, _e3381);
+                                                phi_8381_ = false;
+                                                phi_8382_ = false;
                                             } else {
-                                                phi_5884_ = type_32();
-                                                phi_5885_ = _e2532;
-                                                phi_5886_ = _e2534;
-                                                phi_5887_ = _e2536;
-                                                phi_5888_ = _e2538;
-                                                phi_5889_ = _e2540;
-                                                phi_5890_ = _e2542;
+                                                phi_8380_ = type_35();
+                                                phi_8381_ = _e3377;
+                                                phi_8382_ = _e3379;
                                             }
-                                            let _e2545 = phi_5884_;
-                                            let _e2547 = phi_5885_;
-                                            let _e2549 = phi_5886_;
-                                            let _e2551 = phi_5887_;
-                                            let _e2553 = phi_5888_;
-                                            let _e2555 = phi_5889_;
-                                            let _e2557 = phi_5890_;
-                                            if _e2547 {
-                                                let _e2559 = local_24;
-                                                phi_5895_ = type_32(1u, _e2559);
-                                                phi_5896_ = false;
-                                                phi_5897_ = false;
-                                                phi_5898_ = true;
-                                                phi_5899_ = false;
-                                                phi_5900_ = false;
+                                            let _e3384 = phi_8380_;
+                                            let _e3386 = phi_8381_;
+                                            let _e3388 = phi_8382_;
+                                            if _e3386 {
+                                                phi_8387_ = type_35(0u, type_35().member_1);
+                                                phi_8388_ = false;
+                                                phi_8389_ = true;
                                             } else {
-                                                phi_5895_ = _e2512;
-                                                phi_5896_ = _e2549;
-                                                phi_5897_ = _e2551;
-                                                phi_5898_ = _e2553;
-                                                phi_5899_ = _e2555;
-                                                phi_5900_ = _e2557;
+                                                phi_8387_ = _e3384;
+                                                phi_8388_ = _e3388;
+                                                phi_8389_ = _e3375;
                                             }
-                                            let _e2562 = phi_5895_;
-                                            let _e2564 = phi_5896_;
-                                            let _e2566 = phi_5897_;
-                                            let _e2568 = phi_5898_;
-                                            let _e2570 = phi_5899_;
-                                            let _e2572 = phi_5900_;
-                                            if _e2564 {
-                                                let _e2574 = local_25;
-                                                phi_5905_ = type_32(1u, _e2574);
-                                                phi_5906_ = false;
-                                                phi_5907_ = false;
-                                                phi_5908_ = false;
-                                                phi_5909_ = false;
+                                            let _e3392 = phi_8387_;
+                                            let _e3394 = phi_8388_;
+                                            let _e3396 = phi_8389_;
+                                            if _e3394 {
+                                                phi_8394_ = type_35(0u, type_35().member_1);
+                                                phi_8395_ = true;
                                             } else {
-                                                phi_5905_ = type_32();
-                                                phi_5906_ = _e2566;
-                                                phi_5907_ = _e2568;
-                                                phi_5908_ = _e2570;
-                                                phi_5909_ = _e2572;
+                                                phi_8394_ = _e3392;
+                                                phi_8395_ = _e3396;
                                             }
-                                            let _e2577 = phi_5905_;
-                                            let _e2579 = phi_5906_;
-                                            let _e2581 = phi_5907_;
-                                            let _e2583 = phi_5908_;
-                                            let _e2585 = phi_5909_;
-                                            if _e2579 {
-                                                let _e2587 = local_26;
-                                                phi_5914_ = type_32(1u, _e2587);
-                                                phi_5915_ = true;
-                                                phi_5916_ = false;
-                                                phi_5917_ = false;
-                                                phi_5918_ = false;
+                                            let _e3400 = phi_8394_;
+                                            let _e3402 = phi_8395_;
+                                            if _e3402 {
+                                                phi_8399_ = _e3400;
                                             } else {
-                                                phi_5914_ = _e2577;
-                                                phi_5915_ = _e2564;
-                                                phi_5916_ = _e2581;
-                                                phi_5917_ = _e2583;
-                                                phi_5918_ = _e2585;
+                                                phi_8399_ = _e3373;
                                             }
-                                            let _e2590 = phi_5914_;
-                                            let _e2592 = phi_5915_;
-                                            let _e2594 = phi_5916_;
-                                            let _e2596 = phi_5917_;
-                                            let _e2598 = phi_5918_;
-                                            if _e2592 {
-                                                phi_5922_ = _e2590;
-                                                phi_5923_ = true;
-                                                phi_5924_ = false;
-                                                phi_5925_ = false;
+                                            let _e3404 = phi_8399_;
+                                            let _e3407 = (_e3404.member != 0u);
+                                            if _e3407 {
+                                                phi_8406_ = false;
                                             } else {
-                                                phi_5922_ = _e2562;
-                                                phi_5923_ = _e2594;
-                                                phi_5924_ = _e2596;
-                                                phi_5925_ = _e2598;
+                                                phi_8406_ = true;
                                             }
-                                            let _e2600 = phi_5922_;
-                                            let _e2602 = phi_5923_;
-                                            let _e2604 = phi_5924_;
-                                            let _e2606 = phi_5925_;
-                                            if _e2602 {
-                                                phi_5929_ = false;
-                                                phi_5930_ = false;
-                                            } else {
-                                                phi_5929_ = _e2604;
-                                                phi_5930_ = _e2606;
-                                            }
-                                            let _e2608 = phi_5929_;
-                                            let _e2610 = phi_5930_;
-                                            if _e2608 {
-                                                phi_5934_ = false;
-                                                phi_5935_ = false;
-                                            } else {
-                                                phi_5934_ = _e2610;
-                                                phi_5935_ = _e2602;
-                                            }
-                                            let _e2612 = phi_5934_;
-                                            let _e2614 = phi_5935_;
-                                            if _e2612 {
-                                                phi_5939_ = true;
-                                                phi_5940_ = false;
-                                            } else {
-                                                phi_5939_ = _e2608;
-                                                phi_5940_ = _e2614;
-                                            }
-                                            let _e2616 = phi_5939_;
-                                            let _e2618 = phi_5940_;
-                                            if _e2616 {
-                                                let _e2620 = local_27;
-                                                phi_5945_ = type_32(1u, _e2620);
-                                                phi_5946_ = true;
-                                            } else {
-                                                phi_5945_ = _e2600;
-                                                phi_5946_ = _e2618;
-                                            }
-                                            let _e2623 = phi_5945_;
-                                            let _e2625 = phi_5946_;
-                                            if _e2625 {
-                                                phi_5950_ = _e2623;
-                                            } else {
-                                                phi_5950_ = _e2545;
-                                            }
-                                            let _e2627 = phi_5950_;
-                                            let _e2630 = (_e2627.member != 0u);
-                                            if _e2630 {
-                                                phi_5957_ = false;
-                                            } else {
-                                                phi_5957_ = true;
-                                            }
-                                            let _e2632 = phi_5957_;
-                                            phi_5958_ = _e2627.member_1;
-                                            phi_5959_ = _e2632;
-                                            phi_5960_ = _e2630;
-                                            phi_5961_ = false;
+                                            let _e3409 = phi_8406_;
+                                            phi_8407_ = _e3404.member_1;
+                                            phi_8408_ = _e3409;
+                                            phi_8409_ = _e3407;
+                                            phi_8410_ = false;
                                         } else {
-                                            phi_5958_ = f32();
-                                            phi_5959_ = false;
-                                            phi_5960_ = false;
-                                            phi_5961_ = true;
+                                            phi_8407_ = f32();
+                                            phi_8408_ = false;
+                                            phi_8409_ = false;
+                                            phi_8410_ = true;
                                         }
-                                        let _e2634 = phi_5958_;
-                                        let _e2636 = phi_5959_;
-                                        let _e2638 = phi_5960_;
-                                        let _e2640 = phi_5961_;
-                                        phi_5962_ = _e2634;
-                                        phi_5963_ = _e2636;
-                                        phi_5964_ = _e2638;
-                                        phi_5965_ = _e2640;
+                                        let _e3411 = phi_8407_;
+                                        let _e3413 = phi_8408_;
+                                        let _e3415 = phi_8409_;
+                                        let _e3417 = phi_8410_;
+                                        phi_8411_ = _e3411;
+                                        phi_8412_ = _e3413;
+                                        phi_8413_ = _e3415;
+                                        phi_8414_ = _e3417;
                                     }
-                                    let _e2642 = phi_5962_;
-                                    let _e2644 = phi_5963_;
-                                    let _e2646 = phi_5964_;
-                                    let _e2648 = phi_5965_;
-                                    phi_5966_ = _e2642;
-                                    phi_5967_ = _e1873;
-                                    phi_5968_ = _e2644;
-                                    phi_5969_ = _e2646;
-                                    phi_5970_ = _e2648;
+                                    let _e3419 = phi_8411_;
+                                    let _e3421 = phi_8412_;
+                                    let _e3423 = phi_8413_;
+                                    let _e3425 = phi_8414_;
+                                    phi_8415_ = _e3419;
+                                    phi_8416_ = _e2098;
+                                    phi_8417_ = _e3421;
+                                    phi_8418_ = _e3423;
+                                    phi_8419_ = _e3425;
                                 }
-                                let _e2650 = phi_5966_;
-                                let _e2652 = phi_5967_;
-                                let _e2654 = phi_5968_;
-                                let _e2656 = phi_5969_;
-                                let _e2658 = phi_5970_;
-                                if _e2652 {
-                                    phi_5974_ = true;
-                                    phi_5975_ = false;
-                                    phi_5976_ = false;
+                                let _e3427 = phi_8415_;
+                                let _e3429 = phi_8416_;
+                                let _e3431 = phi_8417_;
+                                let _e3433 = phi_8418_;
+                                let _e3435 = phi_8419_;
+                                if _e3429 {
+                                    phi_8423_ = true;
+                                    phi_8424_ = false;
+                                    phi_8425_ = false;
                                 } else {
-                                    phi_5974_ = _e2654;
-                                    phi_5975_ = _e2656;
-                                    phi_5976_ = _e2658;
+                                    phi_8423_ = _e3431;
+                                    phi_8424_ = _e3433;
+                                    phi_8425_ = _e3435;
                                 }
-                                let _e2660 = phi_5974_;
-                                let _e2662 = phi_5975_;
-                                let _e2664 = phi_5976_;
-                                phi_5977_ = _e2650;
-                                phi_5978_ = _e1171;
-                                phi_5979_ = _e2660;
-                                phi_5980_ = false;
-                                phi_5981_ = _e2662;
-                                phi_5982_ = _e2664;
+                                let _e3437 = phi_8423_;
+                                let _e3439 = phi_8424_;
+                                let _e3441 = phi_8425_;
+                                phi_8426_ = _e3427;
+                                phi_8427_ = _e1390;
+                                phi_8428_ = _e3437;
+                                phi_8429_ = false;
+                                phi_8430_ = _e3439;
+                                phi_8431_ = _e3441;
                             } else {
-                                phi_5977_ = f32();
-                                phi_5978_ = type_33();
-                                phi_5979_ = false;
-                                phi_5980_ = true;
-                                phi_5981_ = false;
-                                phi_5982_ = false;
+                                phi_8426_ = f32();
+                                phi_8427_ = type_37();
+                                phi_8428_ = false;
+                                phi_8429_ = true;
+                                phi_8430_ = false;
+                                phi_8431_ = false;
                             }
-                            let _e2666 = phi_5977_;
-                            let _e2668 = phi_5978_;
-                            let _e2670 = phi_5979_;
-                            let _e2672 = phi_5980_;
-                            let _e2674 = phi_5981_;
-                            let _e2676 = phi_5982_;
-                            local_28 = _e2672;
-                            local_63 = _e2674;
-                            local_64 = _e2676;
-                            local_29 = _e2666;
-                            local_30 = _e2668;
+                            let _e3443 = phi_8426_;
+                            let _e3445 = phi_8427_;
+                            let _e3447 = phi_8428_;
+                            let _e3449 = phi_8429_;
+                            let _e3451 = phi_8430_;
+                            let _e3453 = phi_8431_;
+                            local_21 = _e3449;
+                            local_41 = _e3451;
+                            local_42 = _e3453;
+                            local_22 = _e3443;
+                            local_23 = _e3445;
                             continue;
                             continuing {
-                                phi_3476_ = _e876;
-                                break if !(_e2670);
+                                phi_4860_ = _e1120;
+                                break if !(_e3447);
                             }
                         }
-                        let _e2679 = local_28;
-                        if _e2679 {
-                            phi_5987_ = type_32(0u, type_32().member_1);
-                            phi_5988_ = false;
-                            phi_5989_ = false;
+                        let _e3456 = local_21;
+                        if _e3456 {
+                            phi_8436_ = type_35(0u, type_35().member_1);
+                            phi_8437_ = false;
+                            phi_8438_ = false;
                         } else {
-                            phi_5987_ = type_32();
-                            let _e4443 = local_63;
-                            phi_5988_ = _e4443;
-                            let _e4446 = local_64;
-                            phi_5989_ = _e4446;
+                            phi_8436_ = type_35();
+                            let _e5836 = local_41;
+                            phi_8437_ = _e5836;
+                            let _e5839 = local_42;
+                            phi_8438_ = _e5839;
                         }
-                        let _e2683 = phi_5987_;
-                        let _e2685 = phi_5988_;
-                        let _e2687 = phi_5989_;
-                        if _e2685 {
-                            let _e2689 = local_29;
-                            phi_5994_ = type_32(2u, _e2689);
-                            phi_5995_ = false;
+                        let _e3460 = phi_8436_;
+                        let _e3462 = phi_8437_;
+                        let _e3464 = phi_8438_;
+                        if _e3462 {
+                            let _e3466 = local_22;
+                            phi_8443_ = type_35(2u, _e3466);
+                            phi_8444_ = false;
                         } else {
-                            phi_5994_ = type_32();
-                            phi_5995_ = _e2687;
+                            phi_8443_ = type_35();
+                            phi_8444_ = _e3464;
                         }
-                        let _e2692 = phi_5994_;
-                        let _e2694 = phi_5995_;
-                        if _e2694 {
-                            let _e2696 = local_30;
-                            phi_6001_ = type_32(1u, _e2696.member);
-                            phi_6002_ = true;
+                        let _e3469 = phi_8443_;
+                        let _e3471 = phi_8444_;
+                        if _e3471 {
+                            let _e3473 = local_23;
+                            phi_8450_ = type_35(1u, _e3473.member);
+                            phi_8451_ = true;
                         } else {
-                            phi_6001_ = _e2692;
-                            phi_6002_ = _e2685;
+                            phi_8450_ = _e3469;
+                            phi_8451_ = _e3462;
                         }
-                        let _e2700 = phi_6001_;
-                        let _e2702 = phi_6002_;
-                        if _e2702 {
-                            phi_6006_ = _e2700;
+                        let _e3477 = phi_8450_;
+                        let _e3479 = phi_8451_;
+                        if _e3479 {
+                            phi_8455_ = _e3477;
                         } else {
-                            phi_6006_ = _e2683;
+                            phi_8455_ = _e3460;
                         }
-                        let _e2704 = phi_6006_;
-                        phi_6010_ = _e2704;
+                        let _e3481 = phi_8455_;
+                        phi_8459_ = _e3481;
                     }
-                    let _e3820 = phi_6010_;
-                    phi_6011_ = _e3820;
+                    let _e5149 = phi_8459_;
+                    phi_8460_ = _e5149;
                 }
-                let _e3824 = phi_6011_;
-                switch bitcast<i32>(_e3824.member) {
+                let _e5153 = phi_8460_;
+                switch bitcast<i32>(_e5153.member) {
                     case 0: {
-                        phi_6024_ = type_34(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8473_ = type_38(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e3830 = function_2(_e3824.member_1);
-                        phi_6024_ = type_34(0u, _e3830, true);
+                        let _e5159 = function_2(_e5153.member_1);
+                        phi_8473_ = type_38(0u, _e5159, true);
                         break;
                     }
                     case 2: {
-                        let _e3828 = function_2(_e3824.member_1);
-                        phi_6024_ = type_34(1u, _e3828, true);
+                        let _e5157 = function_2(_e5153.member_1);
+                        phi_8473_ = type_38(1u, _e5157, true);
                         break;
                     }
                     default: {
-                        phi_6024_ = type_34();
+                        phi_8473_ = type_38();
                         break;
                     }
                 }
-                let _e3833 = phi_6024_;
-                if _e3833.member_2 {
-                    phi_6031_ = (_e3833.member == 0u);
+                let _e5162 = phi_8473_;
+                if _e5162.member_2 {
+                    phi_8480_ = (_e5162.member == 0u);
                 } else {
-                    phi_6031_ = false;
+                    phi_8480_ = false;
                 }
-                let _e3838 = phi_6031_;
-                if _e3838 {
-                    let _e3846 = (_e3833.member_1[1] >> bitcast<u32>(20i));
-                    if (_e3846 <= 896u) {
-                        phi_6055_ = 0u;
+                let _e5167 = phi_8480_;
+                if _e5167 {
+                    let _e5175 = (_e5162.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5175 <= 896u) {
+                        phi_8504_ = 0u;
                     } else {
-                        phi_6055_ = ((((_e3846 - 896u) << bitcast<u32>(23i)) | ((_e3833.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e3833.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8504_ = ((((_e5175 - 896u) << bitcast<u32>(23i)) | ((_e5162.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5162.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e3861 = phi_6055_;
-                    let _e3863 = atomicMin((&earliest.member[0u]), _e3861);
+                    let _e5190 = phi_8504_;
+                    let _e5192 = atomicMin((&earliest.member[0u]), _e5190);
                 }
-                phi_6059_ = type_27(_e161, 0u, _e167, _e170, _e3833.member_1);
-                phi_6060_ = _e3838;
-                phi_6061_ = (_e3833.member != 0u);
+                phi_8508_ = type_20(0u, 0u, _e176, _e179, _e5162.member_1);
+                phi_8509_ = _e5167;
+                phi_8510_ = (_e5162.member != 0u);
             } else {
-                phi_6059_ = type_27(_e161, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6060_ = false;
-                phi_6061_ = false;
+                phi_8508_ = type_20(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8509_ = false;
+                phi_8510_ = false;
             }
-            let _e3865 = phi_6059_;
-            let _e3867 = phi_6060_;
-            let _e3869 = phi_6061_;
-            let _e3871 = params.member.member_1;
-            if ((_e3871 & 16u) != 0u) {
-                if (_e94 == 0u) {
+            let _e5194 = phi_8508_;
+            let _e5196 = phi_8509_;
+            let _e5198 = phi_8510_;
+            let _e5201 = params.member.member.member_1;
+            if ((_e5201 & 16u) != 0u) {
+                if (_e105 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e3867 {
-                    let _e3877 = atomicAdd((&counters[0u]), 1u);
-                    phi_6079_ = _e3877;
+                if _e5196 {
+                    let _e5207 = atomicAdd((&counters[0u]), 1u);
+                    phi_8529_ = _e5207;
                 } else {
-                    phi_6079_ = 0u;
+                    phi_8529_ = 0u;
                 }
-                let _e3879 = phi_6079_;
+                let _e5209 = phi_8529_;
                 workgroupBarrier();
-                if (_e94 == 0u) {
-                    let _e3882 = atomicLoad((&counters[0u]));
-                    if (_e3882 > 0u) {
-                        let _e3885 = atomicAdd((&contacts.member[0u]), _e3882);
-                        atomicStore((&counters[1u]), _e3885);
+                if (_e105 == 0u) {
+                    let _e5212 = atomicLoad((&counters[0u]));
+                    if (_e5212 > 0u) {
+                        let _e5215 = atomicAdd((&contacts.member[0u]), _e5212);
+                        atomicStore((&counters[1u]), _e5215);
                     }
                 }
                 workgroupBarrier();
-                let _e3888 = atomicLoad((&counters[1u]));
-                let _e3889 = (_e3888 + _e3879);
-                if _e3867 {
-                    let _e3891 = params.member.member_16;
-                    if (_e3889 < _e3891) {
-                        let _e3893 = (6u * _e3889);
-                        atomicStore((&contacts.member[(4u + _e3893)]), _e3865.member);
-                        atomicStore((&contacts.member[(_e3893 + 5u)]), _e3865.member_1);
-                        atomicStore((&contacts.member[(_e3893 + 6u)]), _e3865.member_2);
-                        atomicStore((&contacts.member[(_e3893 + 7u)]), _e3865.member_3);
-                        atomicStore((&contacts.member[(_e3893 + 8u)]), _e3865.member_4[0]);
-                        atomicStore((&contacts.member[(_e3893 + 9u)]), _e3865.member_4[1]);
+                let _e5218 = atomicLoad((&counters[1u]));
+                let _e5219 = (_e5218 + _e5209);
+                if _e5196 {
+                    let _e5222 = params.member.member_1.member_3;
+                    if (_e5219 < _e5222) {
+                        let _e5224 = (6u * _e5219);
+                        atomicStore((&contacts.member[(4u + _e5224)]), _e5194.member);
+                        atomicStore((&contacts.member[(_e5224 + 5u)]), _e5194.member_1);
+                        atomicStore((&contacts.member[(_e5224 + 6u)]), _e5194.member_2);
+                        atomicStore((&contacts.member[(_e5224 + 7u)]), _e5194.member_3);
+                        atomicStore((&contacts.member[(_e5224 + 8u)]), _e5194.member_4[0]);
+                        atomicStore((&contacts.member[(_e5224 + 9u)]), _e5194.member_4[1]);
                     }
                 }
             }
             workgroupBarrier();
-            if (_e94 == 0u) {
+            if (_e105 == 0u) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e3869 {
-                let _e3917 = atomicAdd((&counters[0u]), 1u);
-                phi_6141_ = _e3917;
+            if _e5198 {
+                let _e5248 = atomicAdd((&counters[0u]), 1u);
+                phi_8592_ = _e5248;
             } else {
-                phi_6141_ = 0u;
+                phi_8592_ = 0u;
             }
-            let _e3919 = phi_6141_;
+            let _e5250 = phi_8592_;
             workgroupBarrier();
-            if (_e94 == 0u) {
-                let _e3922 = atomicLoad((&counters[0u]));
-                if (_e3922 > 0u) {
-                    let _e3925 = atomicAdd((&undecided.member[0u]), _e3922);
-                    atomicStore((&counters[1u]), _e3925);
+            if (_e105 == 0u) {
+                let _e5253 = atomicLoad((&counters[0u]));
+                if (_e5253 > 0u) {
+                    let _e5256 = atomicAdd((&undecided.member[0u]), _e5253);
+                    atomicStore((&counters[1u]), _e5256);
                 }
             }
             workgroupBarrier();
-            let _e3928 = atomicLoad((&counters[1u]));
-            let _e3929 = (_e3928 + _e3919);
-            if _e3869 {
-                atomicStore((&undecided.member[(4u + (2u * _e3929))]), _e3865.member_2);
-                atomicStore((&undecided.member[((2u * _e3929) + 5u)]), _e3865.member_3);
+            let _e5259 = atomicLoad((&counters[1u]));
+            let _e5260 = (_e5259 + _e5250);
+            if _e5198 {
+                let _e5263 = params.member.member_2.member;
+                if (_e5260 < _e5263) {
+                    let _e5267 = (2u * _e5260);
+                    atomicStore((&undecided.member[(4u + _e5267)]), _e5194.member_2);
+                    atomicStore((&undecided.member[(_e5267 + 5u)]), _e5194.member_3);
+                }
             }
         }
         continue;
         continuing {
-            phi_792_ = _e149;
-            break if !(_e155);
+            phi_805_ = _e161;
+            break if !(_e167);
         }
     }
     return;

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,62 +8,47 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
+    member: u32,
+    member_1: u32,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
-    member: array<array<u32, 3>>,
-}
-
-struct type_17 {
+struct type_16 {
     member: i32,
     member_1: i32,
 }
 
-struct type_18 {
+struct type_17 {
     member: u32,
     member_1: i32,
 }
 
 struct type_19 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_23 {
-    member: array<array<f64, 3>>,
-}
-
-struct type_25 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_21 {
+    member: array<type_19>,
 }
 
-struct type_29 {
+struct type_22 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -70,116 +56,149 @@ struct type_29 {
     member_4: array<u32, 2>,
 }
 
-struct type_30 {
+struct type_24 {
+    member: u32,
+}
+
+struct type_25 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_24,
+}
+
+struct type_26 {
+    member: type_25,
+}
+
+struct type_28 {
+    member: array<array<u32, 3>>,
+}
+
+struct type_31 {
+    member: array<array<f64, 3>>,
+}
+
+struct type_32 {
     member: u32,
     member_1: array<u32, 2>,
     member_2: bool,
 }
 
-struct type_32 {
+struct type_34 {
+    member: array<f64, 4>,
+    member_1: array<f64, 4>,
+    member_2: array<f64, 4>,
+}
+
+struct type_35 {
     member: array<f64, 3>,
     member_1: f64,
     member_2: f64,
 }
 
-struct type_33 {
+struct type_36 {
     member: f64,
     member_1: f64,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<array<f64, 3>, 2>,
     member_1: array<array<f64, 3>, 2>,
     member_2: array<array<f64, 3>, 2>,
     member_3: f64,
 }
 
-struct type_39 {
+struct type_42 {
     member: array<array<f64, 3>, 4>,
     member_1: array<array<f64, 3>, 4>,
 }
 
-struct type_40 {
+struct type_43 {
+    member: type_40,
+    member_1: f64,
+}
+
+struct type_44 {
     member: u32,
     member_1: f64,
 }
 
-struct type_41 {
+struct type_45 {
     member: f64,
     member_1: f64,
     member_2: bool,
 }
 
-struct type_44 {
+struct type_48 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
 @group(0) @binding(1) 
-var<storage> paths: type_27;
+var<storage> paths: type_21;
+@group(0) @binding(0) 
+var<storage> params: type_26;
 @group(0) @binding(6) 
-var<storage, read_write> earliest: type_44;
+var<storage, read_write> earliest: type_48;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
-var<storage> wide: type_23;
+var<storage> positions: type_31;
 @group(0) @binding(4) 
-var<storage> input: type_12;
+var<storage> input: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_44;
+var<storage, read_write> contacts: type_48;
 @group(0) @binding(3) 
-var<storage> elements: type_14;
+var<storage> elements: type_28;
 
 fn function_(param: array<f32, 3>) -> array<f64, 3> {
     return array<f64, 3>(f64(param[0]), f64(param[1]), f64(param[2]));
 }
 
 fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    var phi_729_: array<f64, 3>;
+    var phi_741_: array<f64, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_729_ = param_2;
+        phi_741_ = param_2;
     } else {
-        phi_729_ = param_1;
+        phi_741_ = param_1;
     }
-    let _e26 = phi_729_;
+    let _e26 = phi_741_;
     return _e26;
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_293_: bool;
+    var phi_305_: bool;
+    var phi_306_: bool;
+    var phi_307_: bool;
+    var phi_308_: bool;
+    var phi_312_: bool;
+    var phi_285_: bool;
+    var phi_286_: bool;
+    var phi_287_: bool;
+    var phi_288_: bool;
+    var phi_289_: bool;
+    var phi_290_: bool;
     var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_296_: bool;
-    var phi_300_: bool;
-    var phi_273_: bool;
-    var phi_274_: bool;
-    var phi_275_: bool;
-    var phi_276_: bool;
-    var phi_277_: bool;
-    var phi_278_: bool;
-    var phi_282_: bool;
-    var phi_301_: bool;
-    var phi_331_: array<f64, 3>;
-    var phi_332_: bool;
-    var phi_333_: array<f64, 3>;
-    var phi_334_: bool;
-    var phi_580_: f64;
-    var phi_582_: f64;
-    var phi_624_: f64;
-    var phi_626_: f64;
-    var phi_674_: f64;
-    var phi_676_: f64;
-    var phi_385_: f64;
-    var phi_387_: f64;
-    var phi_435_: f64;
-    var phi_437_: f64;
-    var phi_482_: f64;
-    var phi_484_: f64;
-    var phi_535_: f64;
-    var phi_537_: f64;
-    var phi_691_: array<array<f64, 3>, 4>;
-    var phi_699_: array<f64, 3>;
+    var phi_313_: bool;
+    var phi_343_: array<f64, 3>;
+    var phi_344_: bool;
+    var phi_345_: array<f64, 3>;
+    var phi_346_: bool;
+    var phi_592_: f64;
+    var phi_594_: f64;
+    var phi_636_: f64;
+    var phi_638_: f64;
+    var phi_686_: f64;
+    var phi_688_: f64;
+    var phi_397_: f64;
+    var phi_399_: f64;
+    var phi_447_: f64;
+    var phi_449_: f64;
+    var phi_494_: f64;
+    var phi_496_: f64;
+    var phi_547_: f64;
+    var phi_549_: f64;
+    var phi_703_: array<array<f64, 3>, 4>;
+    var phi_711_: array<f64, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -195,83 +214,83 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
                 if (_e74 <= _e70) {
-                    phi_273_ = (_e78 <= _e70);
-                    phi_274_ = false;
+                    phi_285_ = (_e78 <= _e70);
+                    phi_286_ = false;
                 } else {
-                    phi_273_ = bool();
-                    phi_274_ = true;
+                    phi_285_ = bool();
+                    phi_286_ = true;
                 }
-                let _e99 = phi_273_;
-                let _e101 = phi_274_;
-                phi_275_ = _e99;
-                phi_276_ = _e101;
+                let _e99 = phi_285_;
+                let _e101 = phi_286_;
+                phi_287_ = _e99;
+                phi_288_ = _e101;
             } else {
-                phi_275_ = bool();
-                phi_276_ = true;
+                phi_287_ = bool();
+                phi_288_ = true;
             }
-            let _e103 = phi_275_;
-            let _e105 = phi_276_;
-            phi_277_ = _e103;
-            phi_278_ = _e105;
+            let _e103 = phi_287_;
+            let _e105 = phi_288_;
+            phi_289_ = _e103;
+            phi_290_ = _e105;
         } else {
-            phi_277_ = bool();
-            phi_278_ = true;
+            phi_289_ = bool();
+            phi_290_ = true;
         }
-        let _e107 = phi_277_;
-        let _e109 = phi_278_;
+        let _e107 = phi_289_;
+        let _e109 = phi_290_;
         if _e109 {
-            phi_282_ = false;
+            phi_294_ = false;
         } else {
-            phi_282_ = _e107;
+            phi_294_ = _e107;
         }
-        let _e111 = phi_282_;
-        phi_301_ = _e111;
+        let _e111 = phi_294_;
+        phi_313_ = _e111;
     } else {
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
-                phi_293_ = ((_e74 + _e78) <= _e70);
-                phi_294_ = false;
+                phi_305_ = ((_e74 + _e78) <= _e70);
+                phi_306_ = false;
             } else {
-                phi_293_ = bool();
-                phi_294_ = true;
+                phi_305_ = bool();
+                phi_306_ = true;
             }
-            let _e85 = phi_293_;
-            let _e87 = phi_294_;
-            phi_295_ = _e85;
-            phi_296_ = _e87;
+            let _e85 = phi_305_;
+            let _e87 = phi_306_;
+            phi_307_ = _e85;
+            phi_308_ = _e87;
         } else {
-            phi_295_ = bool();
-            phi_296_ = true;
+            phi_307_ = bool();
+            phi_308_ = true;
         }
-        let _e89 = phi_295_;
-        let _e91 = phi_296_;
+        let _e89 = phi_307_;
+        let _e91 = phi_308_;
         if _e91 {
-            phi_300_ = false;
+            phi_312_ = false;
         } else {
-            phi_300_ = _e89;
+            phi_312_ = _e89;
         }
-        let _e93 = phi_300_;
-        phi_301_ = _e93;
+        let _e93 = phi_312_;
+        phi_313_ = _e93;
     }
-    let _e113 = phi_301_;
+    let _e113 = phi_313_;
     if (_e68 > _e69) {
         if _e113 {
-            phi_331_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
-            phi_332_ = false;
+            phi_343_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_344_ = false;
         } else {
-            phi_331_ = array<f64, 3>();
-            phi_332_ = true;
+            phi_343_ = array<f64, 3>();
+            phi_344_ = true;
         }
-        let _e138 = phi_331_;
-        let _e140 = phi_332_;
-        phi_333_ = _e138;
-        phi_334_ = _e140;
+        let _e138 = phi_343_;
+        let _e140 = phi_344_;
+        phi_345_ = _e138;
+        phi_346_ = _e140;
     } else {
-        phi_333_ = array<f64, 3>();
-        phi_334_ = true;
+        phi_345_ = array<f64, 3>();
+        phi_346_ = true;
     }
-    let _e142 = phi_333_;
-    let _e144 = phi_334_;
+    let _e142 = phi_345_;
+    let _e144 = phi_346_;
     if _e144 {
         let _e147 = (param_3[0] - param_4[0]);
         let _e150 = (param_3[1] - param_4[1]);
@@ -280,59 +299,59 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e307 > f64(0f)) {
                 if (_e307 < f64(1f)) {
-                    phi_385_ = _e307;
+                    phi_397_ = _e307;
                 } else {
-                    phi_385_ = f64(1f);
+                    phi_397_ = f64(1f);
                 }
-                let _e315 = phi_385_;
-                phi_387_ = _e315;
+                let _e315 = phi_397_;
+                phi_399_ = _e315;
             } else {
-                phi_387_ = f64(0f);
+                phi_399_ = f64(0f);
             }
-            let _e317 = phi_387_;
+            let _e317 = phi_399_;
             let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e353 > f64(0f)) {
                 if (_e353 < f64(1f)) {
-                    phi_435_ = _e353;
+                    phi_447_ = _e353;
                 } else {
-                    phi_435_ = f64(1f);
+                    phi_447_ = f64(1f);
                 }
-                let _e361 = phi_435_;
-                phi_437_ = _e361;
+                let _e361 = phi_447_;
+                phi_449_ = _e361;
             } else {
-                phi_437_ = f64(0f);
+                phi_449_ = f64(0f);
             }
-            let _e363 = phi_437_;
+            let _e363 = phi_449_;
             let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e396 > f64(0f)) {
                 if (_e396 < f64(1f)) {
-                    phi_482_ = _e396;
+                    phi_494_ = _e396;
                 } else {
-                    phi_482_ = f64(1f);
+                    phi_494_ = f64(1f);
                 }
-                let _e404 = phi_482_;
-                phi_484_ = _e404;
+                let _e404 = phi_494_;
+                phi_496_ = _e404;
             } else {
-                phi_484_ = f64(0f);
+                phi_496_ = f64(0f);
             }
-            let _e406 = phi_484_;
+            let _e406 = phi_496_;
             let _e419 = (param_3[0] - param_5[0]);
             let _e422 = (param_3[1] - param_5[1]);
             let _e425 = (param_3[2] - param_5[2]);
             let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e445 > f64(0f)) {
                 if (_e445 < f64(1f)) {
-                    phi_535_ = _e445;
+                    phi_547_ = _e445;
                 } else {
-                    phi_535_ = f64(1f);
+                    phi_547_ = f64(1f);
                 }
-                let _e453 = phi_535_;
-                phi_537_ = _e453;
+                let _e453 = phi_547_;
+                phi_549_ = _e453;
             } else {
-                phi_537_ = f64(0f);
+                phi_549_ = f64(0f);
             }
-            let _e455 = phi_537_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+            let _e455 = phi_549_;
+            phi_703_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
         } else {
             let _e157 = (param_5[0] - param_4[0]);
             let _e160 = (param_5[1] - param_4[1]);
@@ -340,54 +359,54 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
             if (_e174 > f64(0f)) {
                 if (_e174 < f64(1f)) {
-                    phi_580_ = _e174;
+                    phi_592_ = _e174;
                 } else {
-                    phi_580_ = f64(1f);
+                    phi_592_ = f64(1f);
                 }
-                let _e182 = phi_580_;
-                phi_582_ = _e182;
+                let _e182 = phi_592_;
+                phi_594_ = _e182;
             } else {
-                phi_582_ = f64(0f);
+                phi_594_ = f64(0f);
             }
-            let _e184 = phi_582_;
+            let _e184 = phi_594_;
             let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
             let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e214 > f64(0f)) {
                 if (_e214 < f64(1f)) {
-                    phi_624_ = _e214;
+                    phi_636_ = _e214;
                 } else {
-                    phi_624_ = f64(1f);
+                    phi_636_ = f64(1f);
                 }
-                let _e222 = phi_624_;
-                phi_626_ = _e222;
+                let _e222 = phi_636_;
+                phi_638_ = _e222;
             } else {
-                phi_626_ = f64(0f);
+                phi_638_ = f64(0f);
             }
-            let _e224 = phi_626_;
+            let _e224 = phi_638_;
             let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e260 > f64(0f)) {
                 if (_e260 < f64(1f)) {
-                    phi_674_ = _e260;
+                    phi_686_ = _e260;
                 } else {
-                    phi_674_ = f64(1f);
+                    phi_686_ = f64(1f);
                 }
-                let _e268 = phi_674_;
-                phi_676_ = _e268;
+                let _e268 = phi_686_;
+                phi_688_ = _e268;
             } else {
-                phi_676_ = f64(0f);
+                phi_688_ = f64(0f);
             }
-            let _e270 = phi_676_;
-            phi_691_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+            let _e270 = phi_688_;
+            phi_703_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
         }
-        let _e468 = phi_691_;
+        let _e468 = phi_703_;
         let _e471 = function_1(_e468[0], _e468[1]);
         let _e473 = function_1(_e471, _e468[2]);
         let _e475 = function_1(_e473, _e468[3]);
-        phi_699_ = _e475;
+        phi_711_ = _e475;
     } else {
-        phi_699_ = _e142;
+        phi_711_ = _e142;
     }
-    let _e477 = phi_699_;
+    let _e477 = phi_711_;
     return _e477;
 }
 
@@ -397,773 +416,864 @@ fn function_3(param_7: f64) -> array<u32, 2> {
 }
 
 fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: array<array<f64, 3>, 4>;
-    var local_1: array<array<f64, 3>, 4>;
-    var local_2: type_32;
-    var local_3: type_32;
-    var local_4: type_32;
-    var local_5: array<type_33, 4>;
+    var local: type_34;
+    var local_1: type_34;
+    var local_2: type_35;
+    var local_3: type_35;
+    var local_4: type_35;
+    var local_5: array<type_36, 4>;
     var local_6: array<f64, 4>;
     var local_7: array<f64, 2>;
     var local_8: array<f64, 4>;
-    var local_9: array<array<f64, 3>, 4>;
-    var local_10: array<array<f64, 3>, 4>;
+    var local_9: type_34;
+    var local_10: type_34;
     var local_11: array<f32, 3>;
-    var local_12: type_38;
-    var phi_789_: u32;
-    var phi_805_: u32;
-    var phi_826_: u32;
-    var phi_827_: u32;
-    var phi_830_: type_19;
-    var phi_831_: type_19;
-    var phi_854_: type_19;
-    var phi_1102_: type_39;
-    var phi_1471_: f64;
-    var phi_1478_: f64;
-    var phi_1483_: f64;
-    var phi_1490_: f64;
-    var phi_1495_: f64;
-    var phi_1508_: f64;
-    var phi_1515_: f64;
-    var phi_1520_: f64;
-    var phi_1527_: f64;
-    var phi_1532_: f64;
-    var phi_1537_: f64;
-    var phi_1554_: f64;
-    var phi_1561_: f64;
-    var phi_1566_: f64;
-    var phi_1573_: f64;
-    var phi_1578_: f64;
-    var phi_1592_: f64;
-    var phi_1599_: f64;
-    var phi_1604_: f64;
-    var phi_1611_: f64;
-    var phi_1616_: f64;
-    var phi_1621_: f64;
-    var phi_1638_: f64;
-    var phi_1645_: f64;
-    var phi_1650_: f64;
-    var phi_1657_: f64;
-    var phi_1662_: f64;
-    var phi_1676_: f64;
-    var phi_1683_: f64;
-    var phi_1688_: f64;
-    var phi_1695_: f64;
-    var phi_1700_: f64;
-    var phi_1705_: f64;
-    var phi_1742_: f64;
-    var phi_1748_: f64;
-    var phi_1755_: f64;
-    var phi_1762_: f64;
-    var phi_1768_: f64;
-    var phi_1775_: f64;
-    var phi_1781_: f64;
-    var phi_1787_: f64;
-    var phi_1793_: f64;
-    var phi_1800_: f64;
-    var phi_1807_: f64;
-    var phi_1835_: f64;
-    var phi_1840_: f64;
-    var phi_1845_: f64;
+    var local_12: type_40;
+    var phi_802_: u32;
+    var phi_818_: u32;
+    var phi_839_: u32;
+    var phi_840_: u32;
+    var phi_843_: type_9;
+    var phi_844_: type_9;
+    var phi_867_: type_9;
+    var phi_1114_: type_42;
+    var phi_1208_: f64;
+    var phi_1214_: f64;
+    var phi_1219_: f64;
+    var phi_1225_: f64;
+    var phi_1230_: f64;
+    var phi_1236_: f64;
+    var phi_1242_: f64;
+    var phi_1247_: f64;
+    var phi_1253_: f64;
+    var phi_1258_: f64;
+    var phi_1263_: f64;
+    var phi_1270_: f64;
+    var phi_1276_: f64;
+    var phi_1281_: f64;
+    var phi_1287_: f64;
+    var phi_1292_: f64;
+    var phi_1298_: f64;
+    var phi_1304_: f64;
+    var phi_1309_: f64;
+    var phi_1315_: f64;
+    var phi_1320_: f64;
+    var phi_1325_: f64;
+    var phi_1332_: f64;
+    var phi_1338_: f64;
+    var phi_1343_: f64;
+    var phi_1349_: f64;
+    var phi_1354_: f64;
+    var phi_1360_: f64;
+    var phi_1366_: f64;
+    var phi_1371_: f64;
+    var phi_1377_: f64;
+    var phi_1382_: f64;
+    var phi_1387_: f64;
+    var phi_1393_: f64;
+    var phi_1398_: f64;
+    var phi_1407_: bool;
+    var phi_1431_: u64;
+    var phi_1443_: f64;
+    var phi_1444_: f64;
+    var phi_1475_: type_43;
+    var phi_1476_: bool;
+    var phi_1477_: type_43;
+    var phi_1478_: bool;
+    var phi_1479_: type_43;
+    var phi_1480_: bool;
+    var phi_1485_: type_43;
+    var phi_1767_: f64;
+    var phi_1774_: f64;
+    var phi_1779_: f64;
+    var phi_1786_: f64;
+    var phi_1791_: f64;
+    var phi_1804_: f64;
+    var phi_1811_: f64;
+    var phi_1816_: f64;
+    var phi_1823_: f64;
+    var phi_1828_: f64;
+    var phi_1833_: f64;
     var phi_1850_: f64;
-    var phi_1855_: f64;
-    var phi_1860_: f64;
-    var phi_1871_: f64;
-    var phi_3454_: f64;
-    var phi_3460_: f64;
-    var phi_3465_: f64;
-    var phi_3471_: f64;
-    var phi_3477_: f64;
-    var phi_3482_: f64;
-    var phi_3487_: f64;
-    var phi_3497_: bool;
-    var phi_3504_: f64;
-    var phi_3512_: f64;
-    var phi_3555_: type_17;
-    var phi_3558_: f64;
-    var phi_3579_: bool;
-    var phi_3585_: type_18;
-    var phi_3556_: type_17;
-    var phi_3599_: type_18;
-    var phi_3559_: f64;
+    var phi_1857_: f64;
+    var phi_1862_: f64;
+    var phi_1869_: f64;
+    var phi_1874_: f64;
+    var phi_1888_: f64;
+    var phi_1895_: f64;
+    var phi_1900_: f64;
+    var phi_1907_: f64;
+    var phi_1912_: f64;
+    var phi_1917_: f64;
+    var phi_1934_: f64;
+    var phi_1941_: f64;
+    var phi_1946_: f64;
+    var phi_1953_: f64;
+    var phi_1958_: f64;
+    var phi_1972_: f64;
+    var phi_1979_: f64;
+    var phi_1984_: f64;
+    var phi_1991_: f64;
+    var phi_1996_: f64;
+    var phi_2001_: f64;
+    var phi_2038_: f64;
+    var phi_2044_: f64;
+    var phi_2051_: f64;
+    var phi_2058_: f64;
+    var phi_2064_: f64;
+    var phi_2071_: f64;
+    var phi_2077_: f64;
+    var phi_2083_: f64;
+    var phi_2089_: f64;
+    var phi_2096_: f64;
+    var phi_2103_: f64;
+    var phi_2131_: f64;
+    var phi_2136_: f64;
+    var phi_2141_: f64;
+    var phi_2146_: f64;
+    var phi_2151_: f64;
+    var phi_2156_: f64;
+    var phi_2167_: f64;
+    var phi_4864_: f64;
+    var phi_4870_: f64;
+    var phi_4875_: f64;
+    var phi_4881_: f64;
+    var phi_4887_: f64;
+    var phi_4892_: f64;
+    var phi_4897_: f64;
+    var phi_4907_: bool;
+    var phi_4914_: f64;
+    var phi_4922_: f64;
+    var phi_4965_: type_16;
+    var phi_4968_: f64;
+    var phi_4989_: bool;
+    var phi_4995_: type_17;
+    var phi_4966_: type_16;
+    var phi_5009_: type_17;
+    var phi_4969_: f64;
     var local_13: f64;
-    var phi_3548_: f64;
-    var phi_3612_: f64;
-    var phi_3618_: f64;
-    var phi_3643_: type_19;
-    var phi_3646_: u32;
-    var phi_3644_: type_19;
-    var phi_3669_: type_19;
-    var phi_3713_: u32;
-    var phi_3714_: u32;
-    var phi_3647_: u32;
-    var phi_3715_: u32;
-    var phi_3735_: type_19;
-    var phi_3736_: type_19;
-    var phi_3759_: type_19;
-    var phi_3813_: f64;
-    var phi_3820_: f64;
-    var phi_3832_: bool;
-    var phi_3833_: bool;
-    var phi_3834_: bool;
-    var phi_3835_: bool;
-    var phi_3839_: bool;
-    var phi_3851_: type_41;
-    var phi_3852_: type_41;
-    var phi_3853_: bool;
-    var phi_3854_: type_41;
-    var phi_3855_: bool;
-    var phi_3868_: f64;
-    var phi_3881_: type_19;
-    var phi_3884_: f64;
-    var phi_3886_: f64;
-    var phi_3888_: f64;
-    var phi_3882_: type_19;
-    var phi_3911_: type_19;
-    var phi_3938_: f64;
-    var phi_3939_: f64;
-    var phi_3967_: f64;
-    var phi_3983_: f64;
-    var phi_3990_: bool;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_3998_: f64;
-    var phi_3999_: f64;
-    var phi_4000_: bool;
-    var phi_3885_: f64;
-    var phi_3887_: f64;
-    var phi_3889_: f64;
-    var phi_4001_: f64;
-    var phi_4002_: bool;
-    var phi_4003_: bool;
-    var local_14: bool;
-    var phi_4007_: f64;
-    var phi_4008_: f64;
-    var phi_4016_: type_19;
-    var phi_4019_: f64;
-    var phi_4017_: type_19;
-    var phi_4042_: type_19;
-    var phi_4085_: f64;
-    var phi_4095_: f64;
-    var phi_4105_: bool;
-    var phi_4107_: bool;
-    var phi_4112_: f64;
-    var phi_4113_: bool;
-    var phi_4114_: f64;
-    var phi_4115_: bool;
-    var phi_4116_: bool;
-    var phi_4117_: bool;
-    var phi_4118_: f64;
-    var phi_4020_: f64;
-    var phi_4119_: bool;
-    var phi_4120_: bool;
-    var phi_4121_: bool;
-    var phi_4122_: bool;
-    var local_15: bool;
-    var phi_4126_: bool;
-    var phi_4127_: bool;
-    var phi_4131_: bool;
-    var phi_4135_: f64;
-    var phi_4136_: f64;
-    var phi_4138_: type_41;
-    var phi_4169_: f64;
-    var phi_4176_: f64;
-    var phi_4181_: f64;
-    var phi_4188_: f64;
-    var phi_4193_: f64;
-    var phi_4206_: f64;
-    var phi_4213_: f64;
-    var phi_4218_: f64;
-    var phi_4225_: f64;
-    var phi_4230_: f64;
-    var phi_4235_: f64;
-    var phi_4294_: f64;
-    var phi_4300_: f64;
-    var phi_4305_: f64;
-    var phi_4311_: f64;
-    var phi_4316_: f64;
-    var phi_4330_: f64;
-    var phi_4336_: f64;
-    var phi_4341_: f64;
-    var phi_4347_: f64;
-    var phi_4352_: f64;
-    var phi_4378_: f64;
-    var phi_4385_: f64;
-    var phi_4390_: f64;
-    var phi_4397_: f64;
-    var phi_4402_: f64;
-    var phi_4415_: f64;
-    var phi_4422_: f64;
-    var phi_4427_: f64;
-    var phi_4434_: f64;
-    var phi_4439_: f64;
-    var phi_4444_: f64;
-    var phi_4503_: f64;
-    var phi_4509_: f64;
-    var phi_4514_: f64;
-    var phi_4520_: f64;
-    var phi_4525_: f64;
-    var phi_4539_: f64;
-    var phi_4545_: f64;
-    var phi_4550_: f64;
-    var phi_4556_: f64;
-    var phi_4561_: f64;
-    var phi_4587_: f64;
-    var phi_4594_: f64;
-    var phi_4599_: f64;
-    var phi_4606_: f64;
-    var phi_4611_: f64;
-    var phi_4624_: f64;
-    var phi_4631_: f64;
-    var phi_4636_: f64;
-    var phi_4643_: f64;
-    var phi_4648_: f64;
-    var phi_4653_: f64;
-    var phi_4712_: f64;
-    var phi_4718_: f64;
-    var phi_4723_: f64;
-    var phi_4729_: f64;
-    var phi_4734_: f64;
-    var phi_4748_: f64;
-    var phi_4754_: f64;
-    var phi_4759_: f64;
-    var phi_4765_: f64;
-    var phi_4770_: f64;
-    var phi_4819_: f64;
-    var phi_4825_: f64;
-    var phi_4853_: f64;
-    var phi_4859_: f64;
-    var phi_4864_: u32;
-    var phi_4865_: u32;
-    var phi_4835_: f64;
-    var phi_4841_: f64;
-    var phi_4846_: u32;
-    var phi_4847_: u32;
-    var phi_4866_: u32;
-    var phi_4867_: u32;
-    var phi_4938_: f64;
-    var phi_4950_: f64;
-    var phi_5089_: f64;
-    var phi_5095_: f64;
-    var phi_5102_: f64;
-    var phi_5146_: type_19;
-    var phi_5149_: bool;
-    var phi_5147_: type_19;
-    var phi_5172_: type_19;
-    var phi_5199_: bool;
-    var phi_5200_: bool;
-    var phi_5150_: bool;
-    var phi_5201_: bool;
-    var phi_5202_: bool;
-    var local_16: bool;
-    var phi_5206_: bool;
-    var local_17: bool;
-    var phi_5213_: u32;
-    var phi_5214_: u32;
-    var phi_5215_: bool;
-    var phi_5216_: u32;
-    var phi_5217_: u32;
-    var phi_5218_: bool;
-    var phi_5222_: u32;
+    var phi_4958_: f64;
+    var phi_5022_: f64;
+    var phi_5028_: f64;
+    var phi_5053_: type_9;
+    var phi_5056_: u32;
+    var phi_5054_: type_9;
+    var phi_5079_: type_9;
+    var phi_5123_: u32;
+    var phi_5124_: u32;
+    var phi_5057_: u32;
+    var phi_5125_: u32;
+    var phi_5145_: type_9;
+    var phi_5146_: type_9;
+    var phi_5169_: type_9;
+    var phi_5223_: f64;
+    var phi_5230_: f64;
+    var phi_5242_: bool;
     var phi_5243_: bool;
     var phi_5244_: bool;
     var phi_5245_: bool;
-    var phi_5442_: f64;
-    var phi_5449_: f64;
-    var phi_5454_: f64;
-    var phi_5461_: f64;
-    var phi_5466_: f64;
-    var phi_5479_: f64;
-    var phi_5486_: f64;
-    var phi_5491_: f64;
-    var phi_5498_: f64;
-    var phi_5503_: f64;
-    var phi_5508_: f64;
-    var phi_5525_: f64;
-    var phi_5532_: f64;
-    var phi_5537_: f64;
-    var phi_5544_: f64;
-    var phi_5549_: f64;
-    var phi_5563_: f64;
-    var phi_5570_: f64;
-    var phi_5575_: f64;
-    var phi_5582_: f64;
-    var phi_5587_: f64;
-    var phi_5592_: f64;
-    var phi_5609_: f64;
-    var phi_5616_: f64;
-    var phi_5621_: f64;
-    var phi_5628_: f64;
-    var phi_5633_: f64;
-    var phi_5647_: f64;
-    var phi_5654_: f64;
-    var phi_5659_: f64;
-    var phi_5666_: f64;
-    var phi_5671_: f64;
-    var phi_5676_: f64;
-    var phi_5696_: type_19;
-    var phi_5699_: f64;
-    var phi_5697_: type_19;
-    var phi_5722_: type_19;
-    var phi_5833_: f64;
-    var phi_5840_: f64;
-    var phi_5848_: f64;
-    var phi_5893_: type_17;
-    var phi_5896_: f64;
-    var phi_5917_: bool;
-    var phi_5923_: type_18;
-    var phi_5894_: type_17;
-    var phi_5937_: type_18;
-    var phi_5897_: f64;
-    var local_18: f64;
-    var phi_5886_: f64;
-    var phi_5950_: f64;
-    var phi_5963_: type_19;
-    var phi_5966_: f64;
-    var phi_5964_: type_19;
-    var phi_5989_: type_19;
-    var phi_6040_: f64;
-    var phi_6046_: f64;
-    var phi_6060_: bool;
-    var phi_6061_: bool;
-    var phi_6095_: f64;
+    var phi_5249_: bool;
+    var phi_5261_: type_45;
+    var phi_5262_: type_45;
+    var phi_5263_: bool;
+    var phi_5264_: type_45;
+    var phi_5265_: bool;
+    var phi_5278_: f64;
+    var phi_5291_: type_9;
+    var phi_5294_: f64;
+    var phi_5296_: f64;
+    var phi_5298_: f64;
+    var phi_5292_: type_9;
+    var phi_5321_: type_9;
+    var phi_5348_: f64;
+    var phi_5349_: f64;
+    var phi_5377_: f64;
+    var phi_5393_: f64;
+    var phi_5400_: bool;
+    var phi_5401_: bool;
+    var phi_5402_: bool;
+    var phi_5408_: f64;
+    var phi_5409_: f64;
+    var phi_5410_: bool;
+    var phi_5295_: f64;
+    var phi_5297_: f64;
+    var phi_5299_: f64;
+    var phi_5411_: f64;
+    var phi_5412_: bool;
+    var phi_5413_: bool;
+    var local_14: bool;
+    var phi_5417_: f64;
+    var phi_5418_: f64;
+    var phi_5428_: f64;
+    var phi_5433_: type_9;
+    var phi_5436_: f64;
+    var phi_5434_: type_9;
+    var phi_5459_: type_9;
+    var phi_5490_: f64;
+    var phi_5491_: bool;
+    var phi_5492_: f64;
+    var phi_5493_: bool;
+    var phi_5494_: bool;
+    var phi_5495_: bool;
+    var phi_5496_: f64;
+    var phi_5437_: f64;
+    var phi_5497_: bool;
+    var phi_5498_: bool;
+    var phi_5499_: bool;
+    var phi_5500_: bool;
+    var local_15: bool;
+    var phi_5504_: bool;
+    var phi_5505_: bool;
+    var phi_5509_: bool;
+    var phi_5513_: f64;
+    var phi_5514_: f64;
+    var phi_5516_: type_45;
+    var phi_5547_: f64;
+    var phi_5554_: f64;
+    var phi_5559_: f64;
+    var phi_5566_: f64;
+    var phi_5571_: f64;
+    var phi_5584_: f64;
+    var phi_5591_: f64;
+    var phi_5596_: f64;
+    var phi_5603_: f64;
+    var phi_5608_: f64;
+    var phi_5613_: f64;
+    var phi_5672_: f64;
+    var phi_5678_: f64;
+    var phi_5683_: f64;
+    var phi_5689_: f64;
+    var phi_5694_: f64;
+    var phi_5708_: f64;
+    var phi_5714_: f64;
+    var phi_5719_: f64;
+    var phi_5725_: f64;
+    var phi_5730_: f64;
+    var phi_5756_: f64;
+    var phi_5763_: f64;
+    var phi_5768_: f64;
+    var phi_5775_: f64;
+    var phi_5780_: f64;
+    var phi_5793_: f64;
+    var phi_5800_: f64;
+    var phi_5805_: f64;
+    var phi_5812_: f64;
+    var phi_5817_: f64;
+    var phi_5822_: f64;
+    var phi_5881_: f64;
+    var phi_5887_: f64;
+    var phi_5892_: f64;
+    var phi_5898_: f64;
+    var phi_5903_: f64;
+    var phi_5917_: f64;
+    var phi_5923_: f64;
+    var phi_5928_: f64;
+    var phi_5934_: f64;
+    var phi_5939_: f64;
+    var phi_5965_: f64;
+    var phi_5972_: f64;
+    var phi_5977_: f64;
+    var phi_5984_: f64;
+    var phi_5989_: f64;
+    var phi_6002_: f64;
+    var phi_6009_: f64;
+    var phi_6014_: f64;
+    var phi_6021_: f64;
+    var phi_6026_: f64;
+    var phi_6031_: f64;
+    var phi_6090_: f64;
     var phi_6096_: f64;
-    var phi_6097_: f64;
-    var phi_6098_: bool;
-    var phi_6102_: bool;
-    var phi_6103_: f64;
-    var phi_6104_: bool;
-    var phi_6105_: bool;
-    var phi_6106_: bool;
+    var phi_6101_: f64;
     var phi_6107_: f64;
-    var phi_6108_: bool;
-    var phi_6109_: bool;
-    var phi_6110_: bool;
-    var phi_5967_: f64;
-    var phi_6111_: bool;
-    var phi_6112_: bool;
-    var phi_6113_: bool;
-    var phi_6114_: bool;
+    var phi_6112_: f64;
+    var phi_6126_: f64;
+    var phi_6132_: f64;
+    var phi_6137_: f64;
+    var phi_6143_: f64;
+    var phi_6148_: f64;
+    var phi_6197_: f64;
+    var phi_6203_: f64;
+    var phi_6231_: f64;
+    var phi_6237_: f64;
+    var phi_6242_: u32;
+    var phi_6243_: u32;
+    var phi_6213_: f64;
+    var phi_6219_: f64;
+    var phi_6224_: u32;
+    var phi_6225_: u32;
+    var phi_6244_: u32;
+    var phi_6245_: u32;
+    var phi_6318_: f64;
+    var phi_6330_: f64;
+    var phi_6473_: f64;
+    var phi_6479_: f64;
+    var phi_6486_: f64;
+    var phi_6530_: type_9;
+    var phi_6533_: bool;
+    var phi_6531_: type_9;
+    var phi_6556_: type_9;
+    var phi_6583_: bool;
+    var phi_6584_: bool;
+    var phi_6534_: bool;
+    var phi_6585_: bool;
+    var phi_6586_: bool;
+    var local_16: bool;
+    var phi_6590_: bool;
+    var local_17: bool;
+    var phi_6597_: u32;
+    var phi_6598_: u32;
+    var phi_6599_: bool;
+    var phi_6600_: u32;
+    var phi_6601_: u32;
+    var phi_6602_: bool;
+    var phi_6606_: u32;
+    var phi_6627_: bool;
+    var phi_6628_: bool;
+    var phi_6629_: bool;
+    var phi_6778_: f64;
+    var phi_6785_: f64;
+    var phi_6790_: f64;
+    var phi_6797_: f64;
+    var phi_6802_: f64;
+    var phi_6815_: f64;
+    var phi_6822_: f64;
+    var phi_6827_: f64;
+    var phi_6834_: f64;
+    var phi_6839_: f64;
+    var phi_6844_: f64;
+    var phi_6861_: f64;
+    var phi_6868_: f64;
+    var phi_6873_: f64;
+    var phi_6880_: f64;
+    var phi_6885_: f64;
+    var phi_6899_: f64;
+    var phi_6906_: f64;
+    var phi_6911_: f64;
+    var phi_6918_: f64;
+    var phi_6923_: f64;
+    var phi_6928_: f64;
+    var phi_6945_: f64;
+    var phi_6952_: f64;
+    var phi_6957_: f64;
+    var phi_6964_: f64;
+    var phi_6969_: f64;
+    var phi_6983_: f64;
+    var phi_6990_: f64;
+    var phi_6995_: f64;
+    var phi_7002_: f64;
+    var phi_7007_: f64;
+    var phi_7012_: f64;
+    var phi_7056_: type_9;
+    var phi_7059_: f64;
+    var phi_7061_: f64;
+    var phi_7063_: f64;
+    var phi_7057_: type_9;
+    var phi_7086_: type_9;
+    var phi_7198_: f64;
+    var phi_7205_: f64;
+    var phi_7213_: f64;
+    var phi_7259_: type_16;
+    var phi_7262_: f64;
+    var phi_7283_: bool;
+    var phi_7289_: type_17;
+    var phi_7260_: type_16;
+    var phi_7303_: type_17;
+    var phi_7263_: f64;
+    var local_18: f64;
+    var phi_7252_: f64;
+    var phi_7316_: f64;
+    var phi_7385_: f64;
+    var phi_7391_: f64;
+    var phi_7400_: f64;
+    var phi_7406_: f64;
+    var phi_7415_: f64;
+    var phi_7421_: f64;
+    var phi_7430_: f64;
+    var phi_7436_: f64;
+    var phi_7442_: type_34;
+    var phi_7443_: bool;
+    var phi_7444_: type_34;
+    var phi_7445_: bool;
+    var phi_7455_: type_34;
+    var phi_7626_: bool;
+    var phi_7627_: bool;
+    var phi_7628_: bool;
+    var phi_7629_: bool;
+    var phi_7630_: bool;
+    var phi_7631_: bool;
+    var phi_7635_: bool;
+    var phi_7933_: bool;
+    var phi_7934_: bool;
+    var phi_7935_: bool;
+    var phi_7936_: bool;
+    var phi_7937_: bool;
+    var phi_7938_: bool;
+    var phi_7942_: bool;
+    var phi_7946_: bool;
+    var phi_7958_: bool;
+    var phi_7959_: bool;
+    var phi_8033_: bool;
+    var phi_8034_: bool;
+    var phi_8057_: f64;
+    var phi_8058_: bool;
+    var phi_8059_: f64;
+    var phi_8060_: bool;
+    var phi_8061_: f64;
+    var phi_8062_: bool;
+    var phi_8063_: bool;
+    var phi_8068_: f64;
+    var phi_8069_: bool;
+    var phi_8073_: f64;
+    var phi_8105_: bool;
+    var phi_8106_: bool;
+    var phi_8129_: f64;
+    var phi_8130_: bool;
+    var phi_8131_: f64;
+    var phi_8132_: bool;
+    var phi_8133_: f64;
+    var phi_8134_: bool;
+    var phi_8135_: bool;
+    var phi_8140_: f64;
+    var phi_8141_: bool;
+    var phi_8145_: f64;
+    var phi_8150_: f64;
+    var phi_8182_: bool;
+    var phi_8183_: bool;
+    var phi_8206_: f64;
+    var phi_8207_: bool;
+    var phi_8208_: f64;
+    var phi_8209_: bool;
+    var phi_8210_: f64;
+    var phi_8211_: bool;
+    var phi_8212_: bool;
+    var phi_8217_: f64;
+    var phi_8218_: bool;
+    var phi_8222_: f64;
+    var phi_8254_: bool;
+    var phi_8255_: bool;
+    var phi_8278_: f64;
+    var phi_8279_: bool;
+    var phi_8280_: f64;
+    var phi_8281_: bool;
+    var phi_8282_: f64;
+    var phi_8283_: bool;
+    var phi_8284_: bool;
+    var phi_8289_: f64;
+    var phi_8290_: bool;
+    var phi_8294_: f64;
+    var phi_8299_: f64;
+    var phi_8304_: f64;
+    var phi_8309_: f64;
+    var phi_8320_: f64;
+    var phi_8321_: f64;
+    var phi_8322_: bool;
+    var phi_8323_: f64;
+    var phi_8324_: f64;
+    var phi_8325_: bool;
+    var phi_8326_: bool;
+    var phi_8327_: bool;
+    var phi_8328_: f64;
+    var phi_8329_: f64;
+    var phi_8330_: bool;
+    var phi_8331_: bool;
+    var phi_8332_: bool;
+    var phi_8333_: bool;
+    var phi_8334_: f64;
+    var phi_8335_: f64;
+    var phi_8336_: bool;
+    var phi_8337_: bool;
+    var phi_8338_: bool;
+    var phi_8339_: bool;
+    var phi_8419_: f64;
+    var phi_8492_: f64;
+    var phi_8497_: f64;
+    var phi_8570_: f64;
+    var phi_8643_: f64;
+    var phi_8648_: f64;
+    var phi_8669_: f64;
+    var phi_8670_: f64;
+    var phi_8671_: f64;
+    var phi_8673_: f64;
+    var phi_8674_: bool;
+    var phi_8675_: f64;
+    var phi_8676_: f64;
+    var phi_8677_: f64;
+    var phi_8678_: bool;
+    var phi_8679_: bool;
+    var phi_8680_: bool;
+    var phi_8681_: bool;
+    var phi_8690_: f64;
+    var phi_8695_: f64;
+    var phi_8706_: bool;
+    var phi_8710_: bool;
+    var phi_8711_: f64;
+    var phi_8712_: bool;
+    var phi_8713_: bool;
+    var phi_8714_: bool;
+    var phi_8715_: bool;
+    var phi_8716_: bool;
+    var phi_7060_: f64;
+    var phi_7062_: f64;
+    var phi_7064_: f64;
+    var phi_8717_: f64;
+    var phi_8718_: bool;
+    var phi_8719_: bool;
+    var phi_8720_: bool;
+    var phi_8721_: bool;
+    var phi_8722_: bool;
+    var phi_8723_: bool;
     var local_19: bool;
+    var phi_8727_: f64;
+    var phi_8728_: bool;
+    var phi_8729_: bool;
+    var phi_8730_: bool;
+    var phi_8731_: bool;
+    var phi_8736_: type_44;
+    var phi_8737_: bool;
+    var phi_8738_: bool;
+    var phi_8739_: bool;
     var local_20: f64;
-    var local_21: f64;
+    var phi_8744_: type_44;
+    var phi_8745_: bool;
+    var phi_8746_: bool;
+    var phi_8751_: type_44;
+    var phi_8752_: bool;
+    var phi_8753_: bool;
+    var phi_8758_: type_44;
+    var phi_8759_: bool;
+    var phi_8763_: type_44;
+    var phi_8770_: bool;
+    var phi_8771_: f64;
+    var phi_8772_: bool;
+    var phi_8773_: bool;
+    var phi_8774_: bool;
+    var phi_8775_: f64;
+    var phi_8776_: bool;
+    var phi_8777_: bool;
+    var phi_8778_: bool;
+    var phi_8779_: f64;
+    var phi_8780_: bool;
+    var phi_8781_: bool;
+    var phi_8782_: bool;
+    var phi_8783_: bool;
+    var phi_8787_: bool;
+    var phi_8788_: bool;
+    var phi_8789_: bool;
+    var phi_8790_: f64;
+    var phi_8791_: type_45;
+    var phi_8792_: bool;
+    var phi_8793_: bool;
+    var phi_8794_: bool;
+    var phi_8795_: bool;
+    var local_21: bool;
+    var phi_8800_: type_44;
+    var phi_8801_: bool;
+    var phi_8802_: bool;
     var local_22: f64;
-    var phi_6132_: bool;
-    var phi_6133_: bool;
-    var phi_6134_: bool;
-    var phi_6135_: bool;
-    var phi_6136_: bool;
-    var phi_6137_: bool;
-    var phi_6138_: bool;
-    var phi_6139_: bool;
-    var phi_6140_: bool;
-    var phi_6141_: bool;
-    var phi_6142_: bool;
-    var phi_6143_: bool;
-    var phi_6144_: bool;
-    var phi_6145_: f64;
-    var phi_6146_: f64;
-    var phi_6147_: bool;
-    var phi_6148_: bool;
-    var phi_6149_: bool;
-    var phi_6150_: bool;
-    var phi_6151_: bool;
-    var phi_6152_: bool;
-    var phi_6153_: bool;
-    var phi_6154_: f64;
-    var phi_6155_: f64;
-    var phi_6156_: bool;
-    var phi_6157_: bool;
-    var phi_6158_: bool;
-    var phi_6159_: bool;
-    var phi_6160_: bool;
-    var phi_6161_: bool;
-    var phi_6162_: bool;
-    var phi_6163_: bool;
-    var phi_6164_: f64;
-    var phi_5700_: f64;
-    var phi_6165_: bool;
-    var phi_6166_: bool;
-    var phi_6167_: bool;
-    var phi_6168_: bool;
-    var phi_6169_: bool;
-    var phi_6170_: bool;
-    var phi_6171_: bool;
-    var phi_6172_: bool;
-    var phi_6173_: bool;
-    var local_23: bool;
-    var phi_6178_: type_40;
-    var phi_6179_: bool;
-    var phi_6180_: bool;
-    var phi_6181_: bool;
-    var phi_6182_: bool;
-    var phi_6183_: bool;
-    var phi_6184_: bool;
-    var phi_6185_: bool;
-    var phi_6189_: f64;
-    var phi_6190_: bool;
-    var phi_6191_: bool;
-    var phi_6192_: bool;
-    var phi_6193_: bool;
-    var phi_6194_: bool;
-    var phi_6195_: bool;
-    var phi_6196_: bool;
-    var phi_6201_: type_40;
-    var phi_6202_: bool;
-    var phi_6203_: bool;
-    var phi_6204_: bool;
-    var phi_6205_: bool;
-    var phi_6206_: bool;
-    var phi_6207_: bool;
-    var local_24: f64;
-    var phi_6212_: type_40;
-    var phi_6213_: bool;
-    var phi_6214_: bool;
-    var phi_6215_: bool;
-    var phi_6216_: bool;
-    var phi_6217_: bool;
-    var local_25: f64;
-    var phi_6222_: type_40;
-    var phi_6223_: bool;
-    var phi_6224_: bool;
-    var phi_6225_: bool;
-    var phi_6226_: bool;
-    var local_26: f64;
-    var phi_6231_: type_40;
-    var phi_6232_: bool;
-    var phi_6233_: bool;
-    var phi_6234_: bool;
-    var phi_6235_: bool;
-    var phi_6239_: type_40;
-    var phi_6240_: bool;
-    var phi_6241_: bool;
-    var phi_6242_: bool;
-    var phi_6246_: bool;
-    var phi_6247_: bool;
-    var phi_6251_: bool;
-    var phi_6252_: bool;
-    var phi_6256_: bool;
-    var phi_6257_: bool;
-    var local_27: f64;
-    var phi_6262_: type_40;
-    var phi_6263_: bool;
-    var phi_6267_: type_40;
-    var phi_6274_: bool;
-    var phi_6275_: f64;
-    var phi_6276_: bool;
-    var phi_6277_: bool;
-    var phi_6278_: bool;
-    var phi_6279_: f64;
-    var phi_6280_: bool;
-    var phi_6281_: bool;
-    var phi_6282_: bool;
-    var phi_6283_: f64;
-    var phi_6284_: bool;
-    var phi_6285_: bool;
-    var phi_6286_: bool;
-    var phi_6287_: bool;
-    var phi_6291_: bool;
-    var phi_6292_: bool;
-    var phi_6293_: bool;
-    var phi_6294_: f64;
-    var phi_6295_: type_41;
-    var phi_6296_: bool;
-    var phi_6297_: bool;
-    var phi_6298_: bool;
-    var phi_6299_: bool;
-    var local_28: bool;
-    var phi_6304_: type_40;
-    var phi_6305_: bool;
-    var phi_6306_: bool;
-    var local_29: f64;
-    var phi_6311_: type_40;
-    var phi_6312_: bool;
-    var local_30: type_41;
-    var phi_6318_: type_40;
-    var phi_6319_: bool;
-    var phi_6323_: type_40;
-    var phi_2074_: f64;
-    var phi_2081_: f64;
-    var phi_2086_: f64;
-    var phi_2093_: f64;
-    var phi_2098_: f64;
-    var phi_2111_: f64;
-    var phi_2118_: f64;
-    var phi_2123_: f64;
-    var phi_2130_: f64;
-    var phi_2135_: f64;
-    var phi_2140_: f64;
-    var phi_2157_: f64;
-    var phi_2164_: f64;
-    var phi_2169_: f64;
-    var phi_2176_: f64;
-    var phi_2181_: f64;
-    var phi_2195_: f64;
-    var phi_2202_: f64;
-    var phi_2207_: f64;
-    var phi_2214_: f64;
-    var phi_2219_: f64;
-    var phi_2224_: f64;
-    var phi_2241_: f64;
-    var phi_2248_: f64;
-    var phi_2253_: f64;
-    var phi_2260_: f64;
-    var phi_2265_: f64;
-    var phi_2279_: f64;
-    var phi_2286_: f64;
-    var phi_2291_: f64;
-    var phi_2298_: f64;
-    var phi_2303_: f64;
-    var phi_2308_: f64;
-    var phi_2328_: type_19;
+    var phi_8807_: type_44;
+    var phi_8808_: bool;
+    var local_23: type_45;
+    var phi_8814_: type_44;
+    var phi_8815_: bool;
+    var phi_8819_: type_44;
+    var phi_2324_: f64;
     var phi_2331_: f64;
-    var phi_2329_: type_19;
-    var phi_2354_: type_19;
-    var phi_2465_: f64;
-    var phi_2472_: f64;
-    var phi_2480_: f64;
-    var phi_2525_: type_17;
-    var phi_2528_: f64;
-    var phi_2549_: bool;
-    var phi_2555_: type_18;
-    var phi_2526_: type_17;
-    var phi_2569_: type_18;
+    var phi_2336_: f64;
+    var phi_2343_: f64;
+    var phi_2348_: f64;
+    var phi_2361_: f64;
+    var phi_2368_: f64;
+    var phi_2373_: f64;
+    var phi_2380_: f64;
+    var phi_2385_: f64;
+    var phi_2390_: f64;
+    var phi_2407_: f64;
+    var phi_2414_: f64;
+    var phi_2419_: f64;
+    var phi_2426_: f64;
+    var phi_2431_: f64;
+    var phi_2445_: f64;
+    var phi_2452_: f64;
+    var phi_2457_: f64;
+    var phi_2464_: f64;
+    var phi_2469_: f64;
+    var phi_2474_: f64;
+    var phi_2491_: f64;
+    var phi_2498_: f64;
+    var phi_2503_: f64;
+    var phi_2510_: f64;
+    var phi_2515_: f64;
     var phi_2529_: f64;
+    var phi_2536_: f64;
+    var phi_2541_: f64;
+    var phi_2548_: f64;
+    var phi_2553_: f64;
+    var phi_2558_: f64;
+    var phi_2602_: type_9;
+    var phi_2605_: f64;
+    var phi_2607_: f64;
+    var phi_2609_: f64;
+    var phi_2603_: type_9;
+    var phi_2632_: type_9;
+    var phi_2744_: f64;
+    var phi_2751_: f64;
+    var phi_2759_: f64;
+    var phi_2805_: type_16;
+    var phi_2808_: f64;
+    var phi_2829_: bool;
+    var phi_2835_: type_17;
+    var phi_2806_: type_16;
+    var phi_2849_: type_17;
+    var phi_2809_: f64;
+    var local_24: f64;
+    var phi_2798_: f64;
+    var phi_2862_: f64;
+    var phi_2931_: f64;
+    var phi_2937_: f64;
+    var phi_2946_: f64;
+    var phi_2952_: f64;
+    var phi_2961_: f64;
+    var phi_2967_: f64;
+    var phi_2976_: f64;
+    var phi_2982_: f64;
+    var phi_2988_: type_34;
+    var phi_2989_: bool;
+    var phi_2990_: type_34;
+    var phi_2991_: bool;
+    var phi_3001_: type_34;
+    var phi_3172_: bool;
+    var phi_3173_: bool;
+    var phi_3174_: bool;
+    var phi_3175_: bool;
+    var phi_3176_: bool;
+    var phi_3177_: bool;
+    var phi_3181_: bool;
+    var phi_3479_: bool;
+    var phi_3480_: bool;
+    var phi_3481_: bool;
+    var phi_3482_: bool;
+    var phi_3483_: bool;
+    var phi_3484_: bool;
+    var phi_3488_: bool;
+    var phi_3492_: bool;
+    var phi_3504_: bool;
+    var phi_3505_: bool;
+    var phi_3579_: bool;
+    var phi_3580_: bool;
+    var phi_3603_: f64;
+    var phi_3604_: bool;
+    var phi_3605_: f64;
+    var phi_3606_: bool;
+    var phi_3607_: f64;
+    var phi_3608_: bool;
+    var phi_3609_: bool;
+    var phi_3614_: f64;
+    var phi_3615_: bool;
+    var phi_3619_: f64;
+    var phi_3651_: bool;
+    var phi_3652_: bool;
+    var phi_3675_: f64;
+    var phi_3676_: bool;
+    var phi_3677_: f64;
+    var phi_3678_: bool;
+    var phi_3679_: f64;
+    var phi_3680_: bool;
+    var phi_3681_: bool;
+    var phi_3686_: f64;
+    var phi_3687_: bool;
+    var phi_3691_: f64;
+    var phi_3696_: f64;
+    var phi_3728_: bool;
+    var phi_3729_: bool;
+    var phi_3752_: f64;
+    var phi_3753_: bool;
+    var phi_3754_: f64;
+    var phi_3755_: bool;
+    var phi_3756_: f64;
+    var phi_3757_: bool;
+    var phi_3758_: bool;
+    var phi_3763_: f64;
+    var phi_3764_: bool;
+    var phi_3768_: f64;
+    var phi_3800_: bool;
+    var phi_3801_: bool;
+    var phi_3824_: f64;
+    var phi_3825_: bool;
+    var phi_3826_: f64;
+    var phi_3827_: bool;
+    var phi_3828_: f64;
+    var phi_3829_: bool;
+    var phi_3830_: bool;
+    var phi_3835_: f64;
+    var phi_3836_: bool;
+    var phi_3840_: f64;
+    var phi_3845_: f64;
+    var phi_3850_: f64;
+    var phi_3855_: f64;
+    var phi_3866_: f64;
+    var phi_3867_: f64;
+    var phi_3868_: bool;
+    var phi_3869_: f64;
+    var phi_3870_: f64;
+    var phi_3871_: bool;
+    var phi_3872_: bool;
+    var phi_3873_: bool;
+    var phi_3874_: f64;
+    var phi_3875_: f64;
+    var phi_3876_: bool;
+    var phi_3877_: bool;
+    var phi_3878_: bool;
+    var phi_3879_: bool;
+    var phi_3880_: f64;
+    var phi_3881_: f64;
+    var phi_3882_: bool;
+    var phi_3883_: bool;
+    var phi_3884_: bool;
+    var phi_3885_: bool;
+    var phi_3965_: f64;
+    var phi_4038_: f64;
+    var phi_4043_: f64;
+    var phi_4116_: f64;
+    var phi_4189_: f64;
+    var phi_4194_: f64;
+    var phi_4215_: f64;
+    var phi_4216_: f64;
+    var phi_4217_: f64;
+    var phi_4219_: f64;
+    var phi_4220_: bool;
+    var phi_4221_: f64;
+    var phi_4222_: f64;
+    var phi_4223_: f64;
+    var phi_4224_: bool;
+    var phi_4225_: bool;
+    var phi_4226_: bool;
+    var phi_4227_: bool;
+    var phi_4236_: f64;
+    var phi_4241_: f64;
+    var phi_4252_: bool;
+    var phi_4256_: bool;
+    var phi_4257_: f64;
+    var phi_4258_: bool;
+    var phi_4259_: bool;
+    var phi_4260_: bool;
+    var phi_4261_: bool;
+    var phi_4262_: bool;
+    var phi_2606_: f64;
+    var phi_2608_: f64;
+    var phi_2610_: f64;
+    var phi_4263_: f64;
+    var phi_4264_: bool;
+    var phi_4265_: bool;
+    var phi_4266_: bool;
+    var phi_4267_: bool;
+    var phi_4268_: bool;
+    var phi_4269_: bool;
+    var local_25: bool;
+    var phi_4273_: f64;
+    var phi_4274_: bool;
+    var phi_4275_: bool;
+    var phi_4276_: bool;
+    var phi_4277_: bool;
+    var phi_4282_: type_44;
+    var phi_4283_: bool;
+    var phi_4284_: bool;
+    var phi_4285_: bool;
+    var local_26: f64;
+    var phi_4290_: type_44;
+    var phi_4291_: bool;
+    var phi_4292_: bool;
+    var phi_4297_: type_44;
+    var phi_4298_: bool;
+    var phi_4299_: bool;
+    var phi_4304_: type_44;
+    var phi_4305_: bool;
+    var phi_4309_: type_44;
+    var phi_4323_: type_9;
+    var phi_4324_: type_9;
+    var phi_4347_: type_9;
+    var phi_4368_: f64;
+    var phi_4498_: type_16;
+    var phi_4501_: f64;
+    var phi_4522_: bool;
+    var phi_4528_: type_17;
+    var phi_4499_: type_16;
+    var phi_4542_: type_17;
+    var phi_4502_: f64;
+    var local_27: f64;
+    var phi_4491_: f64;
+    var phi_4555_: f64;
+    var phi_4573_: f64;
+    var phi_4580_: f64;
+    var phi_4585_: f64;
+    var phi_4592_: f64;
+    var phi_4597_: f64;
+    var phi_4610_: f64;
+    var phi_4617_: f64;
+    var phi_4622_: f64;
+    var phi_4629_: f64;
+    var phi_4634_: f64;
+    var phi_4639_: f64;
+    var phi_4656_: f64;
+    var phi_4663_: f64;
+    var phi_4668_: f64;
+    var phi_4675_: f64;
+    var phi_4680_: f64;
+    var phi_4694_: f64;
+    var phi_4701_: f64;
+    var phi_4706_: f64;
+    var phi_4713_: f64;
+    var phi_4718_: f64;
+    var phi_4723_: f64;
+    var phi_4740_: f64;
+    var phi_4747_: f64;
+    var phi_4752_: f64;
+    var phi_4759_: f64;
+    var phi_4764_: f64;
+    var phi_4778_: f64;
+    var phi_4785_: f64;
+    var phi_4790_: f64;
+    var phi_4797_: f64;
+    var phi_4802_: f64;
+    var phi_4807_: f64;
+    var phi_4831_: bool;
+    var phi_4832_: bool;
+    var phi_4833_: bool;
+    var local_28: bool;
+    var phi_4838_: type_44;
+    var phi_4839_: bool;
+    var phi_4844_: type_44;
+    var phi_4845_: bool;
+    var phi_4847_: type_44;
+    var phi_4848_: type_44;
+    var phi_4849_: bool;
+    var phi_4853_: type_44;
+    var phi_8823_: type_44;
+    var phi_8824_: type_44;
+    var phi_8837_: type_32;
+    var phi_8860_: u32;
+    var phi_8864_: type_22;
+    var phi_8865_: bool;
+    var phi_8884_: u32;
+    var local_29: u32;
+    var local_30: f64;
     var local_31: f64;
-    var phi_2518_: f64;
-    var phi_2582_: f64;
-    var phi_2595_: type_19;
-    var phi_2598_: f64;
-    var phi_2596_: type_19;
-    var phi_2621_: type_19;
-    var phi_2672_: f64;
-    var phi_2678_: f64;
-    var phi_2692_: bool;
-    var phi_2693_: bool;
-    var phi_2727_: f64;
-    var phi_2728_: f64;
-    var phi_2729_: f64;
-    var phi_2730_: bool;
-    var phi_2734_: bool;
-    var phi_2735_: f64;
-    var phi_2736_: bool;
-    var phi_2737_: bool;
-    var phi_2738_: bool;
-    var phi_2739_: f64;
-    var phi_2740_: bool;
-    var phi_2741_: bool;
-    var phi_2742_: bool;
-    var phi_2599_: f64;
-    var phi_2743_: bool;
-    var phi_2744_: bool;
-    var phi_2745_: bool;
-    var phi_2746_: bool;
     var local_32: bool;
-    var local_33: f64;
+    var local_33: bool;
     var local_34: f64;
     var local_35: f64;
-    var phi_2764_: bool;
-    var phi_2765_: bool;
-    var phi_2766_: bool;
-    var phi_2767_: bool;
-    var phi_2768_: bool;
-    var phi_2769_: bool;
-    var phi_2770_: bool;
-    var phi_2771_: bool;
-    var phi_2772_: bool;
-    var phi_2773_: bool;
-    var phi_2774_: bool;
-    var phi_2775_: bool;
-    var phi_2776_: bool;
-    var phi_2777_: f64;
-    var phi_2778_: f64;
-    var phi_2779_: bool;
-    var phi_2780_: bool;
-    var phi_2781_: bool;
-    var phi_2782_: bool;
-    var phi_2783_: bool;
-    var phi_2784_: bool;
-    var phi_2785_: bool;
-    var phi_2786_: f64;
-    var phi_2787_: f64;
-    var phi_2788_: bool;
-    var phi_2789_: bool;
-    var phi_2790_: bool;
-    var phi_2791_: bool;
-    var phi_2792_: bool;
-    var phi_2793_: bool;
-    var phi_2794_: bool;
-    var phi_2795_: bool;
-    var phi_2796_: f64;
-    var phi_2332_: f64;
-    var phi_2797_: bool;
-    var phi_2798_: bool;
-    var phi_2799_: bool;
-    var phi_2800_: bool;
-    var phi_2801_: bool;
-    var phi_2802_: bool;
-    var phi_2803_: bool;
-    var phi_2804_: bool;
-    var phi_2805_: bool;
-    var local_36: bool;
-    var phi_2810_: type_40;
-    var phi_2811_: bool;
-    var phi_2812_: bool;
-    var phi_2813_: bool;
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2816_: bool;
-    var phi_2817_: bool;
-    var phi_2821_: f64;
-    var phi_2822_: bool;
-    var phi_2823_: bool;
-    var phi_2824_: bool;
-    var phi_2825_: bool;
-    var phi_2826_: bool;
-    var phi_2827_: bool;
-    var phi_2828_: bool;
-    var phi_2833_: type_40;
-    var phi_2834_: bool;
-    var phi_2835_: bool;
-    var phi_2836_: bool;
-    var phi_2837_: bool;
-    var phi_2838_: bool;
-    var phi_2839_: bool;
-    var local_37: f64;
-    var phi_2844_: type_40;
-    var phi_2845_: bool;
-    var phi_2846_: bool;
-    var phi_2847_: bool;
-    var phi_2848_: bool;
-    var phi_2849_: bool;
-    var local_38: f64;
-    var phi_2854_: type_40;
-    var phi_2855_: bool;
-    var phi_2856_: bool;
-    var phi_2857_: bool;
-    var phi_2858_: bool;
-    var local_39: f64;
-    var phi_2863_: type_40;
-    var phi_2864_: bool;
-    var phi_2865_: bool;
-    var phi_2866_: bool;
-    var phi_2867_: bool;
-    var phi_2871_: type_40;
-    var phi_2872_: bool;
-    var phi_2873_: bool;
-    var phi_2874_: bool;
-    var phi_2878_: bool;
-    var phi_2879_: bool;
-    var phi_2883_: bool;
-    var phi_2884_: bool;
-    var phi_2888_: bool;
-    var phi_2889_: bool;
-    var local_40: f64;
-    var phi_2894_: type_40;
-    var phi_2895_: bool;
-    var phi_2899_: type_40;
-    var phi_2913_: type_19;
-    var phi_2914_: type_19;
-    var phi_2937_: type_19;
-    var phi_2958_: f64;
-    var phi_3088_: type_17;
-    var phi_3091_: f64;
-    var phi_3112_: bool;
-    var phi_3118_: type_18;
-    var phi_3089_: type_17;
-    var phi_3132_: type_18;
-    var phi_3092_: f64;
-    var local_41: f64;
-    var phi_3081_: f64;
-    var phi_3145_: f64;
-    var phi_3163_: f64;
-    var phi_3170_: f64;
-    var phi_3175_: f64;
-    var phi_3182_: f64;
-    var phi_3187_: f64;
-    var phi_3200_: f64;
-    var phi_3207_: f64;
-    var phi_3212_: f64;
-    var phi_3219_: f64;
-    var phi_3224_: f64;
-    var phi_3229_: f64;
-    var phi_3246_: f64;
-    var phi_3253_: f64;
-    var phi_3258_: f64;
-    var phi_3265_: f64;
-    var phi_3270_: f64;
-    var phi_3284_: f64;
-    var phi_3291_: f64;
-    var phi_3296_: f64;
-    var phi_3303_: f64;
-    var phi_3308_: f64;
-    var phi_3313_: f64;
-    var phi_3330_: f64;
-    var phi_3337_: f64;
-    var phi_3342_: f64;
-    var phi_3349_: f64;
-    var phi_3354_: f64;
-    var phi_3368_: f64;
-    var phi_3375_: f64;
-    var phi_3380_: f64;
-    var phi_3387_: f64;
-    var phi_3392_: f64;
-    var phi_3397_: f64;
-    var phi_3421_: bool;
-    var phi_3422_: bool;
-    var phi_3423_: bool;
+    var local_36: f64;
+    var local_37: bool;
+    var local_38: bool;
+    var local_39: bool;
+    var local_40: bool;
+    var local_41: bool;
     var local_42: bool;
-    var phi_3428_: type_40;
-    var phi_3429_: bool;
-    var phi_3434_: type_40;
-    var phi_3435_: bool;
-    var phi_3437_: type_40;
-    var phi_3438_: type_40;
-    var phi_3439_: bool;
-    var phi_3443_: type_40;
-    var phi_6327_: type_40;
-    var phi_6328_: type_40;
-    var phi_6341_: type_30;
-    var phi_6364_: u32;
-    var phi_6368_: type_29;
-    var phi_6369_: bool;
-    var phi_6387_: u32;
-    var local_43: u32;
+    var local_43: f64;
     var local_44: f64;
-    var local_45: f64;
+    var local_45: bool;
     var local_46: bool;
     var local_47: bool;
-    var local_48: f64;
-    var local_49: bool;
-    var local_50: bool;
-    var local_51: f64;
-    var local_52: f64;
-    var local_53: bool;
-    var local_54: bool;
-    var local_55: bool;
-    var local_56: bool;
-    var local_57: bool;
-    var local_58: bool;
-    var local_59: bool;
-    var local_60: f64;
-    var local_61: f64;
-    var local_62: bool;
-    var local_63: bool;
-    var local_64: bool;
-    var local_65: bool;
-    var local_66: bool;
-    var local_67: f64;
-    var local_68: f64;
-    var local_69: bool;
-    var local_70: bool;
-    var local_71: bool;
-    var local_72: bool;
-    var local_73: bool;
-    var local_74: bool;
-    var local_75: bool;
-    var local_76: f64;
-    var local_77: f64;
-    var local_78: bool;
+    var local_48: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -1171,3969 +1281,4949 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e99 = id_2;
-    let _e100 = n_2;
-    let _e101 = lane_2;
-    let _e113 = ((_e99.y * _e100.x) + _e99.x);
-    let _e116 = (_e100.x * _e100.y);
-    let _e118 = params.member.member_15;
-    let _e120 = input.member[0u];
-    if (_e118 < _e120) {
-        phi_789_ = _e118;
+    let _e108 = id_2;
+    let _e109 = n_2;
+    let _e110 = lane_2;
+    let _e122 = ((_e108.y * _e109.x) + _e108.x);
+    let _e125 = (_e109.x * _e109.y);
+    let _e128 = params.member.member_1.member_2;
+    let _e130 = input.member[0u];
+    if (_e128 < _e130) {
+        phi_802_ = _e128;
     } else {
-        phi_789_ = _e120;
+        phi_802_ = _e130;
     }
-    let _e123 = phi_789_;
-    let _e124 = (_e123 / 64u);
-    if ((_e123 % 64u) > 0u) {
-        phi_805_ = (_e124 + 1u);
+    let _e133 = phi_802_;
+    let _e134 = (_e133 / 64u);
+    if ((_e133 % 64u) > 0u) {
+        phi_818_ = (_e134 + 1u);
     } else {
-        phi_805_ = _e124;
+        phi_818_ = _e134;
     }
-    let _e129 = phi_805_;
-    if (_e129 > _e113) {
-        let _e131 = (_e129 - _e113);
-        if (_e116 == 0u) {
+    let _e139 = phi_818_;
+    if (_e139 > _e122) {
+        let _e141 = (_e139 - _e122);
+        if (_e125 == 0u) {
             return;
         }
-        let _e133 = (_e131 / _e116);
-        if (_e116 == 0u) {
+        let _e143 = (_e141 / _e125);
+        if (_e125 == 0u) {
             return;
         }
-        if ((_e131 % _e116) > 0u) {
-            phi_826_ = (_e133 + 1u);
+        if ((_e141 % _e125) > 0u) {
+            phi_839_ = (_e143 + 1u);
         } else {
-            phi_826_ = _e133;
+            phi_839_ = _e143;
         }
-        let _e139 = phi_826_;
-        phi_827_ = _e139;
+        let _e149 = phi_839_;
+        phi_840_ = _e149;
     } else {
-        phi_827_ = 0u;
+        phi_840_ = 0u;
     }
-    let _e141 = phi_827_;
-    phi_830_ = type_19(0u, _e141);
+    let _e151 = phi_840_;
+    phi_843_ = type_9(0u, _e151);
     loop {
-        let _e144 = phi_830_;
-        if (_e144.member < _e144.member_1) {
-            phi_831_ = type_19((_e144.member + 1u), _e144.member_1);
-            phi_854_ = type_19(1u, _e144.member);
+        let _e154 = phi_843_;
+        if (_e154.member < _e154.member_1) {
+            phi_844_ = type_9((_e154.member + 1u), _e154.member_1);
+            phi_867_ = type_9(1u, _e154.member);
         } else {
-            phi_831_ = _e144;
-            phi_854_ = type_19(0u, type_19().member_1);
+            phi_844_ = _e154;
+            phi_867_ = type_9(0u, type_9().member_1);
         }
-        let _e156 = phi_831_;
-        let _e158 = phi_854_;
-        let _e162 = (bitcast<i32>(_e158.member) != 0i);
-        if _e162 {
-            let _e166 = (((_e113 + (_e158.member_1 * _e116)) * 64u) + _e101);
-            let _e168 = params.member.member_8;
-            if (_e166 < _e123) {
-                let _e171 = (2u * _e166);
-                let _e174 = input.member[(4u + _e171)];
-                let _e177 = input.member[(_e171 + 5u)];
-                let _e179 = elements.member[_e177];
-                let _e184 = params.member.member_1;
-                if ((_e184 & 8u) != 0u) {
-                    let _e223 = paths.member[_e174];
-                    let _e225 = paths.member[_e179[0]];
-                    let _e231 = paths.member[_e179[1]];
-                    let _e233 = paths.member[_e179[2]];
-                    let _e270 = function_(array<f32, 3>(_e223.member[0], _e223.member[1], _e223.member[2]));
-                    let _e271 = function_(array<f32, 3>(_e225.member[0], _e225.member[1], _e225.member[2]));
-                    let _e272 = function_(array<f32, 3>(_e231.member[0], _e231.member[1], _e231.member[2]));
-                    let _e273 = function_(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
-                    let _e275 = function_(array<f32, 3>(_e223.member_1[0], _e223.member_1[1], _e223.member_1[2]));
-                    let _e276 = function_(array<f32, 3>(_e225.member_1[0], _e225.member_1[1], _e225.member_1[2]));
-                    let _e277 = function_(array<f32, 3>(_e231.member_1[0], _e231.member_1[1], _e231.member_1[2]));
-                    let _e278 = function_(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e270, _e271, _e272, _e273), array<array<f64, 3>, 4>(_e275, _e276, _e277, _e278));
+        let _e166 = phi_844_;
+        let _e168 = phi_867_;
+        let _e172 = (bitcast<i32>(_e168.member) != 0i);
+        if _e172 {
+            let _e176 = (((_e122 + (_e168.member_1 * _e125)) * 64u) + _e110);
+            if (_e176 < _e133) {
+                let _e178 = (2u * _e176);
+                let _e181 = input.member[(4u + _e178)];
+                let _e184 = input.member[(_e178 + 5u)];
+                let _e187 = elements.member[_e184];
+                let _e192 = params.member.member.member_1;
+                if ((_e192 & 8u) != 0u) {
+                    let _e231 = paths.member[_e181];
+                    let _e233 = paths.member[_e187[0]];
+                    let _e239 = paths.member[_e187[1]];
+                    let _e241 = paths.member[_e187[2]];
+                    let _e278 = function_(array<f32, 3>(_e231.member[0], _e231.member[1], _e231.member[2]));
+                    let _e279 = function_(array<f32, 3>(_e233.member[0], _e233.member[1], _e233.member[2]));
+                    let _e280 = function_(array<f32, 3>(_e239.member[0], _e239.member[1], _e239.member[2]));
+                    let _e281 = function_(array<f32, 3>(_e241.member[0], _e241.member[1], _e241.member[2]));
+                    let _e283 = function_(array<f32, 3>(_e231.member_1[0], _e231.member_1[1], _e231.member_1[2]));
+                    let _e284 = function_(array<f32, 3>(_e233.member_1[0], _e233.member_1[1], _e233.member_1[2]));
+                    let _e285 = function_(array<f32, 3>(_e239.member_1[0], _e239.member_1[1], _e239.member_1[2]));
+                    let _e286 = function_(array<f32, 3>(_e241.member_1[0], _e241.member_1[1], _e241.member_1[2]));
+                    phi_1114_ = type_42(array<array<f64, 3>, 4>(_e278, _e279, _e280, _e281), array<array<f64, 3>, 4>(_e283, _e284, _e285, _e286));
                 } else {
-                    let _e188 = wide.member[_e174];
-                    let _e191 = params.member.member[0u];
-                    let _e194 = wide.member[(_e191 + _e174)];
-                    let _e196 = wide.member[_e179[0]];
-                    let _e199 = params.member.member[0u];
-                    let _e202 = wide.member[(_e199 + _e179[0])];
-                    let _e204 = wide.member[_e179[1]];
-                    let _e207 = params.member.member[0u];
-                    let _e210 = wide.member[(_e207 + _e179[1])];
-                    let _e212 = wide.member[_e179[2]];
-                    let _e215 = params.member.member[0u];
-                    let _e218 = wide.member[(_e215 + _e179[2])];
-                    phi_1102_ = type_39(array<array<f64, 3>, 4>(_e188, _e196, _e204, _e212), array<array<f64, 3>, 4>(_e194, _e202, _e210, _e218));
+                    let _e196 = positions.member[_e181];
+                    let _e199 = params.member.member.member[0u];
+                    let _e202 = positions.member[(_e199 + _e181)];
+                    let _e204 = positions.member[_e187[0]];
+                    let _e207 = params.member.member.member[0u];
+                    let _e210 = positions.member[(_e207 + _e187[0])];
+                    let _e212 = positions.member[_e187[1]];
+                    let _e215 = params.member.member.member[0u];
+                    let _e218 = positions.member[(_e215 + _e187[1])];
+                    let _e220 = positions.member[_e187[2]];
+                    let _e223 = params.member.member.member[0u];
+                    let _e226 = positions.member[(_e223 + _e187[2])];
+                    phi_1114_ = type_42(array<array<f64, 3>, 4>(_e196, _e204, _e212, _e220), array<array<f64, 3>, 4>(_e202, _e210, _e218, _e226));
                 }
-                let _e282 = phi_1102_;
-                local_12 = type_38(array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[0][0] - _e282.member[1][0]), (_e282.member[0][1] - _e282.member[1][1]), (_e282.member[0][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[0][0] - _e282.member_1[1][0]), (_e282.member_1[0][1] - _e282.member_1[1][1]), (_e282.member_1[0][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[2][0] - _e282.member[1][0]), (_e282.member[2][1] - _e282.member[1][1]), (_e282.member[2][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[2][0] - _e282.member_1[1][0]), (_e282.member_1[2][1] - _e282.member_1[1][1]), (_e282.member_1[2][2] - _e282.member_1[1][2]))), array<array<f64, 3>, 2>(array<f64, 3>((_e282.member[3][0] - _e282.member[1][0]), (_e282.member[3][1] - _e282.member[1][1]), (_e282.member[3][2] - _e282.member[1][2])), array<f64, 3>((_e282.member_1[3][0] - _e282.member_1[1][0]), (_e282.member_1[3][1] - _e282.member_1[1][1]), (_e282.member_1[3][2] - _e282.member_1[1][2]))), (0.0lf + 0.0lf));
-                let _e363 = params.member.member_7;
-                let _e370 = bitcast<f64>(((u64(_e363[1]) * 4294967296lu) + u64(_e363[0])));
-                let _e371 = f64(0f);
-                let _e374 = local_12.member_1[0u];
-                let _e380 = local_12.member_2[0u];
-                let _e386 = ((_e374[1] * _e380[2]) - (_e374[2] * _e380[1]));
-                let _e389 = ((_e374[2] * _e380[0]) - (_e374[0] * _e380[2]));
-                let _e392 = ((_e374[0] * _e380[1]) - (_e374[1] * _e380[0]));
-                let _e395 = local_12.member_1[1u];
-                let _e401 = local_12.member_2[1u];
-                let _e407 = ((_e395[1] * _e401[2]) - (_e395[2] * _e401[1]));
-                let _e410 = ((_e395[2] * _e401[0]) - (_e395[0] * _e401[2]));
-                let _e413 = ((_e395[0] * _e401[1]) - (_e395[1] * _e401[0]));
-                let _e416 = local_12.member_1[0u];
-                let _e422 = local_12.member_2[1u];
-                let _e437 = local_12.member_1[1u];
-                let _e443 = local_12.member_2[0u];
-                let _e456 = (((_e416[1] * _e422[2]) - (_e416[2] * _e422[1])) + ((_e437[1] * _e443[2]) - (_e437[2] * _e443[1])));
-                let _e457 = (((_e416[2] * _e422[0]) - (_e416[0] * _e422[2])) + ((_e437[2] * _e443[0]) - (_e437[0] * _e443[2])));
-                let _e458 = (((_e416[0] * _e422[1]) - (_e416[1] * _e422[0])) + ((_e437[0] * _e443[1]) - (_e437[1] * _e443[0])));
-                let _e461 = local_12.member[0u];
-                let _e469 = (((_e461[0] * _e386) + (_e461[1] * _e389)) + (_e461[2] * _e392));
-                let _e472 = local_12.member[1u];
-                let _e483 = local_12.member[0u];
-                let _e492 = ((((_e472[0] * _e386) + (_e472[1] * _e389)) + (_e472[2] * _e392)) + (((_e483[0] * _e456) + (_e483[1] * _e457)) + (_e483[2] * _e458)));
-                let _e495 = local_12.member[0u];
-                let _e506 = local_12.member[1u];
-                let _e515 = ((((_e495[0] * _e407) + (_e495[1] * _e410)) + (_e495[2] * _e413)) + (((_e506[0] * _e456) + (_e506[1] * _e457)) + (_e506[2] * _e458)));
-                let _e518 = local_12.member[1u];
-                let _e526 = (((_e518[0] * _e407) + (_e518[1] * _e410)) + (_e518[2] * _e413));
-                let _e529 = local_12.member[0u];
-                if (_e529[0] < 0.0lf) {
-                    phi_1471_ = -(_e529[0]);
+                let _e290 = phi_1114_;
+                let _e297 = (_e290.member[0][0] - _e290.member[1][0]);
+                let _e300 = (_e290.member[0][1] - _e290.member[1][1]);
+                let _e303 = (_e290.member[0][2] - _e290.member[1][2]);
+                let _e309 = (_e290.member_1[0][0] - _e290.member_1[1][0]);
+                let _e312 = (_e290.member_1[0][1] - _e290.member_1[1][1]);
+                let _e315 = (_e290.member_1[0][2] - _e290.member_1[1][2]);
+                let _e322 = (_e290.member[2][0] - _e290.member[1][0]);
+                let _e325 = (_e290.member[2][1] - _e290.member[1][1]);
+                let _e328 = (_e290.member[2][2] - _e290.member[1][2]);
+                let _e334 = (_e290.member_1[2][0] - _e290.member_1[1][0]);
+                let _e337 = (_e290.member_1[2][1] - _e290.member_1[1][1]);
+                let _e340 = (_e290.member_1[2][2] - _e290.member_1[1][2]);
+                let _e347 = (_e290.member[3][0] - _e290.member[1][0]);
+                let _e350 = (_e290.member[3][1] - _e290.member[1][1]);
+                let _e353 = (_e290.member[3][2] - _e290.member[1][2]);
+                let _e359 = (_e290.member_1[3][0] - _e290.member_1[1][0]);
+                let _e362 = (_e290.member_1[3][1] - _e290.member_1[1][1]);
+                let _e365 = (_e290.member_1[3][2] - _e290.member_1[1][2]);
+                let _e368 = (0.0lf + 0.0lf);
+                let _e371 = params.member.member.member_7;
+                let _e378 = bitcast<f64>(((u64(_e371[1]) * 4294967296lu) + u64(_e371[0])));
+                if (_e297 < 0.0lf) {
+                    phi_1208_ = -(_e297);
                 } else {
-                    phi_1471_ = _e529[0];
+                    phi_1208_ = _e297;
                 }
-                let _e536 = phi_1471_;
-                if (_e529[1] < 0.0lf) {
-                    phi_1478_ = -(_e529[1]);
+                let _e382 = phi_1208_;
+                if (_e300 < 0.0lf) {
+                    phi_1214_ = -(_e300);
                 } else {
-                    phi_1478_ = _e529[1];
+                    phi_1214_ = _e300;
                 }
-                let _e540 = phi_1478_;
-                if (_e536 > _e540) {
-                    phi_1483_ = _e536;
+                let _e386 = phi_1214_;
+                if (_e382 > _e386) {
+                    phi_1219_ = _e382;
                 } else {
-                    phi_1483_ = _e540;
+                    phi_1219_ = _e386;
                 }
-                let _e543 = phi_1483_;
-                if (_e529[2] < 0.0lf) {
-                    phi_1490_ = -(_e529[2]);
+                let _e389 = phi_1219_;
+                if (_e303 < 0.0lf) {
+                    phi_1225_ = -(_e303);
                 } else {
-                    phi_1490_ = _e529[2];
+                    phi_1225_ = _e303;
                 }
-                let _e547 = phi_1490_;
-                if (_e543 > _e547) {
-                    phi_1495_ = _e543;
+                let _e393 = phi_1225_;
+                if (_e389 > _e393) {
+                    phi_1230_ = _e389;
                 } else {
-                    phi_1495_ = _e547;
+                    phi_1230_ = _e393;
                 }
-                let _e550 = phi_1495_;
-                let _e553 = local_12.member[1u];
-                if (_e553[0] < 0.0lf) {
-                    phi_1508_ = -(_e553[0]);
+                let _e396 = phi_1230_;
+                if (_e309 < 0.0lf) {
+                    phi_1236_ = -(_e309);
                 } else {
-                    phi_1508_ = _e553[0];
+                    phi_1236_ = _e309;
                 }
-                let _e560 = phi_1508_;
-                if (_e553[1] < 0.0lf) {
-                    phi_1515_ = -(_e553[1]);
+                let _e400 = phi_1236_;
+                if (_e312 < 0.0lf) {
+                    phi_1242_ = -(_e312);
                 } else {
-                    phi_1515_ = _e553[1];
+                    phi_1242_ = _e312;
                 }
-                let _e564 = phi_1515_;
-                if (_e560 > _e564) {
-                    phi_1520_ = _e560;
+                let _e404 = phi_1242_;
+                if (_e400 > _e404) {
+                    phi_1247_ = _e400;
                 } else {
-                    phi_1520_ = _e564;
+                    phi_1247_ = _e404;
                 }
-                let _e567 = phi_1520_;
-                if (_e553[2] < 0.0lf) {
-                    phi_1527_ = -(_e553[2]);
+                let _e407 = phi_1247_;
+                if (_e315 < 0.0lf) {
+                    phi_1253_ = -(_e315);
                 } else {
-                    phi_1527_ = _e553[2];
+                    phi_1253_ = _e315;
                 }
-                let _e571 = phi_1527_;
-                if (_e567 > _e571) {
-                    phi_1532_ = _e567;
+                let _e411 = phi_1253_;
+                if (_e407 > _e411) {
+                    phi_1258_ = _e407;
                 } else {
-                    phi_1532_ = _e571;
+                    phi_1258_ = _e411;
                 }
-                let _e574 = phi_1532_;
-                if (_e550 > _e574) {
-                    phi_1537_ = _e550;
+                let _e414 = phi_1258_;
+                if (_e396 > _e414) {
+                    phi_1263_ = _e396;
                 } else {
-                    phi_1537_ = _e574;
+                    phi_1263_ = _e414;
                 }
-                let _e577 = phi_1537_;
-                let _e579 = local_12.member_3;
-                let _e580 = (_e577 + _e579);
-                let _e583 = local_12.member_1[0u];
-                if (_e583[0] < 0.0lf) {
-                    phi_1554_ = -(_e583[0]);
+                let _e417 = phi_1263_;
+                let _e418 = (_e417 + _e368);
+                if (_e322 < 0.0lf) {
+                    phi_1270_ = -(_e322);
                 } else {
-                    phi_1554_ = _e583[0];
+                    phi_1270_ = _e322;
                 }
-                let _e590 = phi_1554_;
-                if (_e583[1] < 0.0lf) {
-                    phi_1561_ = -(_e583[1]);
+                let _e422 = phi_1270_;
+                if (_e325 < 0.0lf) {
+                    phi_1276_ = -(_e325);
                 } else {
-                    phi_1561_ = _e583[1];
+                    phi_1276_ = _e325;
                 }
-                let _e594 = phi_1561_;
-                if (_e590 > _e594) {
-                    phi_1566_ = _e590;
+                let _e426 = phi_1276_;
+                if (_e422 > _e426) {
+                    phi_1281_ = _e422;
                 } else {
-                    phi_1566_ = _e594;
+                    phi_1281_ = _e426;
                 }
-                let _e597 = phi_1566_;
-                if (_e583[2] < 0.0lf) {
-                    phi_1573_ = -(_e583[2]);
+                let _e429 = phi_1281_;
+                if (_e328 < 0.0lf) {
+                    phi_1287_ = -(_e328);
                 } else {
-                    phi_1573_ = _e583[2];
+                    phi_1287_ = _e328;
                 }
-                let _e601 = phi_1573_;
-                if (_e597 > _e601) {
-                    phi_1578_ = _e597;
+                let _e433 = phi_1287_;
+                if (_e429 > _e433) {
+                    phi_1292_ = _e429;
                 } else {
-                    phi_1578_ = _e601;
+                    phi_1292_ = _e433;
                 }
-                let _e604 = phi_1578_;
-                let _e607 = local_12.member_1[1u];
-                if (_e607[0] < 0.0lf) {
-                    phi_1592_ = -(_e607[0]);
+                let _e436 = phi_1292_;
+                if (_e334 < 0.0lf) {
+                    phi_1298_ = -(_e334);
                 } else {
-                    phi_1592_ = _e607[0];
+                    phi_1298_ = _e334;
                 }
-                let _e614 = phi_1592_;
-                if (_e607[1] < 0.0lf) {
-                    phi_1599_ = -(_e607[1]);
+                let _e440 = phi_1298_;
+                if (_e337 < 0.0lf) {
+                    phi_1304_ = -(_e337);
                 } else {
-                    phi_1599_ = _e607[1];
+                    phi_1304_ = _e337;
                 }
-                let _e618 = phi_1599_;
-                if (_e614 > _e618) {
-                    phi_1604_ = _e614;
+                let _e444 = phi_1304_;
+                if (_e440 > _e444) {
+                    phi_1309_ = _e440;
                 } else {
-                    phi_1604_ = _e618;
+                    phi_1309_ = _e444;
                 }
-                let _e621 = phi_1604_;
-                if (_e607[2] < 0.0lf) {
-                    phi_1611_ = -(_e607[2]);
+                let _e447 = phi_1309_;
+                if (_e340 < 0.0lf) {
+                    phi_1315_ = -(_e340);
                 } else {
-                    phi_1611_ = _e607[2];
+                    phi_1315_ = _e340;
                 }
-                let _e625 = phi_1611_;
-                if (_e621 > _e625) {
-                    phi_1616_ = _e621;
+                let _e451 = phi_1315_;
+                if (_e447 > _e451) {
+                    phi_1320_ = _e447;
                 } else {
-                    phi_1616_ = _e625;
+                    phi_1320_ = _e451;
                 }
-                let _e628 = phi_1616_;
-                if (_e604 > _e628) {
-                    phi_1621_ = _e604;
+                let _e454 = phi_1320_;
+                if (_e436 > _e454) {
+                    phi_1325_ = _e436;
                 } else {
-                    phi_1621_ = _e628;
+                    phi_1325_ = _e454;
                 }
-                let _e631 = phi_1621_;
-                let _e633 = local_12.member_3;
-                let _e634 = (_e631 + _e633);
-                let _e637 = local_12.member_2[0u];
-                if (_e637[0] < 0.0lf) {
-                    phi_1638_ = -(_e637[0]);
+                let _e457 = phi_1325_;
+                let _e458 = (_e457 + _e368);
+                if (_e347 < 0.0lf) {
+                    phi_1332_ = -(_e347);
                 } else {
-                    phi_1638_ = _e637[0];
+                    phi_1332_ = _e347;
                 }
-                let _e644 = phi_1638_;
-                if (_e637[1] < 0.0lf) {
-                    phi_1645_ = -(_e637[1]);
+                let _e462 = phi_1332_;
+                if (_e350 < 0.0lf) {
+                    phi_1338_ = -(_e350);
                 } else {
-                    phi_1645_ = _e637[1];
+                    phi_1338_ = _e350;
                 }
-                let _e648 = phi_1645_;
-                if (_e644 > _e648) {
-                    phi_1650_ = _e644;
+                let _e466 = phi_1338_;
+                if (_e462 > _e466) {
+                    phi_1343_ = _e462;
                 } else {
-                    phi_1650_ = _e648;
+                    phi_1343_ = _e466;
                 }
-                let _e651 = phi_1650_;
-                if (_e637[2] < 0.0lf) {
-                    phi_1657_ = -(_e637[2]);
+                let _e469 = phi_1343_;
+                if (_e353 < 0.0lf) {
+                    phi_1349_ = -(_e353);
                 } else {
-                    phi_1657_ = _e637[2];
+                    phi_1349_ = _e353;
                 }
-                let _e655 = phi_1657_;
-                if (_e651 > _e655) {
-                    phi_1662_ = _e651;
+                let _e473 = phi_1349_;
+                if (_e469 > _e473) {
+                    phi_1354_ = _e469;
                 } else {
-                    phi_1662_ = _e655;
+                    phi_1354_ = _e473;
                 }
-                let _e658 = phi_1662_;
-                let _e661 = local_12.member_2[1u];
-                if (_e661[0] < 0.0lf) {
-                    phi_1676_ = -(_e661[0]);
+                let _e476 = phi_1354_;
+                if (_e359 < 0.0lf) {
+                    phi_1360_ = -(_e359);
                 } else {
-                    phi_1676_ = _e661[0];
+                    phi_1360_ = _e359;
                 }
-                let _e668 = phi_1676_;
-                if (_e661[1] < 0.0lf) {
-                    phi_1683_ = -(_e661[1]);
+                let _e480 = phi_1360_;
+                if (_e362 < 0.0lf) {
+                    phi_1366_ = -(_e362);
                 } else {
-                    phi_1683_ = _e661[1];
+                    phi_1366_ = _e362;
                 }
-                let _e672 = phi_1683_;
-                if (_e668 > _e672) {
-                    phi_1688_ = _e668;
+                let _e484 = phi_1366_;
+                if (_e480 > _e484) {
+                    phi_1371_ = _e480;
                 } else {
-                    phi_1688_ = _e672;
+                    phi_1371_ = _e484;
                 }
-                let _e675 = phi_1688_;
-                if (_e661[2] < 0.0lf) {
-                    phi_1695_ = -(_e661[2]);
+                let _e487 = phi_1371_;
+                if (_e365 < 0.0lf) {
+                    phi_1377_ = -(_e365);
                 } else {
-                    phi_1695_ = _e661[2];
+                    phi_1377_ = _e365;
                 }
-                let _e679 = phi_1695_;
-                if (_e675 > _e679) {
-                    phi_1700_ = _e675;
+                let _e491 = phi_1377_;
+                if (_e487 > _e491) {
+                    phi_1382_ = _e487;
                 } else {
-                    phi_1700_ = _e679;
+                    phi_1382_ = _e491;
                 }
-                let _e682 = phi_1700_;
-                if (_e658 > _e682) {
-                    phi_1705_ = _e658;
+                let _e494 = phi_1382_;
+                if (_e476 > _e494) {
+                    phi_1387_ = _e476;
                 } else {
-                    phi_1705_ = _e682;
+                    phi_1387_ = _e494;
                 }
-                let _e685 = phi_1705_;
-                let _e687 = local_12.member_3;
-                let _e688 = (_e685 + _e687);
-                let _e689 = f64(1f);
-                let _e690 = f64(8f);
-                let _e692 = ((_e634 * _e690) * _e688);
-                let _e700 = local_12.member_3;
-                if (_e386 < 0.0lf) {
-                    phi_1742_ = -(_e386);
+                let _e497 = phi_1387_;
+                let _e498 = (_e497 + _e368);
+                if (_e418 > _e458) {
+                    phi_1393_ = _e418;
                 } else {
-                    phi_1742_ = _e386;
+                    phi_1393_ = _e458;
                 }
-                let _e720 = phi_1742_;
-                if (_e389 < 0.0lf) {
-                    phi_1748_ = -(_e389);
+                let _e501 = phi_1393_;
+                if (_e501 > _e498) {
+                    phi_1398_ = _e501;
                 } else {
-                    phi_1748_ = _e389;
+                    phi_1398_ = _e498;
                 }
-                let _e724 = phi_1748_;
-                if (_e392 < 0.0lf) {
-                    phi_1755_ = -(_e392);
+                let _e504 = phi_1398_;
+                if (_e504 <= f64(65536f)) {
+                    phi_1407_ = (_e504 >= f64((1f / 65536f)));
                 } else {
-                    phi_1755_ = _e392;
+                    phi_1407_ = false;
                 }
-                let _e729 = phi_1755_;
-                let _e730 = ((_e720 + _e724) + _e729);
-                if (_e407 < 0.0lf) {
-                    phi_1762_ = -(_e407);
+                let _e511 = phi_1407_;
+                if _e511 {
+                    phi_1479_ = type_43();
+                    phi_1480_ = true;
                 } else {
-                    phi_1762_ = _e407;
-                }
-                let _e734 = phi_1762_;
-                if (_e410 < 0.0lf) {
-                    phi_1768_ = -(_e410);
-                } else {
-                    phi_1768_ = _e410;
-                }
-                let _e738 = phi_1768_;
-                if (_e413 < 0.0lf) {
-                    phi_1775_ = -(_e413);
-                } else {
-                    phi_1775_ = _e413;
-                }
-                let _e743 = phi_1775_;
-                let _e744 = ((_e734 + _e738) + _e743);
-                if (_e730 > _e744) {
-                    phi_1781_ = _e730;
-                } else {
-                    phi_1781_ = _e744;
-                }
-                let _e747 = phi_1781_;
-                if (_e456 < 0.0lf) {
-                    phi_1787_ = -(_e456);
-                } else {
-                    phi_1787_ = _e456;
-                }
-                let _e751 = phi_1787_;
-                if (_e457 < 0.0lf) {
-                    phi_1793_ = -(_e457);
-                } else {
-                    phi_1793_ = _e457;
-                }
-                let _e755 = phi_1793_;
-                if (_e458 < 0.0lf) {
-                    phi_1800_ = -(_e458);
-                } else {
-                    phi_1800_ = _e458;
-                }
-                let _e760 = phi_1800_;
-                let _e762 = (((_e751 + _e755) + _e760) * f64(0.5f));
-                if (_e747 > _e762) {
-                    phi_1807_ = _e747;
-                } else {
-                    phi_1807_ = _e762;
-                }
-                let _e765 = phi_1807_;
-                let _e771 = local_12.member_3;
-                let _e785 = (((((_e580 * _e690) * _e692) * (1.1102230246251565e-16lf * f64((490f / 64f)))) + ((_e700 * f64(19f)) * ((_e580 * (_e634 + _e688)) + (_e634 * _e688)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e580) * ((_e689 + _e634) * (_e689 + _e688)))));
-                let _e786 = f64(3f);
-                let _e787 = (_e469 * _e786);
-                let _e788 = (_e526 * _e786);
-                if (_e787 < _e788) {
-                    phi_1835_ = _e787;
-                } else {
-                    phi_1835_ = _e788;
-                }
-                let _e791 = phi_1835_;
-                if (_e492 < _e515) {
-                    phi_1840_ = _e492;
-                } else {
-                    phi_1840_ = _e515;
-                }
-                let _e794 = phi_1840_;
-                if (_e791 < _e794) {
-                    phi_1845_ = _e791;
-                } else {
-                    phi_1845_ = _e794;
-                }
-                let _e797 = phi_1845_;
-                if (_e787 > _e788) {
-                    phi_1850_ = _e787;
-                } else {
-                    phi_1850_ = _e788;
-                }
-                let _e800 = phi_1850_;
-                if (_e492 > _e515) {
-                    phi_1855_ = _e492;
-                } else {
-                    phi_1855_ = _e515;
-                }
-                let _e803 = phi_1855_;
-                if (_e800 > _e803) {
-                    phi_1860_ = _e800;
-                } else {
-                    phi_1860_ = _e803;
-                }
-                let _e806 = phi_1860_;
-                let _e812 = -(_e806);
-                if (_e797 > _e812) {
-                    phi_1871_ = _e797;
-                } else {
-                    phi_1871_ = _e812;
-                }
-                let _e815 = phi_1871_;
-                if ((_e815 - (_e785 + ((_e370 * (((_e765 + (_e692 * (1.1102230246251565e-16lf * f64(4f)))) + ((_e771 * f64(6f)) * (_e634 + _e688))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e689 + _e634) * (_e689 + _e688))))) * f64((3f * 1.0001f))))) > _e371) {
-                    phi_6328_ = type_40(0u, type_40().member_1);
-                } else {
-                    if (_e370 > _e371) {
-                        let _e2904 = f64(1f);
-                        let _e2908 = local_12.member[0u];
-                        let _e2914 = local_12.member_1[0u];
-                        let _e2920 = local_12.member_2[0u];
-                        local_9 = array<array<f64, 3>, 4>(_e2908, array<f64, 3>((_e2908[0] - _e2914[0]), (_e2908[1] - _e2914[1]), (_e2908[2] - _e2914[2])), array<f64, 3>((_e2908[0] - _e2920[0]), (_e2908[1] - _e2920[1]), (_e2908[2] - _e2920[2])), _e2908);
-                        let _e2935 = local_12.member[1u];
-                        let _e2941 = local_12.member_1[1u];
-                        let _e2947 = local_12.member_2[1u];
-                        local_10 = array<array<f64, 3>, 4>(_e2935, array<f64, 3>((_e2935[0] - _e2941[0]), (_e2935[1] - _e2941[1]), (_e2935[2] - _e2941[2])), array<f64, 3>((_e2935[0] - _e2947[0]), (_e2935[1] - _e2947[1]), (_e2935[2] - _e2947[2])), _e2935);
-                        let _e2962 = local_12.member[0u];
-                        if (_e2962[0] < 0.0lf) {
-                            phi_2074_ = -(_e2962[0]);
-                        } else {
-                            phi_2074_ = _e2962[0];
-                        }
-                        let _e2969 = phi_2074_;
-                        if (_e2962[1] < 0.0lf) {
-                            phi_2081_ = -(_e2962[1]);
-                        } else {
-                            phi_2081_ = _e2962[1];
-                        }
-                        let _e2973 = phi_2081_;
-                        if (_e2969 > _e2973) {
-                            phi_2086_ = _e2969;
-                        } else {
-                            phi_2086_ = _e2973;
-                        }
-                        let _e2976 = phi_2086_;
-                        if (_e2962[2] < 0.0lf) {
-                            phi_2093_ = -(_e2962[2]);
-                        } else {
-                            phi_2093_ = _e2962[2];
-                        }
-                        let _e2980 = phi_2093_;
-                        if (_e2976 > _e2980) {
-                            phi_2098_ = _e2976;
-                        } else {
-                            phi_2098_ = _e2980;
-                        }
-                        let _e2983 = phi_2098_;
-                        let _e2986 = local_12.member[1u];
-                        if (_e2986[0] < 0.0lf) {
-                            phi_2111_ = -(_e2986[0]);
-                        } else {
-                            phi_2111_ = _e2986[0];
-                        }
-                        let _e2993 = phi_2111_;
-                        if (_e2986[1] < 0.0lf) {
-                            phi_2118_ = -(_e2986[1]);
-                        } else {
-                            phi_2118_ = _e2986[1];
-                        }
-                        let _e2997 = phi_2118_;
-                        if (_e2993 > _e2997) {
-                            phi_2123_ = _e2993;
-                        } else {
-                            phi_2123_ = _e2997;
-                        }
-                        let _e3000 = phi_2123_;
-                        if (_e2986[2] < 0.0lf) {
-                            phi_2130_ = -(_e2986[2]);
-                        } else {
-                            phi_2130_ = _e2986[2];
-                        }
-                        let _e3004 = phi_2130_;
-                        if (_e3000 > _e3004) {
-                            phi_2135_ = _e3000;
-                        } else {
-                            phi_2135_ = _e3004;
-                        }
-                        let _e3007 = phi_2135_;
-                        if (_e2983 > _e3007) {
-                            phi_2140_ = _e2983;
-                        } else {
-                            phi_2140_ = _e3007;
-                        }
-                        let _e3010 = phi_2140_;
-                        let _e3012 = local_12.member_3;
-                        let _e3016 = local_12.member_1[0u];
-                        if (_e3016[0] < 0.0lf) {
-                            phi_2157_ = -(_e3016[0]);
-                        } else {
-                            phi_2157_ = _e3016[0];
-                        }
-                        let _e3023 = phi_2157_;
-                        if (_e3016[1] < 0.0lf) {
-                            phi_2164_ = -(_e3016[1]);
-                        } else {
-                            phi_2164_ = _e3016[1];
-                        }
-                        let _e3027 = phi_2164_;
-                        if (_e3023 > _e3027) {
-                            phi_2169_ = _e3023;
-                        } else {
-                            phi_2169_ = _e3027;
-                        }
-                        let _e3030 = phi_2169_;
-                        if (_e3016[2] < 0.0lf) {
-                            phi_2176_ = -(_e3016[2]);
-                        } else {
-                            phi_2176_ = _e3016[2];
-                        }
-                        let _e3034 = phi_2176_;
-                        if (_e3030 > _e3034) {
-                            phi_2181_ = _e3030;
-                        } else {
-                            phi_2181_ = _e3034;
-                        }
-                        let _e3037 = phi_2181_;
-                        let _e3040 = local_12.member_1[1u];
-                        if (_e3040[0] < 0.0lf) {
-                            phi_2195_ = -(_e3040[0]);
-                        } else {
-                            phi_2195_ = _e3040[0];
-                        }
-                        let _e3047 = phi_2195_;
-                        if (_e3040[1] < 0.0lf) {
-                            phi_2202_ = -(_e3040[1]);
-                        } else {
-                            phi_2202_ = _e3040[1];
-                        }
-                        let _e3051 = phi_2202_;
-                        if (_e3047 > _e3051) {
-                            phi_2207_ = _e3047;
-                        } else {
-                            phi_2207_ = _e3051;
-                        }
-                        let _e3054 = phi_2207_;
-                        if (_e3040[2] < 0.0lf) {
-                            phi_2214_ = -(_e3040[2]);
-                        } else {
-                            phi_2214_ = _e3040[2];
-                        }
-                        let _e3058 = phi_2214_;
-                        if (_e3054 > _e3058) {
-                            phi_2219_ = _e3054;
-                        } else {
-                            phi_2219_ = _e3058;
-                        }
-                        let _e3061 = phi_2219_;
-                        if (_e3037 > _e3061) {
-                            phi_2224_ = _e3037;
-                        } else {
-                            phi_2224_ = _e3061;
-                        }
-                        let _e3064 = phi_2224_;
-                        let _e3066 = local_12.member_3;
-                        let _e3070 = local_12.member_2[0u];
-                        if (_e3070[0] < 0.0lf) {
-                            phi_2241_ = -(_e3070[0]);
-                        } else {
-                            phi_2241_ = _e3070[0];
-                        }
-                        let _e3077 = phi_2241_;
-                        if (_e3070[1] < 0.0lf) {
-                            phi_2248_ = -(_e3070[1]);
-                        } else {
-                            phi_2248_ = _e3070[1];
-                        }
-                        let _e3081 = phi_2248_;
-                        if (_e3077 > _e3081) {
-                            phi_2253_ = _e3077;
-                        } else {
-                            phi_2253_ = _e3081;
-                        }
-                        let _e3084 = phi_2253_;
-                        if (_e3070[2] < 0.0lf) {
-                            phi_2260_ = -(_e3070[2]);
-                        } else {
-                            phi_2260_ = _e3070[2];
-                        }
-                        let _e3088 = phi_2260_;
-                        if (_e3084 > _e3088) {
-                            phi_2265_ = _e3084;
-                        } else {
-                            phi_2265_ = _e3088;
-                        }
-                        let _e3091 = phi_2265_;
-                        let _e3094 = local_12.member_2[1u];
-                        if (_e3094[0] < 0.0lf) {
-                            phi_2279_ = -(_e3094[0]);
-                        } else {
-                            phi_2279_ = _e3094[0];
-                        }
-                        let _e3101 = phi_2279_;
-                        if (_e3094[1] < 0.0lf) {
-                            phi_2286_ = -(_e3094[1]);
-                        } else {
-                            phi_2286_ = _e3094[1];
-                        }
-                        let _e3105 = phi_2286_;
-                        if (_e3101 > _e3105) {
-                            phi_2291_ = _e3101;
-                        } else {
-                            phi_2291_ = _e3105;
-                        }
-                        let _e3108 = phi_2291_;
-                        if (_e3094[2] < 0.0lf) {
-                            phi_2298_ = -(_e3094[2]);
-                        } else {
-                            phi_2298_ = _e3094[2];
-                        }
-                        let _e3112 = phi_2298_;
-                        if (_e3108 > _e3112) {
-                            phi_2303_ = _e3108;
-                        } else {
-                            phi_2303_ = _e3112;
-                        }
-                        let _e3115 = phi_2303_;
-                        if (_e3091 > _e3115) {
-                            phi_2308_ = _e3091;
-                        } else {
-                            phi_2308_ = _e3115;
-                        }
-                        let _e3118 = phi_2308_;
-                        let _e3120 = local_12.member_3;
-                        let _e3128 = local_12.member_3;
-                        phi_2328_ = type_19(0u, 48u);
-                        phi_2331_ = f64(0f);
-                        loop {
-                            let _e3137 = phi_2328_;
-                            let _e3139 = phi_2331_;
-                            local_77 = _e3139;
-                            local_37 = _e3139;
-                            local_38 = _e3139;
-                            local_39 = _e3139;
-                            local_40 = _e3139;
-                            if (_e3137.member < _e3137.member_1) {
-                                phi_2329_ = type_19((_e3137.member + 1u), _e3137.member_1);
-                                phi_2354_ = type_19(1u, _e3137.member);
+                    if (_e504 >= 2.2250738585072014e-308lf) {
+                        if ((bitcast<u64>(_e504) & 9218868437227405312lu) != 9218868437227405312lu) {
+                            let _e518 = (9214364837600034816lu - (bitcast<u64>(_e504) & 9218868437227405312lu));
+                            if (_e518 > 4503599627370496lu) {
+                                phi_1431_ = _e518;
                             } else {
-                                phi_2329_ = _e3137;
-                                phi_2354_ = type_19(0u, type_19().member_1);
+                                phi_1431_ = 4503599627370496lu;
                             }
-                            let _e3151 = phi_2329_;
-                            let _e3153 = phi_2354_;
-                            if (bitcast<i32>(_e3153.member) != 0i) {
-                                let _e3159 = local_12.member[0u];
-                                let _e3165 = local_12.member[1u];
-                                let _e3181 = local_12.member_1[0u];
-                                let _e3187 = local_12.member_1[1u];
-                                let _e3203 = local_12.member_2[0u];
-                                let _e3209 = local_12.member_2[1u];
-                                let _e3223 = function_2(array<f64, 3>((_e3159[0] + ((_e3165[0] - _e3159[0]) * _e3139)), (_e3159[1] + ((_e3165[1] - _e3159[1]) * _e3139)), (_e3159[2] + ((_e3165[2] - _e3159[2]) * _e3139))), array<f64, 3>((_e3181[0] + ((_e3187[0] - _e3181[0]) * _e3139)), (_e3181[1] + ((_e3187[1] - _e3181[1]) * _e3139)), (_e3181[2] + ((_e3187[2] - _e3181[2]) * _e3139))), array<f64, 3>((_e3203[0] + ((_e3209[0] - _e3203[0]) * _e3139)), (_e3203[1] + ((_e3209[1] - _e3203[1]) * _e3139)), (_e3203[2] + ((_e3209[2] - _e3203[2]) * _e3139))), 0u);
-                                if (_e3223[0] < 0.0lf) {
-                                    phi_2465_ = -(_e3223[0]);
+                            let _e521 = phi_1431_;
+                            let _e522 = bitcast<f64>(_e521);
+                            let _e523 = (_e378 * _e522);
+                            if (_e378 > f64(0f)) {
+                                if (_e523 > 2.2250738585072014e-308lf) {
+                                    phi_1443_ = _e523;
                                 } else {
-                                    phi_2465_ = _e3223[0];
+                                    phi_1443_ = 2.2250738585072014e-308lf;
                                 }
-                                let _e3228 = phi_2465_;
-                                if (_e3223[1] < 0.0lf) {
-                                    phi_2472_ = -(_e3223[1]);
+                                let _e528 = phi_1443_;
+                                phi_1444_ = _e528;
+                            } else {
+                                phi_1444_ = _e523;
+                            }
+                            let _e530 = phi_1444_;
+                            phi_1475_ = type_43(type_40(array<array<f64, 3>, 2>(array<f64, 3>((_e297 * _e522), (_e300 * _e522), (_e303 * _e522)), array<f64, 3>((_e309 * _e522), (_e312 * _e522), (_e315 * _e522))), array<array<f64, 3>, 2>(array<f64, 3>((_e322 * _e522), (_e325 * _e522), (_e328 * _e522)), array<f64, 3>((_e334 * _e522), (_e337 * _e522), (_e340 * _e522))), array<array<f64, 3>, 2>(array<f64, 3>((_e347 * _e522), (_e350 * _e522), (_e353 * _e522)), array<f64, 3>((_e359 * _e522), (_e362 * _e522), (_e365 * _e522))), (_e368 * _e522)), _e530);
+                            phi_1476_ = false;
+                        } else {
+                            phi_1475_ = type_43();
+                            phi_1476_ = true;
+                        }
+                        let _e562 = phi_1475_;
+                        let _e564 = phi_1476_;
+                        phi_1477_ = _e562;
+                        phi_1478_ = _e564;
+                    } else {
+                        phi_1477_ = type_43();
+                        phi_1478_ = true;
+                    }
+                    let _e566 = phi_1477_;
+                    let _e568 = phi_1478_;
+                    phi_1479_ = _e566;
+                    phi_1480_ = _e568;
+                }
+                let _e570 = phi_1479_;
+                let _e572 = phi_1480_;
+                if _e572 {
+                    phi_1485_ = type_43(type_40(array<array<f64, 3>, 2>(array<f64, 3>(_e297, _e300, _e303), array<f64, 3>(_e309, _e312, _e315)), array<array<f64, 3>, 2>(array<f64, 3>(_e322, _e325, _e328), array<f64, 3>(_e334, _e337, _e340)), array<array<f64, 3>, 2>(array<f64, 3>(_e347, _e350, _e353), array<f64, 3>(_e359, _e362, _e365)), _e368), _e378);
+                } else {
+                    phi_1485_ = _e570;
+                }
+                let _e575 = phi_1485_;
+                local_12 = type_40(array<array<f64, 3>, 2>(array<f64, 3>(_e575.member.member[0][0], _e575.member.member[0][1], _e575.member.member[0][2]), array<f64, 3>(_e575.member.member[1][0], _e575.member.member[1][1], _e575.member.member[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e575.member.member_1[0][0], _e575.member.member_1[0][1], _e575.member.member_1[0][2]), array<f64, 3>(_e575.member.member_1[1][0], _e575.member.member_1[1][1], _e575.member.member_1[1][2])), array<array<f64, 3>, 2>(array<f64, 3>(_e575.member.member_2[0][0], _e575.member.member_2[0][1], _e575.member.member_2[0][2]), array<f64, 3>(_e575.member.member_2[1][0], _e575.member.member_2[1][1], _e575.member.member_2[1][2])), _e575.member.member_3);
+                let _e618 = local_12.member_1[0u];
+                let _e624 = local_12.member_2[0u];
+                let _e630 = ((_e618[1] * _e624[2]) - (_e618[2] * _e624[1]));
+                let _e633 = ((_e618[2] * _e624[0]) - (_e618[0] * _e624[2]));
+                let _e636 = ((_e618[0] * _e624[1]) - (_e618[1] * _e624[0]));
+                let _e639 = local_12.member_1[1u];
+                let _e645 = local_12.member_2[1u];
+                let _e651 = ((_e639[1] * _e645[2]) - (_e639[2] * _e645[1]));
+                let _e654 = ((_e639[2] * _e645[0]) - (_e639[0] * _e645[2]));
+                let _e657 = ((_e639[0] * _e645[1]) - (_e639[1] * _e645[0]));
+                let _e660 = local_12.member_1[0u];
+                let _e666 = local_12.member_2[1u];
+                let _e681 = local_12.member_1[1u];
+                let _e687 = local_12.member_2[0u];
+                let _e700 = (((_e660[1] * _e666[2]) - (_e660[2] * _e666[1])) + ((_e681[1] * _e687[2]) - (_e681[2] * _e687[1])));
+                let _e701 = (((_e660[2] * _e666[0]) - (_e660[0] * _e666[2])) + ((_e681[2] * _e687[0]) - (_e681[0] * _e687[2])));
+                let _e702 = (((_e660[0] * _e666[1]) - (_e660[1] * _e666[0])) + ((_e681[0] * _e687[1]) - (_e681[1] * _e687[0])));
+                let _e705 = local_12.member[0u];
+                let _e713 = (((_e705[0] * _e630) + (_e705[1] * _e633)) + (_e705[2] * _e636));
+                let _e716 = local_12.member[1u];
+                let _e727 = local_12.member[0u];
+                let _e736 = ((((_e716[0] * _e630) + (_e716[1] * _e633)) + (_e716[2] * _e636)) + (((_e727[0] * _e700) + (_e727[1] * _e701)) + (_e727[2] * _e702)));
+                let _e739 = local_12.member[0u];
+                let _e750 = local_12.member[1u];
+                let _e759 = ((((_e739[0] * _e651) + (_e739[1] * _e654)) + (_e739[2] * _e657)) + (((_e750[0] * _e700) + (_e750[1] * _e701)) + (_e750[2] * _e702)));
+                let _e762 = local_12.member[1u];
+                let _e770 = (((_e762[0] * _e651) + (_e762[1] * _e654)) + (_e762[2] * _e657));
+                let _e773 = local_12.member[0u];
+                if (_e773[0] < 0.0lf) {
+                    phi_1767_ = -(_e773[0]);
+                } else {
+                    phi_1767_ = _e773[0];
+                }
+                let _e780 = phi_1767_;
+                if (_e773[1] < 0.0lf) {
+                    phi_1774_ = -(_e773[1]);
+                } else {
+                    phi_1774_ = _e773[1];
+                }
+                let _e784 = phi_1774_;
+                if (_e780 > _e784) {
+                    phi_1779_ = _e780;
+                } else {
+                    phi_1779_ = _e784;
+                }
+                let _e787 = phi_1779_;
+                if (_e773[2] < 0.0lf) {
+                    phi_1786_ = -(_e773[2]);
+                } else {
+                    phi_1786_ = _e773[2];
+                }
+                let _e791 = phi_1786_;
+                if (_e787 > _e791) {
+                    phi_1791_ = _e787;
+                } else {
+                    phi_1791_ = _e791;
+                }
+                let _e794 = phi_1791_;
+                let _e797 = local_12.member[1u];
+                if (_e797[0] < 0.0lf) {
+                    phi_1804_ = -(_e797[0]);
+                } else {
+                    phi_1804_ = _e797[0];
+                }
+                let _e804 = phi_1804_;
+                if (_e797[1] < 0.0lf) {
+                    phi_1811_ = -(_e797[1]);
+                } else {
+                    phi_1811_ = _e797[1];
+                }
+                let _e808 = phi_1811_;
+                if (_e804 > _e808) {
+                    phi_1816_ = _e804;
+                } else {
+                    phi_1816_ = _e808;
+                }
+                let _e811 = phi_1816_;
+                if (_e797[2] < 0.0lf) {
+                    phi_1823_ = -(_e797[2]);
+                } else {
+                    phi_1823_ = _e797[2];
+                }
+                let _e815 = phi_1823_;
+                if (_e811 > _e815) {
+                    phi_1828_ = _e811;
+                } else {
+                    phi_1828_ = _e815;
+                }
+                let _e818 = phi_1828_;
+                if (_e794 > _e818) {
+                    phi_1833_ = _e794;
+                } else {
+                    phi_1833_ = _e818;
+                }
+                let _e821 = phi_1833_;
+                let _e823 = local_12.member_3;
+                let _e824 = (_e821 + _e823);
+                let _e827 = local_12.member_1[0u];
+                if (_e827[0] < 0.0lf) {
+                    phi_1850_ = -(_e827[0]);
+                } else {
+                    phi_1850_ = _e827[0];
+                }
+                let _e834 = phi_1850_;
+                if (_e827[1] < 0.0lf) {
+                    phi_1857_ = -(_e827[1]);
+                } else {
+                    phi_1857_ = _e827[1];
+                }
+                let _e838 = phi_1857_;
+                if (_e834 > _e838) {
+                    phi_1862_ = _e834;
+                } else {
+                    phi_1862_ = _e838;
+                }
+                let _e841 = phi_1862_;
+                if (_e827[2] < 0.0lf) {
+                    phi_1869_ = -(_e827[2]);
+                } else {
+                    phi_1869_ = _e827[2];
+                }
+                let _e845 = phi_1869_;
+                if (_e841 > _e845) {
+                    phi_1874_ = _e841;
+                } else {
+                    phi_1874_ = _e845;
+                }
+                let _e848 = phi_1874_;
+                let _e851 = local_12.member_1[1u];
+                if (_e851[0] < 0.0lf) {
+                    phi_1888_ = -(_e851[0]);
+                } else {
+                    phi_1888_ = _e851[0];
+                }
+                let _e858 = phi_1888_;
+                if (_e851[1] < 0.0lf) {
+                    phi_1895_ = -(_e851[1]);
+                } else {
+                    phi_1895_ = _e851[1];
+                }
+                let _e862 = phi_1895_;
+                if (_e858 > _e862) {
+                    phi_1900_ = _e858;
+                } else {
+                    phi_1900_ = _e862;
+                }
+                let _e865 = phi_1900_;
+                if (_e851[2] < 0.0lf) {
+                    phi_1907_ = -(_e851[2]);
+                } else {
+                    phi_1907_ = _e851[2];
+                }
+                let _e869 = phi_1907_;
+                if (_e865 > _e869) {
+                    phi_1912_ = _e865;
+                } else {
+                    phi_1912_ = _e869;
+                }
+                let _e872 = phi_1912_;
+                if (_e848 > _e872) {
+                    phi_1917_ = _e848;
+                } else {
+                    phi_1917_ = _e872;
+                }
+                let _e875 = phi_1917_;
+                let _e877 = local_12.member_3;
+                let _e878 = (_e875 + _e877);
+                let _e881 = local_12.member_2[0u];
+                if (_e881[0] < 0.0lf) {
+                    phi_1934_ = -(_e881[0]);
+                } else {
+                    phi_1934_ = _e881[0];
+                }
+                let _e888 = phi_1934_;
+                if (_e881[1] < 0.0lf) {
+                    phi_1941_ = -(_e881[1]);
+                } else {
+                    phi_1941_ = _e881[1];
+                }
+                let _e892 = phi_1941_;
+                if (_e888 > _e892) {
+                    phi_1946_ = _e888;
+                } else {
+                    phi_1946_ = _e892;
+                }
+                let _e895 = phi_1946_;
+                if (_e881[2] < 0.0lf) {
+                    phi_1953_ = -(_e881[2]);
+                } else {
+                    phi_1953_ = _e881[2];
+                }
+                let _e899 = phi_1953_;
+                if (_e895 > _e899) {
+                    phi_1958_ = _e895;
+                } else {
+                    phi_1958_ = _e899;
+                }
+                let _e902 = phi_1958_;
+                let _e905 = local_12.member_2[1u];
+                if (_e905[0] < 0.0lf) {
+                    phi_1972_ = -(_e905[0]);
+                } else {
+                    phi_1972_ = _e905[0];
+                }
+                let _e912 = phi_1972_;
+                if (_e905[1] < 0.0lf) {
+                    phi_1979_ = -(_e905[1]);
+                } else {
+                    phi_1979_ = _e905[1];
+                }
+                let _e916 = phi_1979_;
+                if (_e912 > _e916) {
+                    phi_1984_ = _e912;
+                } else {
+                    phi_1984_ = _e916;
+                }
+                let _e919 = phi_1984_;
+                if (_e905[2] < 0.0lf) {
+                    phi_1991_ = -(_e905[2]);
+                } else {
+                    phi_1991_ = _e905[2];
+                }
+                let _e923 = phi_1991_;
+                if (_e919 > _e923) {
+                    phi_1996_ = _e919;
+                } else {
+                    phi_1996_ = _e923;
+                }
+                let _e926 = phi_1996_;
+                if (_e902 > _e926) {
+                    phi_2001_ = _e902;
+                } else {
+                    phi_2001_ = _e926;
+                }
+                let _e929 = phi_2001_;
+                let _e931 = local_12.member_3;
+                let _e932 = (_e929 + _e931);
+                let _e933 = f64(1f);
+                let _e934 = f64(8f);
+                let _e936 = ((_e878 * _e934) * _e932);
+                let _e944 = local_12.member_3;
+                if (_e630 < 0.0lf) {
+                    phi_2038_ = -(_e630);
+                } else {
+                    phi_2038_ = _e630;
+                }
+                let _e964 = phi_2038_;
+                if (_e633 < 0.0lf) {
+                    phi_2044_ = -(_e633);
+                } else {
+                    phi_2044_ = _e633;
+                }
+                let _e968 = phi_2044_;
+                if (_e636 < 0.0lf) {
+                    phi_2051_ = -(_e636);
+                } else {
+                    phi_2051_ = _e636;
+                }
+                let _e973 = phi_2051_;
+                let _e974 = ((_e964 + _e968) + _e973);
+                if (_e651 < 0.0lf) {
+                    phi_2058_ = -(_e651);
+                } else {
+                    phi_2058_ = _e651;
+                }
+                let _e978 = phi_2058_;
+                if (_e654 < 0.0lf) {
+                    phi_2064_ = -(_e654);
+                } else {
+                    phi_2064_ = _e654;
+                }
+                let _e982 = phi_2064_;
+                if (_e657 < 0.0lf) {
+                    phi_2071_ = -(_e657);
+                } else {
+                    phi_2071_ = _e657;
+                }
+                let _e987 = phi_2071_;
+                let _e988 = ((_e978 + _e982) + _e987);
+                if (_e974 > _e988) {
+                    phi_2077_ = _e974;
+                } else {
+                    phi_2077_ = _e988;
+                }
+                let _e991 = phi_2077_;
+                if (_e700 < 0.0lf) {
+                    phi_2083_ = -(_e700);
+                } else {
+                    phi_2083_ = _e700;
+                }
+                let _e995 = phi_2083_;
+                if (_e701 < 0.0lf) {
+                    phi_2089_ = -(_e701);
+                } else {
+                    phi_2089_ = _e701;
+                }
+                let _e999 = phi_2089_;
+                if (_e702 < 0.0lf) {
+                    phi_2096_ = -(_e702);
+                } else {
+                    phi_2096_ = _e702;
+                }
+                let _e1004 = phi_2096_;
+                let _e1006 = (((_e995 + _e999) + _e1004) * f64(0.5f));
+                if (_e991 > _e1006) {
+                    phi_2103_ = _e991;
+                } else {
+                    phi_2103_ = _e1006;
+                }
+                let _e1009 = phi_2103_;
+                let _e1015 = local_12.member_3;
+                let _e1029 = (((((_e824 * _e934) * _e936) * (1.1102230246251565e-16lf * f64((524f / 64f)))) + ((_e944 * f64(19f)) * ((_e824 * (_e878 + _e932)) + (_e878 * _e932)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e933 + _e824) * ((_e933 + _e878) * (_e933 + _e932)))));
+                let _e1030 = f64(3f);
+                let _e1031 = (_e713 * _e1030);
+                let _e1032 = (_e770 * _e1030);
+                if (_e1031 < _e1032) {
+                    phi_2131_ = _e1031;
+                } else {
+                    phi_2131_ = _e1032;
+                }
+                let _e1035 = phi_2131_;
+                if (_e736 < _e759) {
+                    phi_2136_ = _e736;
+                } else {
+                    phi_2136_ = _e759;
+                }
+                let _e1038 = phi_2136_;
+                if (_e1035 < _e1038) {
+                    phi_2141_ = _e1035;
+                } else {
+                    phi_2141_ = _e1038;
+                }
+                let _e1041 = phi_2141_;
+                if (_e1031 > _e1032) {
+                    phi_2146_ = _e1031;
+                } else {
+                    phi_2146_ = _e1032;
+                }
+                let _e1044 = phi_2146_;
+                if (_e736 > _e759) {
+                    phi_2151_ = _e736;
+                } else {
+                    phi_2151_ = _e759;
+                }
+                let _e1047 = phi_2151_;
+                if (_e1044 > _e1047) {
+                    phi_2156_ = _e1044;
+                } else {
+                    phi_2156_ = _e1047;
+                }
+                let _e1050 = phi_2156_;
+                let _e1056 = -(_e1050);
+                if (_e1041 > _e1056) {
+                    phi_2167_ = _e1041;
+                } else {
+                    phi_2167_ = _e1056;
+                }
+                let _e1059 = phi_2167_;
+                if ((_e1059 - (_e1029 + ((_e575.member_1 * (((_e1009 + (_e936 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1015 * f64(6f)) * (_e878 + _e932))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e933 + _e878) * (_e933 + _e932))))) * f64((3f * 1.0001f))))) > f64(0f)) {
+                    phi_8824_ = type_44(0u, type_44().member_1);
+                } else {
+                    if (_e575.member_1 > f64(0f)) {
+                        let _e3712 = f64(1f);
+                        let _e3713 = f64(0f);
+                        let _e3716 = local_12.member[0u];
+                        let _e3722 = local_12.member_1[0u];
+                        let _e3728 = local_12.member_2[0u];
+                        let _e3740 = local_12.member[1u];
+                        let _e3746 = local_12.member_1[1u];
+                        let _e3752 = local_12.member_2[1u];
+                        let _e3764 = local_12.member[0u];
+                        if (_e3764[0] < 0.0lf) {
+                            phi_2324_ = -(_e3764[0]);
+                        } else {
+                            phi_2324_ = _e3764[0];
+                        }
+                        let _e3771 = phi_2324_;
+                        if (_e3764[1] < 0.0lf) {
+                            phi_2331_ = -(_e3764[1]);
+                        } else {
+                            phi_2331_ = _e3764[1];
+                        }
+                        let _e3775 = phi_2331_;
+                        if (_e3771 > _e3775) {
+                            phi_2336_ = _e3771;
+                        } else {
+                            phi_2336_ = _e3775;
+                        }
+                        let _e3778 = phi_2336_;
+                        if (_e3764[2] < 0.0lf) {
+                            phi_2343_ = -(_e3764[2]);
+                        } else {
+                            phi_2343_ = _e3764[2];
+                        }
+                        let _e3782 = phi_2343_;
+                        if (_e3778 > _e3782) {
+                            phi_2348_ = _e3778;
+                        } else {
+                            phi_2348_ = _e3782;
+                        }
+                        let _e3785 = phi_2348_;
+                        let _e3788 = local_12.member[1u];
+                        if (_e3788[0] < 0.0lf) {
+                            phi_2361_ = -(_e3788[0]);
+                        } else {
+                            phi_2361_ = _e3788[0];
+                        }
+                        let _e3795 = phi_2361_;
+                        if (_e3788[1] < 0.0lf) {
+                            phi_2368_ = -(_e3788[1]);
+                        } else {
+                            phi_2368_ = _e3788[1];
+                        }
+                        let _e3799 = phi_2368_;
+                        if (_e3795 > _e3799) {
+                            phi_2373_ = _e3795;
+                        } else {
+                            phi_2373_ = _e3799;
+                        }
+                        let _e3802 = phi_2373_;
+                        if (_e3788[2] < 0.0lf) {
+                            phi_2380_ = -(_e3788[2]);
+                        } else {
+                            phi_2380_ = _e3788[2];
+                        }
+                        let _e3806 = phi_2380_;
+                        if (_e3802 > _e3806) {
+                            phi_2385_ = _e3802;
+                        } else {
+                            phi_2385_ = _e3806;
+                        }
+                        let _e3809 = phi_2385_;
+                        if (_e3785 > _e3809) {
+                            phi_2390_ = _e3785;
+                        } else {
+                            phi_2390_ = _e3809;
+                        }
+                        let _e3812 = phi_2390_;
+                        let _e3814 = local_12.member_3;
+                        let _e3818 = local_12.member_1[0u];
+                        if (_e3818[0] < 0.0lf) {
+                            phi_2407_ = -(_e3818[0]);
+                        } else {
+                            phi_2407_ = _e3818[0];
+                        }
+                        let _e3825 = phi_2407_;
+                        if (_e3818[1] < 0.0lf) {
+                            phi_2414_ = -(_e3818[1]);
+                        } else {
+                            phi_2414_ = _e3818[1];
+                        }
+                        let _e3829 = phi_2414_;
+                        if (_e3825 > _e3829) {
+                            phi_2419_ = _e3825;
+                        } else {
+                            phi_2419_ = _e3829;
+                        }
+                        let _e3832 = phi_2419_;
+                        if (_e3818[2] < 0.0lf) {
+                            phi_2426_ = -(_e3818[2]);
+                        } else {
+                            phi_2426_ = _e3818[2];
+                        }
+                        let _e3836 = phi_2426_;
+                        if (_e3832 > _e3836) {
+                            phi_2431_ = _e3832;
+                        } else {
+                            phi_2431_ = _e3836;
+                        }
+                        let _e3839 = phi_2431_;
+                        let _e3842 = local_12.member_1[1u];
+                        if (_e3842[0] < 0.0lf) {
+                            phi_2445_ = -(_e3842[0]);
+                        } else {
+                            phi_2445_ = _e3842[0];
+                        }
+                        let _e3849 = phi_2445_;
+                        if (_e3842[1] < 0.0lf) {
+                            phi_2452_ = -(_e3842[1]);
+                        } else {
+                            phi_2452_ = _e3842[1];
+                        }
+                        let _e3853 = phi_2452_;
+                        if (_e3849 > _e3853) {
+                            phi_2457_ = _e3849;
+                        } else {
+                            phi_2457_ = _e3853;
+                        }
+                        let _e3856 = phi_2457_;
+                        if (_e3842[2] < 0.0lf) {
+                            phi_2464_ = -(_e3842[2]);
+                        } else {
+                            phi_2464_ = _e3842[2];
+                        }
+                        let _e3860 = phi_2464_;
+                        if (_e3856 > _e3860) {
+                            phi_2469_ = _e3856;
+                        } else {
+                            phi_2469_ = _e3860;
+                        }
+                        let _e3863 = phi_2469_;
+                        if (_e3839 > _e3863) {
+                            phi_2474_ = _e3839;
+                        } else {
+                            phi_2474_ = _e3863;
+                        }
+                        let _e3866 = phi_2474_;
+                        let _e3868 = local_12.member_3;
+                        let _e3872 = local_12.member_2[0u];
+                        if (_e3872[0] < 0.0lf) {
+                            phi_2491_ = -(_e3872[0]);
+                        } else {
+                            phi_2491_ = _e3872[0];
+                        }
+                        let _e3879 = phi_2491_;
+                        if (_e3872[1] < 0.0lf) {
+                            phi_2498_ = -(_e3872[1]);
+                        } else {
+                            phi_2498_ = _e3872[1];
+                        }
+                        let _e3883 = phi_2498_;
+                        if (_e3879 > _e3883) {
+                            phi_2503_ = _e3879;
+                        } else {
+                            phi_2503_ = _e3883;
+                        }
+                        let _e3886 = phi_2503_;
+                        if (_e3872[2] < 0.0lf) {
+                            phi_2510_ = -(_e3872[2]);
+                        } else {
+                            phi_2510_ = _e3872[2];
+                        }
+                        let _e3890 = phi_2510_;
+                        if (_e3886 > _e3890) {
+                            phi_2515_ = _e3886;
+                        } else {
+                            phi_2515_ = _e3890;
+                        }
+                        let _e3893 = phi_2515_;
+                        let _e3896 = local_12.member_2[1u];
+                        if (_e3896[0] < 0.0lf) {
+                            phi_2529_ = -(_e3896[0]);
+                        } else {
+                            phi_2529_ = _e3896[0];
+                        }
+                        let _e3903 = phi_2529_;
+                        if (_e3896[1] < 0.0lf) {
+                            phi_2536_ = -(_e3896[1]);
+                        } else {
+                            phi_2536_ = _e3896[1];
+                        }
+                        let _e3907 = phi_2536_;
+                        if (_e3903 > _e3907) {
+                            phi_2541_ = _e3903;
+                        } else {
+                            phi_2541_ = _e3907;
+                        }
+                        let _e3910 = phi_2541_;
+                        if (_e3896[2] < 0.0lf) {
+                            phi_2548_ = -(_e3896[2]);
+                        } else {
+                            phi_2548_ = _e3896[2];
+                        }
+                        let _e3914 = phi_2548_;
+                        if (_e3910 > _e3914) {
+                            phi_2553_ = _e3910;
+                        } else {
+                            phi_2553_ = _e3914;
+                        }
+                        let _e3917 = phi_2553_;
+                        if (_e3893 > _e3917) {
+                            phi_2558_ = _e3893;
+                        } else {
+                            phi_2558_ = _e3917;
+                        }
+                        let _e3920 = phi_2558_;
+                        let _e3922 = local_12.member_3;
+                        let _e3930 = local_12.member_3;
+                        let _e3937 = f64(0f);
+                        let _e3938 = f64(1f);
+                        local_9 = type_34(array<f64, 4>(_e3937, _e3937, _e3937, _e3937), array<f64, 4>(_e3937, _e3937, _e3937, _e3937), array<f64, 4>(_e3938, _e3938, _e3938, _e3938));
+                        phi_2602_ = type_9(0u, 96u);
+                        phi_2605_ = _e3713;
+                        phi_2607_ = _e3713;
+                        phi_2609_ = _e3713;
+                        loop {
+                            let _e3944 = phi_2602_;
+                            let _e3946 = phi_2605_;
+                            let _e3948 = phi_2607_;
+                            let _e3950 = phi_2609_;
+                            local_44 = _e3948;
+                            local_26 = _e3946;
+                            if (_e3944.member < _e3944.member_1) {
+                                phi_2603_ = type_9((_e3944.member + 1u), _e3944.member_1);
+                                phi_2632_ = type_9(1u, _e3944.member);
+                            } else {
+                                phi_2603_ = _e3944;
+                                phi_2632_ = type_9(0u, type_9().member_1);
+                            }
+                            let _e3962 = phi_2603_;
+                            let _e3964 = phi_2632_;
+                            if (bitcast<i32>(_e3964.member) != 0i) {
+                                let _e3971 = local_12.member[0u];
+                                let _e3977 = local_12.member[1u];
+                                let _e3993 = local_12.member_1[0u];
+                                let _e3999 = local_12.member_1[1u];
+                                let _e4015 = local_12.member_2[0u];
+                                let _e4021 = local_12.member_2[1u];
+                                let _e4035 = function_2(array<f64, 3>((_e3971[0] + ((_e3977[0] - _e3971[0]) * _e3946)), (_e3971[1] + ((_e3977[1] - _e3971[1]) * _e3946)), (_e3971[2] + ((_e3977[2] - _e3971[2]) * _e3946))), array<f64, 3>((_e3993[0] + ((_e3999[0] - _e3993[0]) * _e3946)), (_e3993[1] + ((_e3999[1] - _e3993[1]) * _e3946)), (_e3993[2] + ((_e3999[2] - _e3993[2]) * _e3946))), array<f64, 3>((_e4015[0] + ((_e4021[0] - _e4015[0]) * _e3946)), (_e4015[1] + ((_e4021[1] - _e4015[1]) * _e3946)), (_e4015[2] + ((_e4021[2] - _e4015[2]) * _e3946))), 0u);
+                                if (_e4035[0] < 0.0lf) {
+                                    phi_2744_ = -(_e4035[0]);
                                 } else {
-                                    phi_2472_ = _e3223[1];
+                                    phi_2744_ = _e4035[0];
                                 }
-                                let _e3233 = phi_2472_;
-                                if (_e3223[2] < 0.0lf) {
-                                    phi_2480_ = -(_e3223[2]);
+                                let _e4040 = phi_2744_;
+                                if (_e4035[1] < 0.0lf) {
+                                    phi_2751_ = -(_e4035[1]);
                                 } else {
-                                    phi_2480_ = _e3223[2];
+                                    phi_2751_ = _e4035[1];
                                 }
-                                let _e3239 = phi_2480_;
-                                let _e3240 = ((_e3228 + _e3233) + _e3239);
-                                if (_e3240 > f64(0f)) {
-                                    if ((bitcast<u64>(_e3240) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e3246 = (f64(1f) / _e3240);
-                                        let _e3248 = (_e3223[0] * _e3246);
-                                        let _e3250 = (_e3223[1] * _e3246);
-                                        let _e3252 = (_e3223[2] * _e3246);
-                                        let _e3257 = (((_e3248 * _e3248) + (_e3250 * _e3250)) + (_e3252 * _e3252));
-                                        if (_e3257 <= 2.2250738585072014e-308lf) {
-                                            if (_e3257 > 0.0lf) {
-                                                phi_2518_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e4045 = phi_2751_;
+                                if (_e4035[2] < 0.0lf) {
+                                    phi_2759_ = -(_e4035[2]);
+                                } else {
+                                    phi_2759_ = _e4035[2];
+                                }
+                                let _e4051 = phi_2759_;
+                                let _e4052 = ((_e4040 + _e4045) + _e4051);
+                                if (_e4052 > f64(0f)) {
+                                    if ((bitcast<u64>(_e4052) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e4059 = (f64(1f) / _e4052);
+                                        let _e4061 = (_e4035[0] * _e4059);
+                                        let _e4063 = (_e4035[1] * _e4059);
+                                        let _e4065 = (_e4035[2] * _e4059);
+                                        let _e4070 = (((_e4061 * _e4061) + (_e4063 * _e4063)) + (_e4065 * _e4065));
+                                        if (_e4070 <= 2.2250738585072014e-308lf) {
+                                            if (_e4070 > 0.0lf) {
+                                                phi_2798_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2518_ = 0.0lf;
+                                                phi_2798_ = 0.0lf;
                                             }
-                                            let _e3309 = phi_2518_;
-                                            phi_2582_ = _e3309;
+                                            let _e4122 = phi_2798_;
+                                            phi_2862_ = _e4122;
                                         } else {
-                                            phi_2525_ = type_17(0i, 5i);
-                                            phi_2528_ = bitcast<f64>(((bitcast<u64>(_e3257) / 2lu) + 2303426169912950784lu));
+                                            phi_2805_ = type_16(0i, 5i);
+                                            phi_2808_ = bitcast<f64>(((bitcast<u64>(_e4070) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e3264 = phi_2525_;
-                                                let _e3266 = phi_2528_;
-                                                local_31 = _e3266;
-                                                if (_e3264.member < _e3264.member_1) {
-                                                    let _e3273 = (_e3264.member + 1i);
-                                                    if ((false == (_e3273 > _e3264.member)) != false) {
-                                                        phi_2549_ = true;
+                                                let _e4077 = phi_2805_;
+                                                let _e4079 = phi_2808_;
+                                                local_24 = _e4079;
+                                                if (_e4077.member < _e4077.member_1) {
+                                                    let _e4086 = (_e4077.member + 1i);
+                                                    if ((false == (_e4086 > _e4077.member)) != false) {
+                                                        phi_2829_ = true;
                                                     } else {
-                                                        phi_2549_ = false;
+                                                        phi_2829_ = false;
                                                     }
-                                                    let _e3278 = phi_2549_;
-                                                    if _e3278 {
-                                                        phi_2555_ = type_18(0u, type_18().member_1);
+                                                    let _e4091 = phi_2829_;
+                                                    if _e4091 {
+                                                        phi_2835_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2555_ = type_18(1u, _e3273);
+                                                        phi_2835_ = type_17(1u, _e4086);
                                                     }
-                                                    let _e3283 = phi_2555_;
-                                                    phi_2526_ = type_17(_e3283.member_1, _e3264.member_1);
-                                                    phi_2569_ = type_18(1u, _e3264.member);
+                                                    let _e4096 = phi_2835_;
+                                                    phi_2806_ = type_16(_e4096.member_1, _e4077.member_1);
+                                                    phi_2849_ = type_17(1u, _e4077.member);
                                                 } else {
-                                                    phi_2526_ = _e3264;
-                                                    phi_2569_ = type_18(0u, type_18().member_1);
+                                                    phi_2806_ = _e4077;
+                                                    phi_2849_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e3289 = phi_2526_;
-                                                let _e3291 = phi_2569_;
-                                                let _e3294 = (bitcast<i32>(_e3291.member) != 0i);
-                                                if _e3294 {
-                                                    phi_2529_ = (0.5lf * (_e3266 + (_e3257 / _e3266)));
+                                                let _e4102 = phi_2806_;
+                                                let _e4104 = phi_2849_;
+                                                let _e4107 = (bitcast<i32>(_e4104.member) != 0i);
+                                                if _e4107 {
+                                                    phi_2809_ = (0.5lf * (_e4079 + (_e4070 / _e4079)));
                                                 } else {
-                                                    phi_2529_ = f64();
+                                                    phi_2809_ = f64();
                                                 }
-                                                let _e3299 = phi_2529_;
+                                                let _e4112 = phi_2809_;
                                                 continue;
                                                 continuing {
-                                                    phi_2525_ = _e3289;
-                                                    phi_2528_ = _e3299;
-                                                    break if !(_e3294);
+                                                    phi_2805_ = _e4102;
+                                                    phi_2808_ = _e4112;
+                                                    break if !(_e4107);
                                                 }
                                             }
-                                            let _e3304 = local_31;
-                                            phi_2582_ = (_e3304 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e4117 = local_24;
+                                            phi_2862_ = (_e4117 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e3311 = phi_2582_;
-                                        phi_2595_ = type_19(0u, 4u);
-                                        phi_2598_ = f64(2f);
-                                        loop {
-                                            let _e3323 = phi_2595_;
-                                            let _e3325 = phi_2598_;
-                                            local_33 = _e3325;
-                                            local_34 = _e3325;
-                                            local_35 = _e3325;
-                                            local_67 = _e3325;
-                                            local_68 = _e3325;
-                                            if (_e3323.member < _e3323.member_1) {
-                                                phi_2596_ = type_19((_e3323.member + 1u), _e3323.member_1);
-                                                phi_2621_ = type_19(1u, _e3323.member);
-                                            } else {
-                                                phi_2596_ = _e3323;
-                                                phi_2621_ = type_19(0u, type_19().member_1);
-                                            }
-                                            let _e3337 = phi_2596_;
-                                            let _e3339 = phi_2621_;
-                                            if (bitcast<i32>(_e3339.member) != 0i) {
-                                                let _e3345 = local_9[_e3339.member_1];
-                                                let _e3353 = (((_e3248 * _e3345[0]) + (_e3250 * _e3345[1])) + (_e3252 * _e3345[2]));
-                                                let _e3355 = local_10[_e3339.member_1];
-                                                let _e3363 = (((_e3248 * _e3355[0]) + (_e3250 * _e3355[1])) + (_e3252 * _e3355[2]));
-                                                if (_e3353 < 0.0lf) {
-                                                    phi_2672_ = -(_e3353);
-                                                } else {
-                                                    phi_2672_ = _e3353;
-                                                }
-                                                let _e3367 = phi_2672_;
-                                                if (_e3363 < 0.0lf) {
-                                                    phi_2678_ = -(_e3363);
-                                                } else {
-                                                    phi_2678_ = _e3363;
-                                                }
-                                                let _e3371 = phi_2678_;
-                                                let _e3376 = (((((((((_e3010 + _e3012) + (_e3064 + _e3066)) + (_e3118 + _e3120)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3128 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e370 * _e3311) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e3367 + _e3371) * (1.1102230246251565e-16lf * f64(8f))));
-                                                if (_e3353 > _e3376) {
-                                                    if (_e3363 > _e3376) {
-                                                        phi_2692_ = false;
-                                                    } else {
-                                                        phi_2692_ = true;
-                                                    }
-                                                    let _e3380 = phi_2692_;
-                                                    phi_2693_ = _e3380;
-                                                } else {
-                                                    phi_2693_ = true;
-                                                }
-                                                let _e3382 = phi_2693_;
-                                                if _e3382 {
-                                                    if ((_e3353 + ((_e3363 - _e3353) * _e3139)) > _e3376) {
-                                                        if (_e3363 < _e3353) {
-                                                            let _e3391 = ((_e3353 - _e3363) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                            if _e3391 {
-                                                                let _e3399 = (((_e3353 - _e3376) / (_e3353 - _e3363)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                if (_e3325 < _e3399) {
-                                                                    phi_2727_ = _e3325;
-                                                                } else {
-                                                                    phi_2727_ = _e3399;
-                                                                }
-                                                                let _e3402 = phi_2727_;
-                                                                phi_2728_ = _e3402;
-                                                            } else {
-                                                                phi_2728_ = f64();
-                                                            }
-                                                            let _e3404 = phi_2728_;
-                                                            phi_2729_ = _e3404;
-                                                            phi_2730_ = _e3391;
-                                                        } else {
-                                                            phi_2729_ = _e3325;
-                                                            phi_2730_ = true;
-                                                        }
-                                                        let _e3406 = phi_2729_;
-                                                        let _e3408 = phi_2730_;
-                                                        if _e3408 {
-                                                            phi_2734_ = false;
-                                                        } else {
-                                                            phi_2734_ = true;
-                                                        }
-                                                        let _e3410 = phi_2734_;
-                                                        phi_2735_ = _e3406;
-                                                        phi_2736_ = _e3408;
-                                                        phi_2737_ = _e3410;
-                                                        phi_2738_ = false;
-                                                    } else {
-                                                        phi_2735_ = f64();
-                                                        phi_2736_ = false;
-                                                        phi_2737_ = false;
-                                                        phi_2738_ = true;
-                                                    }
-                                                    let _e3412 = phi_2735_;
-                                                    let _e3414 = phi_2736_;
-                                                    let _e3416 = phi_2737_;
-                                                    let _e3418 = phi_2738_;
-                                                    phi_2739_ = _e3412;
-                                                    phi_2740_ = _e3414;
-                                                    phi_2741_ = _e3416;
-                                                    phi_2742_ = _e3418;
-                                                } else {
-                                                    phi_2739_ = _e3325;
-                                                    phi_2740_ = true;
-                                                    phi_2741_ = false;
-                                                    phi_2742_ = false;
-                                                }
-                                                let _e3420 = phi_2739_;
-                                                let _e3422 = phi_2740_;
-                                                let _e3424 = phi_2741_;
-                                                let _e3426 = phi_2742_;
-                                                phi_2599_ = _e3420;
-                                                phi_2743_ = _e3422;
-                                                phi_2744_ = false;
-                                                phi_2745_ = _e3424;
-                                                phi_2746_ = _e3426;
-                                            } else {
-                                                phi_2599_ = f64();
-                                                phi_2743_ = false;
-                                                phi_2744_ = true;
-                                                phi_2745_ = false;
-                                                phi_2746_ = false;
-                                            }
-                                            let _e3428 = phi_2599_;
-                                            let _e3430 = phi_2743_;
-                                            let _e3432 = phi_2744_;
-                                            let _e3434 = phi_2745_;
-                                            let _e3436 = phi_2746_;
-                                            local_32 = _e3432;
-                                            local_65 = _e3434;
-                                            local_66 = _e3436;
-                                            continue;
-                                            continuing {
-                                                phi_2595_ = _e3337;
-                                                phi_2598_ = _e3428;
-                                                break if !(_e3430);
-                                            }
-                                        }
-                                        let _e3439 = local_32;
-                                        if _e3439 {
-                                            let _e3441 = local_33;
-                                            let _e3442 = (_e3441 > _e2904);
-                                            if _e3442 {
-                                                phi_2768_ = false;
-                                                phi_2769_ = false;
-                                                phi_2770_ = false;
-                                            } else {
-                                                let _e3444 = local_34;
-                                                if (_e3444 > _e3139) {
-                                                    let _e3447 = local_35;
-                                                    let _e3450 = ((_e3447 - _e3139) < f64(0.00000000023283064f));
-                                                    if _e3450 {
-                                                        phi_2764_ = false;
-                                                    } else {
-                                                        phi_2764_ = true;
-                                                    }
-                                                    let _e3452 = phi_2764_;
-                                                    phi_2765_ = _e3452;
-                                                    phi_2766_ = _e3450;
-                                                    phi_2767_ = false;
-                                                } else {
-                                                    phi_2765_ = false;
-                                                    phi_2766_ = false;
-                                                    phi_2767_ = true;
-                                                }
-                                                let _e3454 = phi_2765_;
-                                                let _e3456 = phi_2766_;
-                                                let _e3458 = phi_2767_;
-                                                phi_2768_ = _e3454;
-                                                phi_2769_ = _e3456;
-                                                phi_2770_ = _e3458;
-                                            }
-                                            let _e3460 = phi_2768_;
-                                            let _e3462 = phi_2769_;
-                                            let _e3464 = phi_2770_;
-                                            phi_2771_ = _e3460;
-                                            phi_2772_ = _e3442;
-                                            phi_2773_ = _e3462;
-                                            phi_2774_ = _e3464;
-                                            phi_2775_ = false;
-                                            phi_2776_ = false;
+                                        let _e4124 = phi_2862_;
+                                        let _e4126 = (1.1102230246251565e-16lf * f64(12f));
+                                        let _e4133 = ((((((((_e3812 + _e3814) + (_e3866 + _e3868)) + (_e3920 + _e3922)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3930 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e575.member_1 * _e4124) * (f64(1f) + _e4126)));
+                                        let _e4138 = (((_e4061 * _e3716[0]) + (_e4063 * _e3716[1])) + (_e4065 * _e3716[2]));
+                                        let _e4143 = (((_e4061 * (_e3716[0] - _e3722[0])) + (_e4063 * (_e3716[1] - _e3722[1]))) + (_e4065 * (_e3716[2] - _e3722[2])));
+                                        let _e4148 = (((_e4061 * (_e3716[0] - _e3728[0])) + (_e4063 * (_e3716[1] - _e3728[1]))) + (_e4065 * (_e3716[2] - _e3728[2])));
+                                        let _e4153 = (((_e4061 * _e3716[0]) + (_e4063 * _e3716[1])) + (_e4065 * _e3716[2]));
+                                        let _e4159 = (((_e4061 * _e3740[0]) + (_e4063 * _e3740[1])) + (_e4065 * _e3740[2]));
+                                        let _e4164 = (((_e4061 * (_e3740[0] - _e3746[0])) + (_e4063 * (_e3740[1] - _e3746[1]))) + (_e4065 * (_e3740[2] - _e3746[2])));
+                                        let _e4169 = (((_e4061 * (_e3740[0] - _e3752[0])) + (_e4063 * (_e3740[1] - _e3752[1]))) + (_e4065 * (_e3740[2] - _e3752[2])));
+                                        let _e4174 = (((_e4061 * _e3740[0]) + (_e4063 * _e3740[1])) + (_e4065 * _e3740[2]));
+                                        if (_e4138 < 0.0lf) {
+                                            phi_2931_ = -(_e4138);
                                         } else {
-                                            phi_2771_ = false;
-                                            phi_2772_ = false;
-                                            phi_2773_ = false;
-                                            phi_2774_ = false;
-                                            let _e4736 = local_65;
-                                            phi_2775_ = _e4736;
-                                            let _e4739 = local_66;
-                                            phi_2776_ = _e4739;
+                                            phi_2931_ = _e4138;
                                         }
-                                        let _e3466 = phi_2771_;
-                                        let _e3468 = phi_2772_;
-                                        let _e3470 = phi_2773_;
-                                        let _e3472 = phi_2774_;
-                                        let _e3474 = phi_2775_;
-                                        let _e3476 = phi_2776_;
-                                        let _e4742 = local_67;
-                                        phi_2777_ = _e4742;
-                                        let _e4745 = local_68;
-                                        phi_2778_ = _e4745;
-                                        phi_2779_ = _e3466;
-                                        phi_2780_ = _e3468;
-                                        phi_2781_ = _e3470;
-                                        phi_2782_ = _e3472;
-                                        phi_2783_ = _e3474;
-                                        phi_2784_ = _e3476;
-                                        phi_2785_ = false;
+                                        let _e4179 = phi_2931_;
+                                        if (_e4159 < 0.0lf) {
+                                            phi_2937_ = -(_e4159);
+                                        } else {
+                                            phi_2937_ = _e4159;
+                                        }
+                                        let _e4183 = phi_2937_;
+                                        if (_e4143 < 0.0lf) {
+                                            phi_2946_ = -(_e4143);
+                                        } else {
+                                            phi_2946_ = _e4143;
+                                        }
+                                        let _e4190 = phi_2946_;
+                                        if (_e4164 < 0.0lf) {
+                                            phi_2952_ = -(_e4164);
+                                        } else {
+                                            phi_2952_ = _e4164;
+                                        }
+                                        let _e4194 = phi_2952_;
+                                        if (_e4148 < 0.0lf) {
+                                            phi_2961_ = -(_e4148);
+                                        } else {
+                                            phi_2961_ = _e4148;
+                                        }
+                                        let _e4201 = phi_2961_;
+                                        if (_e4169 < 0.0lf) {
+                                            phi_2967_ = -(_e4169);
+                                        } else {
+                                            phi_2967_ = _e4169;
+                                        }
+                                        let _e4205 = phi_2967_;
+                                        if (_e4153 < 0.0lf) {
+                                            phi_2976_ = -(_e4153);
+                                        } else {
+                                            phi_2976_ = _e4153;
+                                        }
+                                        let _e4212 = phi_2976_;
+                                        if (_e4174 < 0.0lf) {
+                                            phi_2982_ = -(_e4174);
+                                        } else {
+                                            phi_2982_ = _e4174;
+                                        }
+                                        let _e4216 = phi_2982_;
+                                        phi_2988_ = type_34(array<f64, 4>(_e4138, _e4143, _e4148, _e4153), array<f64, 4>(_e4159, _e4164, _e4169, _e4174), array<f64, 4>((_e4133 + ((_e4179 + _e4183) * _e4126)), (_e4133 + ((_e4190 + _e4194) * _e4126)), (_e4133 + ((_e4201 + _e4205) * _e4126)), (_e4133 + ((_e4212 + _e4216) * _e4126))));
+                                        phi_2989_ = false;
                                     } else {
-                                        phi_2777_ = f64();
-                                        phi_2778_ = f64();
-                                        phi_2779_ = false;
-                                        phi_2780_ = false;
-                                        phi_2781_ = false;
-                                        phi_2782_ = false;
-                                        phi_2783_ = false;
-                                        phi_2784_ = false;
-                                        phi_2785_ = true;
+                                        phi_2988_ = type_34();
+                                        phi_2989_ = true;
                                     }
-                                    let _e3478 = phi_2777_;
-                                    let _e3480 = phi_2778_;
-                                    let _e3482 = phi_2779_;
-                                    let _e3484 = phi_2780_;
-                                    let _e3486 = phi_2781_;
-                                    let _e3488 = phi_2782_;
-                                    let _e3490 = phi_2783_;
-                                    let _e3492 = phi_2784_;
-                                    let _e3494 = phi_2785_;
-                                    phi_2786_ = _e3478;
-                                    phi_2787_ = _e3480;
-                                    phi_2788_ = _e3482;
-                                    phi_2789_ = _e3484;
-                                    phi_2790_ = _e3486;
-                                    phi_2791_ = _e3488;
-                                    phi_2792_ = _e3490;
-                                    phi_2793_ = _e3492;
-                                    phi_2794_ = _e3494;
-                                    phi_2795_ = false;
+                                    let _e4223 = phi_2988_;
+                                    let _e4225 = phi_2989_;
+                                    phi_2990_ = _e4223;
+                                    phi_2991_ = _e4225;
                                 } else {
-                                    phi_2786_ = f64();
-                                    phi_2787_ = f64();
-                                    phi_2788_ = false;
-                                    phi_2789_ = false;
-                                    phi_2790_ = false;
-                                    phi_2791_ = false;
-                                    phi_2792_ = false;
-                                    phi_2793_ = false;
-                                    phi_2794_ = false;
-                                    phi_2795_ = true;
+                                    phi_2990_ = type_34();
+                                    phi_2991_ = true;
                                 }
-                                let _e3496 = phi_2786_;
-                                let _e3498 = phi_2787_;
-                                let _e3500 = phi_2788_;
-                                let _e3502 = phi_2789_;
-                                let _e3504 = phi_2790_;
-                                let _e3506 = phi_2791_;
-                                let _e3508 = phi_2792_;
-                                let _e3510 = phi_2793_;
-                                let _e3512 = phi_2794_;
-                                let _e3514 = phi_2795_;
-                                phi_2796_ = _e3496;
-                                phi_2332_ = _e3498;
-                                phi_2797_ = _e3500;
-                                phi_2798_ = _e3502;
-                                phi_2799_ = _e3504;
-                                phi_2800_ = false;
-                                phi_2801_ = _e3506;
-                                phi_2802_ = _e3508;
-                                phi_2803_ = _e3510;
-                                phi_2804_ = _e3512;
-                                phi_2805_ = _e3514;
+                                let _e4227 = phi_2990_;
+                                let _e4229 = phi_2991_;
+                                if _e4229 {
+                                    let _e4230 = f64(0f);
+                                    let _e4231 = f64(1f);
+                                    phi_3001_ = type_34(array<f64, 4>(_e4230, _e4230, _e4230, _e4230), array<f64, 4>(_e4230, _e4230, _e4230, _e4230), array<f64, 4>(_e4231, _e4231, _e4231, _e4231));
+                                } else {
+                                    phi_3001_ = _e4227;
+                                }
+                                let _e4237 = phi_3001_;
+                                local_10 = type_34(array<f64, 4>(_e4237.member[0], _e4237.member[1], _e4237.member[2], _e4237.member[3]), array<f64, 4>(_e4237.member_1[0], _e4237.member_1[1], _e4237.member_1[2], _e4237.member_1[3]), array<f64, 4>(_e4237.member_2[0], _e4237.member_2[1], _e4237.member_2[2], _e4237.member_2[3]));
+                                let _e4257 = (_e3946 - _e3950);
+                                let _e4258 = f64(0f);
+                                let _e4261 = local_10.member[0u];
+                                let _e4264 = local_10.member_1[0u];
+                                let _e4267 = local_10.member[0u];
+                                let _e4273 = local_10.member_2[0u];
+                                if (((_e4261 + ((_e4264 - _e4267) * _e3946)) - _e4273) > _e4258) {
+                                    let _e4278 = local_10.member[1u];
+                                    let _e4281 = local_10.member_1[1u];
+                                    let _e4284 = local_10.member[1u];
+                                    let _e4290 = local_10.member_2[1u];
+                                    if (((_e4278 + ((_e4281 - _e4284) * _e3946)) - _e4290) > _e4258) {
+                                        let _e4295 = local_10.member[2u];
+                                        let _e4298 = local_10.member_1[2u];
+                                        let _e4301 = local_10.member[2u];
+                                        let _e4307 = local_10.member_2[2u];
+                                        if (((_e4295 + ((_e4298 - _e4301) * _e3946)) - _e4307) > _e4258) {
+                                            let _e4312 = local_10.member[3u];
+                                            let _e4315 = local_10.member_1[3u];
+                                            let _e4318 = local_10.member[3u];
+                                            let _e4324 = local_10.member_2[3u];
+                                            phi_3172_ = (((_e4312 + ((_e4315 - _e4318) * _e3946)) - _e4324) > _e4258);
+                                            phi_3173_ = false;
+                                        } else {
+                                            phi_3172_ = bool();
+                                            phi_3173_ = true;
+                                        }
+                                        let _e4328 = phi_3172_;
+                                        let _e4330 = phi_3173_;
+                                        phi_3174_ = _e4328;
+                                        phi_3175_ = _e4330;
+                                    } else {
+                                        phi_3174_ = bool();
+                                        phi_3175_ = true;
+                                    }
+                                    let _e4332 = phi_3174_;
+                                    let _e4334 = phi_3175_;
+                                    phi_3176_ = _e4332;
+                                    phi_3177_ = _e4334;
+                                } else {
+                                    phi_3176_ = bool();
+                                    phi_3177_ = true;
+                                }
+                                let _e4336 = phi_3176_;
+                                let _e4338 = phi_3177_;
+                                if _e4338 {
+                                    phi_3181_ = false;
+                                } else {
+                                    phi_3181_ = _e4336;
+                                }
+                                let _e4340 = phi_3181_;
+                                if _e4340 {
+                                    if (_e3946 <= _e3948) {
+                                        phi_3492_ = true;
+                                    } else {
+                                        let _e4342 = f64(0f);
+                                        let _e4345 = local_9.member[0u];
+                                        let _e4348 = local_9.member_1[0u];
+                                        let _e4351 = local_9.member[0u];
+                                        let _e4357 = local_9.member_2[0u];
+                                        let _e4361 = local_10.member[0u];
+                                        let _e4364 = local_10.member_1[0u];
+                                        let _e4367 = local_10.member[0u];
+                                        let _e4373 = local_10.member_2[0u];
+                                        if ((((_e4345 + ((_e4348 - _e4351) * _e3946)) - _e4357) + ((_e4361 + ((_e4364 - _e4367) * _e3950)) - _e4373)) > _e4342) {
+                                            let _e4379 = local_9.member[1u];
+                                            let _e4382 = local_9.member_1[1u];
+                                            let _e4385 = local_9.member[1u];
+                                            let _e4391 = local_9.member_2[1u];
+                                            let _e4395 = local_10.member[1u];
+                                            let _e4398 = local_10.member_1[1u];
+                                            let _e4401 = local_10.member[1u];
+                                            let _e4407 = local_10.member_2[1u];
+                                            if ((((_e4379 + ((_e4382 - _e4385) * _e3946)) - _e4391) + ((_e4395 + ((_e4398 - _e4401) * _e3950)) - _e4407)) > _e4342) {
+                                                let _e4413 = local_9.member[2u];
+                                                let _e4416 = local_9.member_1[2u];
+                                                let _e4419 = local_9.member[2u];
+                                                let _e4425 = local_9.member_2[2u];
+                                                let _e4429 = local_10.member[2u];
+                                                let _e4432 = local_10.member_1[2u];
+                                                let _e4435 = local_10.member[2u];
+                                                let _e4441 = local_10.member_2[2u];
+                                                if ((((_e4413 + ((_e4416 - _e4419) * _e3946)) - _e4425) + ((_e4429 + ((_e4432 - _e4435) * _e3950)) - _e4441)) > _e4342) {
+                                                    let _e4447 = local_9.member[3u];
+                                                    let _e4450 = local_9.member_1[3u];
+                                                    let _e4453 = local_9.member[3u];
+                                                    let _e4459 = local_9.member_2[3u];
+                                                    let _e4463 = local_10.member[3u];
+                                                    let _e4466 = local_10.member_1[3u];
+                                                    let _e4469 = local_10.member[3u];
+                                                    let _e4475 = local_10.member_2[3u];
+                                                    phi_3479_ = ((((_e4447 + ((_e4450 - _e4453) * _e3946)) - _e4459) + ((_e4463 + ((_e4466 - _e4469) * _e3950)) - _e4475)) > _e4342);
+                                                    phi_3480_ = false;
+                                                } else {
+                                                    phi_3479_ = bool();
+                                                    phi_3480_ = true;
+                                                }
+                                                let _e4480 = phi_3479_;
+                                                let _e4482 = phi_3480_;
+                                                phi_3481_ = _e4480;
+                                                phi_3482_ = _e4482;
+                                            } else {
+                                                phi_3481_ = bool();
+                                                phi_3482_ = true;
+                                            }
+                                            let _e4484 = phi_3481_;
+                                            let _e4486 = phi_3482_;
+                                            phi_3483_ = _e4484;
+                                            phi_3484_ = _e4486;
+                                        } else {
+                                            phi_3483_ = bool();
+                                            phi_3484_ = true;
+                                        }
+                                        let _e4488 = phi_3483_;
+                                        let _e4490 = phi_3484_;
+                                        if _e4490 {
+                                            phi_3488_ = false;
+                                        } else {
+                                            phi_3488_ = _e4488;
+                                        }
+                                        let _e4492 = phi_3488_;
+                                        phi_3492_ = _e4492;
+                                    }
+                                    let _e4494 = phi_3492_;
+                                    if _e4494 {
+                                        if (_e3964.member_1 > 0u) {
+                                            if (_e3946 >= _e3712) {
+                                                phi_3504_ = false;
+                                            } else {
+                                                phi_3504_ = true;
+                                            }
+                                            let _e4498 = phi_3504_;
+                                            phi_3505_ = _e4498;
+                                        } else {
+                                            phi_3505_ = true;
+                                        }
+                                        let _e4500 = phi_3505_;
+                                        if _e4500 {
+                                            local_9 = type_34(array<f64, 4>(_e4237.member[0], _e4237.member[1], _e4237.member[2], _e4237.member[3]), array<f64, 4>(_e4237.member_1[0], _e4237.member_1[1], _e4237.member_1[2], _e4237.member_1[3]), array<f64, 4>(_e4237.member_2[0], _e4237.member_2[1], _e4237.member_2[2], _e4237.member_2[3]));
+                                            let _e4522 = local_9.member[0u];
+                                            let _e4525 = local_9.member_1[0u];
+                                            let _e4528 = local_9.member_2[0u];
+                                            if (_e4522 > _e4528) {
+                                                if (_e4525 > _e4528) {
+                                                    phi_3579_ = false;
+                                                } else {
+                                                    phi_3579_ = true;
+                                                }
+                                                let _e4532 = phi_3579_;
+                                                phi_3580_ = _e4532;
+                                            } else {
+                                                phi_3580_ = true;
+                                            }
+                                            let _e4534 = phi_3580_;
+                                            if _e4534 {
+                                                let _e4535 = (_e4525 >= _e4522);
+                                                if _e4535 {
+                                                    phi_3605_ = f64();
+                                                    phi_3606_ = false;
+                                                } else {
+                                                    if ((_e4522 - _e4525) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3603_ = (((_e4522 - _e4528) / (_e4522 - _e4525)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3604_ = false;
+                                                    } else {
+                                                        phi_3603_ = f64();
+                                                        phi_3604_ = true;
+                                                    }
+                                                    let _e4549 = phi_3603_;
+                                                    let _e4551 = phi_3604_;
+                                                    phi_3605_ = _e4549;
+                                                    phi_3606_ = _e4551;
+                                                }
+                                                let _e4553 = phi_3605_;
+                                                let _e4555 = phi_3606_;
+                                                phi_3607_ = _e4553;
+                                                phi_3608_ = _e4535;
+                                                phi_3609_ = _e4555;
+                                            } else {
+                                                phi_3607_ = f64();
+                                                phi_3608_ = true;
+                                                phi_3609_ = false;
+                                            }
+                                            let _e4557 = phi_3607_;
+                                            let _e4559 = phi_3608_;
+                                            let _e4561 = phi_3609_;
+                                            if _e4559 {
+                                                phi_3614_ = f64(2f);
+                                                phi_3615_ = true;
+                                            } else {
+                                                phi_3614_ = _e3946;
+                                                phi_3615_ = _e4561;
+                                            }
+                                            let _e4564 = phi_3614_;
+                                            let _e4566 = phi_3615_;
+                                            if _e4566 {
+                                                phi_3619_ = _e4564;
+                                            } else {
+                                                phi_3619_ = _e4557;
+                                            }
+                                            let _e4568 = phi_3619_;
+                                            let _e4571 = local_9.member[1u];
+                                            let _e4574 = local_9.member_1[1u];
+                                            let _e4577 = local_9.member_2[1u];
+                                            if (_e4571 > _e4577) {
+                                                if (_e4574 > _e4577) {
+                                                    phi_3651_ = false;
+                                                } else {
+                                                    phi_3651_ = true;
+                                                }
+                                                let _e4581 = phi_3651_;
+                                                phi_3652_ = _e4581;
+                                            } else {
+                                                phi_3652_ = true;
+                                            }
+                                            let _e4583 = phi_3652_;
+                                            if _e4583 {
+                                                let _e4584 = (_e4574 >= _e4571);
+                                                if _e4584 {
+                                                    phi_3677_ = f64();
+                                                    phi_3678_ = false;
+                                                } else {
+                                                    if ((_e4571 - _e4574) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3675_ = (((_e4571 - _e4577) / (_e4571 - _e4574)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3676_ = false;
+                                                    } else {
+                                                        phi_3675_ = f64();
+                                                        phi_3676_ = true;
+                                                    }
+                                                    let _e4598 = phi_3675_;
+                                                    let _e4600 = phi_3676_;
+                                                    phi_3677_ = _e4598;
+                                                    phi_3678_ = _e4600;
+                                                }
+                                                let _e4602 = phi_3677_;
+                                                let _e4604 = phi_3678_;
+                                                phi_3679_ = _e4602;
+                                                phi_3680_ = _e4584;
+                                                phi_3681_ = _e4604;
+                                            } else {
+                                                phi_3679_ = f64();
+                                                phi_3680_ = true;
+                                                phi_3681_ = false;
+                                            }
+                                            let _e4606 = phi_3679_;
+                                            let _e4608 = phi_3680_;
+                                            let _e4610 = phi_3681_;
+                                            if _e4608 {
+                                                phi_3686_ = f64(2f);
+                                                phi_3687_ = true;
+                                            } else {
+                                                phi_3686_ = _e3946;
+                                                phi_3687_ = _e4610;
+                                            }
+                                            let _e4613 = phi_3686_;
+                                            let _e4615 = phi_3687_;
+                                            if _e4615 {
+                                                phi_3691_ = _e4613;
+                                            } else {
+                                                phi_3691_ = _e4606;
+                                            }
+                                            let _e4617 = phi_3691_;
+                                            if (_e4568 < _e4617) {
+                                                phi_3696_ = _e4568;
+                                            } else {
+                                                phi_3696_ = _e4617;
+                                            }
+                                            let _e4620 = phi_3696_;
+                                            let _e4623 = local_9.member[2u];
+                                            let _e4626 = local_9.member_1[2u];
+                                            let _e4629 = local_9.member_2[2u];
+                                            if (_e4623 > _e4629) {
+                                                if (_e4626 > _e4629) {
+                                                    phi_3728_ = false;
+                                                } else {
+                                                    phi_3728_ = true;
+                                                }
+                                                let _e4633 = phi_3728_;
+                                                phi_3729_ = _e4633;
+                                            } else {
+                                                phi_3729_ = true;
+                                            }
+                                            let _e4635 = phi_3729_;
+                                            if _e4635 {
+                                                let _e4636 = (_e4626 >= _e4623);
+                                                if _e4636 {
+                                                    phi_3754_ = f64();
+                                                    phi_3755_ = false;
+                                                } else {
+                                                    if ((_e4623 - _e4626) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3752_ = (((_e4623 - _e4629) / (_e4623 - _e4626)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3753_ = false;
+                                                    } else {
+                                                        phi_3752_ = f64();
+                                                        phi_3753_ = true;
+                                                    }
+                                                    let _e4650 = phi_3752_;
+                                                    let _e4652 = phi_3753_;
+                                                    phi_3754_ = _e4650;
+                                                    phi_3755_ = _e4652;
+                                                }
+                                                let _e4654 = phi_3754_;
+                                                let _e4656 = phi_3755_;
+                                                phi_3756_ = _e4654;
+                                                phi_3757_ = _e4636;
+                                                phi_3758_ = _e4656;
+                                            } else {
+                                                phi_3756_ = f64();
+                                                phi_3757_ = true;
+                                                phi_3758_ = false;
+                                            }
+                                            let _e4658 = phi_3756_;
+                                            let _e4660 = phi_3757_;
+                                            let _e4662 = phi_3758_;
+                                            if _e4660 {
+                                                phi_3763_ = f64(2f);
+                                                phi_3764_ = true;
+                                            } else {
+                                                phi_3763_ = _e3946;
+                                                phi_3764_ = _e4662;
+                                            }
+                                            let _e4665 = phi_3763_;
+                                            let _e4667 = phi_3764_;
+                                            if _e4667 {
+                                                phi_3768_ = _e4665;
+                                            } else {
+                                                phi_3768_ = _e4658;
+                                            }
+                                            let _e4669 = phi_3768_;
+                                            let _e4672 = local_9.member[3u];
+                                            let _e4675 = local_9.member_1[3u];
+                                            let _e4678 = local_9.member_2[3u];
+                                            if (_e4672 > _e4678) {
+                                                if (_e4675 > _e4678) {
+                                                    phi_3800_ = false;
+                                                } else {
+                                                    phi_3800_ = true;
+                                                }
+                                                let _e4682 = phi_3800_;
+                                                phi_3801_ = _e4682;
+                                            } else {
+                                                phi_3801_ = true;
+                                            }
+                                            let _e4684 = phi_3801_;
+                                            if _e4684 {
+                                                let _e4685 = (_e4675 >= _e4672);
+                                                if _e4685 {
+                                                    phi_3826_ = f64();
+                                                    phi_3827_ = false;
+                                                } else {
+                                                    if ((_e4672 - _e4675) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3824_ = (((_e4672 - _e4678) / (_e4672 - _e4675)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3825_ = false;
+                                                    } else {
+                                                        phi_3824_ = f64();
+                                                        phi_3825_ = true;
+                                                    }
+                                                    let _e4699 = phi_3824_;
+                                                    let _e4701 = phi_3825_;
+                                                    phi_3826_ = _e4699;
+                                                    phi_3827_ = _e4701;
+                                                }
+                                                let _e4703 = phi_3826_;
+                                                let _e4705 = phi_3827_;
+                                                phi_3828_ = _e4703;
+                                                phi_3829_ = _e4685;
+                                                phi_3830_ = _e4705;
+                                            } else {
+                                                phi_3828_ = f64();
+                                                phi_3829_ = true;
+                                                phi_3830_ = false;
+                                            }
+                                            let _e4707 = phi_3828_;
+                                            let _e4709 = phi_3829_;
+                                            let _e4711 = phi_3830_;
+                                            if _e4709 {
+                                                phi_3835_ = f64(2f);
+                                                phi_3836_ = true;
+                                            } else {
+                                                phi_3835_ = _e3946;
+                                                phi_3836_ = _e4711;
+                                            }
+                                            let _e4714 = phi_3835_;
+                                            let _e4716 = phi_3836_;
+                                            if _e4716 {
+                                                phi_3840_ = _e4714;
+                                            } else {
+                                                phi_3840_ = _e4707;
+                                            }
+                                            let _e4718 = phi_3840_;
+                                            if (_e4669 < _e4718) {
+                                                phi_3845_ = _e4669;
+                                            } else {
+                                                phi_3845_ = _e4718;
+                                            }
+                                            let _e4721 = phi_3845_;
+                                            if (_e4620 < _e4721) {
+                                                phi_3850_ = _e4620;
+                                            } else {
+                                                phi_3850_ = _e4721;
+                                            }
+                                            let _e4724 = phi_3850_;
+                                            if (_e4724 > _e3946) {
+                                                phi_3855_ = _e4724;
+                                            } else {
+                                                phi_3855_ = _e3946;
+                                            }
+                                            let _e4727 = phi_3855_;
+                                            let _e4728 = (_e4727 > _e3712);
+                                            if _e4728 {
+                                                phi_3867_ = f64();
+                                                phi_3868_ = false;
+                                            } else {
+                                                if (_e3964.member_1 == 0u) {
+                                                    phi_3866_ = (_e3712 - _e3946);
+                                                } else {
+                                                    phi_3866_ = (_e4257 + _e4257);
+                                                }
+                                                let _e4733 = phi_3866_;
+                                                phi_3867_ = _e4733;
+                                                phi_3868_ = true;
+                                            }
+                                            let _e4735 = phi_3867_;
+                                            let _e4737 = phi_3868_;
+                                            phi_3869_ = _e4727;
+                                            phi_3870_ = _e4735;
+                                            phi_3871_ = _e4737;
+                                            phi_3872_ = _e4728;
+                                            phi_3873_ = false;
+                                        } else {
+                                            phi_3869_ = f64();
+                                            phi_3870_ = f64();
+                                            phi_3871_ = false;
+                                            phi_3872_ = false;
+                                            phi_3873_ = true;
+                                        }
+                                        let _e4739 = phi_3869_;
+                                        let _e4741 = phi_3870_;
+                                        let _e4743 = phi_3871_;
+                                        let _e4745 = phi_3872_;
+                                        let _e4747 = phi_3873_;
+                                        phi_3874_ = _e4739;
+                                        phi_3875_ = _e4741;
+                                        phi_3876_ = false;
+                                        phi_3877_ = _e4743;
+                                        phi_3878_ = _e4745;
+                                        phi_3879_ = _e4747;
+                                    } else {
+                                        phi_3874_ = f64();
+                                        phi_3875_ = f64();
+                                        phi_3876_ = true;
+                                        phi_3877_ = false;
+                                        phi_3878_ = false;
+                                        phi_3879_ = false;
+                                    }
+                                    let _e4749 = phi_3874_;
+                                    let _e4751 = phi_3875_;
+                                    let _e4753 = phi_3876_;
+                                    let _e4755 = phi_3877_;
+                                    let _e4757 = phi_3878_;
+                                    let _e4759 = phi_3879_;
+                                    phi_3880_ = _e4749;
+                                    phi_3881_ = _e4751;
+                                    phi_3882_ = _e4753;
+                                    phi_3883_ = _e4755;
+                                    phi_3884_ = _e4757;
+                                    phi_3885_ = _e4759;
+                                } else {
+                                    phi_3880_ = f64();
+                                    phi_3881_ = f64();
+                                    phi_3882_ = true;
+                                    phi_3883_ = false;
+                                    phi_3884_ = false;
+                                    phi_3885_ = false;
+                                }
+                                let _e4761 = phi_3880_;
+                                let _e4763 = phi_3881_;
+                                let _e4765 = phi_3882_;
+                                let _e4767 = phi_3883_;
+                                let _e4769 = phi_3884_;
+                                let _e4771 = phi_3885_;
+                                if _e4765 {
+                                    let _e4772 = (_e3946 <= _e3948);
+                                    if _e4772 {
+                                        phi_4219_ = f64();
+                                        phi_4220_ = false;
+                                    } else {
+                                        let _e4775 = local_9.member[0u];
+                                        let _e4778 = local_9.member_1[0u];
+                                        let _e4781 = local_9.member[0u];
+                                        let _e4787 = local_9.member_2[0u];
+                                        let _e4788 = ((_e4775 + ((_e4778 - _e4781) * _e3950)) - _e4787);
+                                        let _e4791 = local_9.member[1u];
+                                        let _e4794 = local_9.member_1[1u];
+                                        let _e4797 = local_9.member[1u];
+                                        let _e4803 = local_9.member_2[1u];
+                                        let _e4804 = ((_e4791 + ((_e4794 - _e4797) * _e3950)) - _e4803);
+                                        if (_e4788 < _e4804) {
+                                            phi_3965_ = _e4788;
+                                        } else {
+                                            phi_3965_ = _e4804;
+                                        }
+                                        let _e4807 = phi_3965_;
+                                        let _e4810 = local_9.member[2u];
+                                        let _e4813 = local_9.member_1[2u];
+                                        let _e4816 = local_9.member[2u];
+                                        let _e4822 = local_9.member_2[2u];
+                                        let _e4823 = ((_e4810 + ((_e4813 - _e4816) * _e3950)) - _e4822);
+                                        let _e4826 = local_9.member[3u];
+                                        let _e4829 = local_9.member_1[3u];
+                                        let _e4832 = local_9.member[3u];
+                                        let _e4838 = local_9.member_2[3u];
+                                        let _e4839 = ((_e4826 + ((_e4829 - _e4832) * _e3950)) - _e4838);
+                                        if (_e4823 < _e4839) {
+                                            phi_4038_ = _e4823;
+                                        } else {
+                                            phi_4038_ = _e4839;
+                                        }
+                                        let _e4842 = phi_4038_;
+                                        if (_e4807 < _e4842) {
+                                            phi_4043_ = _e4807;
+                                        } else {
+                                            phi_4043_ = _e4842;
+                                        }
+                                        let _e4845 = phi_4043_;
+                                        let _e4848 = local_10.member[0u];
+                                        let _e4851 = local_10.member_1[0u];
+                                        let _e4854 = local_10.member[0u];
+                                        let _e4860 = local_10.member_2[0u];
+                                        let _e4861 = ((_e4848 + ((_e4851 - _e4854) * _e3946)) - _e4860);
+                                        let _e4864 = local_10.member[1u];
+                                        let _e4867 = local_10.member_1[1u];
+                                        let _e4870 = local_10.member[1u];
+                                        let _e4876 = local_10.member_2[1u];
+                                        let _e4877 = ((_e4864 + ((_e4867 - _e4870) * _e3946)) - _e4876);
+                                        if (_e4861 < _e4877) {
+                                            phi_4116_ = _e4861;
+                                        } else {
+                                            phi_4116_ = _e4877;
+                                        }
+                                        let _e4880 = phi_4116_;
+                                        let _e4883 = local_10.member[2u];
+                                        let _e4886 = local_10.member_1[2u];
+                                        let _e4889 = local_10.member[2u];
+                                        let _e4895 = local_10.member_2[2u];
+                                        let _e4896 = ((_e4883 + ((_e4886 - _e4889) * _e3946)) - _e4895);
+                                        let _e4899 = local_10.member[3u];
+                                        let _e4902 = local_10.member_1[3u];
+                                        let _e4905 = local_10.member[3u];
+                                        let _e4911 = local_10.member_2[3u];
+                                        let _e4912 = ((_e4899 + ((_e4902 - _e4905) * _e3946)) - _e4911);
+                                        if (_e4896 < _e4912) {
+                                            phi_4189_ = _e4896;
+                                        } else {
+                                            phi_4189_ = _e4912;
+                                        }
+                                        let _e4915 = phi_4189_;
+                                        if (_e4880 < _e4915) {
+                                            phi_4194_ = _e4880;
+                                        } else {
+                                            phi_4194_ = _e4915;
+                                        }
+                                        let _e4918 = phi_4194_;
+                                        let _e4919 = f64(0.0625f);
+                                        let _e4921 = f64(0.9f);
+                                        if (_e4918 > f64(0f)) {
+                                            phi_4217_ = f64(0.5f);
+                                        } else {
+                                            let _e4927 = (f64(0.95f) * (_e4845 / (_e4845 - _e4918)));
+                                            if (_e4927 > _e4919) {
+                                                if (_e4927 < _e4921) {
+                                                    phi_4215_ = _e4927;
+                                                } else {
+                                                    phi_4215_ = _e4921;
+                                                }
+                                                let _e4931 = phi_4215_;
+                                                phi_4216_ = _e4931;
+                                            } else {
+                                                phi_4216_ = _e4919;
+                                            }
+                                            let _e4933 = phi_4216_;
+                                            phi_4217_ = _e4933;
+                                        }
+                                        let _e4935 = phi_4217_;
+                                        phi_4219_ = (_e4257 * _e4935);
+                                        phi_4220_ = true;
+                                    }
+                                    let _e4938 = phi_4219_;
+                                    let _e4940 = phi_4220_;
+                                    phi_4221_ = _e3948;
+                                    phi_4222_ = _e4938;
+                                    phi_4223_ = _e3950;
+                                    phi_4224_ = _e4940;
+                                    phi_4225_ = _e4772;
+                                    phi_4226_ = false;
+                                    phi_4227_ = false;
+                                } else {
+                                    phi_4221_ = _e4761;
+                                    phi_4222_ = _e4763;
+                                    phi_4223_ = _e3946;
+                                    phi_4224_ = _e4767;
+                                    phi_4225_ = false;
+                                    phi_4226_ = _e4769;
+                                    phi_4227_ = _e4771;
+                                }
+                                let _e4942 = phi_4221_;
+                                let _e4944 = phi_4222_;
+                                let _e4946 = phi_4223_;
+                                let _e4948 = phi_4224_;
+                                let _e4950 = phi_4225_;
+                                let _e4952 = phi_4226_;
+                                let _e4954 = phi_4227_;
+                                if _e4948 {
+                                    let _e4955 = (_e4946 + _e4944);
+                                    if (_e4955 > _e4942) {
+                                        phi_4236_ = _e4955;
+                                    } else {
+                                        phi_4236_ = _e4942;
+                                    }
+                                    let _e4958 = phi_4236_;
+                                    if (_e4958 < _e3712) {
+                                        phi_4241_ = _e4958;
+                                    } else {
+                                        phi_4241_ = _e3712;
+                                    }
+                                    let _e4961 = phi_4241_;
+                                    if (_e3964.member_1 > 0u) {
+                                        phi_4252_ = ((_e4961 - _e4946) > f64(0.0000000037252903f));
+                                    } else {
+                                        phi_4252_ = true;
+                                    }
+                                    let _e4967 = phi_4252_;
+                                    if _e4967 {
+                                        phi_4256_ = false;
+                                    } else {
+                                        phi_4256_ = true;
+                                    }
+                                    let _e4969 = phi_4256_;
+                                    phi_4257_ = _e4961;
+                                    phi_4258_ = _e4967;
+                                    phi_4259_ = _e4969;
+                                    phi_4260_ = false;
+                                    phi_4261_ = false;
+                                    phi_4262_ = false;
+                                } else {
+                                    phi_4257_ = f64();
+                                    phi_4258_ = false;
+                                    phi_4259_ = false;
+                                    phi_4260_ = _e4950;
+                                    phi_4261_ = _e4952;
+                                    phi_4262_ = _e4954;
+                                }
+                                let _e4971 = phi_4257_;
+                                let _e4973 = phi_4258_;
+                                let _e4975 = phi_4259_;
+                                let _e4977 = phi_4260_;
+                                let _e4979 = phi_4261_;
+                                let _e4981 = phi_4262_;
+                                phi_2606_ = _e4971;
+                                phi_2608_ = _e4942;
+                                phi_2610_ = _e4946;
+                                phi_4263_ = _e4942;
+                                phi_4264_ = _e4973;
+                                phi_4265_ = _e4975;
+                                phi_4266_ = false;
+                                phi_4267_ = _e4977;
+                                phi_4268_ = _e4979;
+                                phi_4269_ = _e4981;
                             } else {
-                                phi_2796_ = f64();
-                                phi_2332_ = f64();
-                                phi_2797_ = false;
-                                phi_2798_ = false;
-                                phi_2799_ = false;
-                                phi_2800_ = true;
-                                phi_2801_ = false;
-                                phi_2802_ = false;
-                                phi_2803_ = false;
-                                phi_2804_ = false;
-                                phi_2805_ = false;
+                                phi_2606_ = f64();
+                                phi_2608_ = f64();
+                                phi_2610_ = f64();
+                                phi_4263_ = f64();
+                                phi_4264_ = false;
+                                phi_4265_ = false;
+                                phi_4266_ = true;
+                                phi_4267_ = false;
+                                phi_4268_ = false;
+                                phi_4269_ = false;
                             }
-                            let _e3516 = phi_2796_;
-                            let _e3518 = phi_2332_;
-                            let _e3520 = phi_2797_;
-                            let _e3522 = phi_2798_;
-                            let _e3524 = phi_2799_;
-                            let _e3526 = phi_2800_;
-                            let _e3528 = phi_2801_;
-                            let _e3530 = phi_2802_;
-                            let _e3532 = phi_2803_;
-                            let _e3534 = phi_2804_;
-                            let _e3536 = phi_2805_;
-                            local_36 = _e3522;
-                            local_69 = _e3524;
-                            local_70 = _e3526;
-                            local_71 = _e3528;
-                            local_72 = _e3530;
-                            local_73 = _e3532;
-                            local_74 = _e3534;
-                            local_75 = _e3536;
-                            local_76 = _e3516;
-                            local_78 = _e3522;
+                            let _e4983 = phi_2606_;
+                            let _e4985 = phi_2608_;
+                            let _e4987 = phi_2610_;
+                            let _e4989 = phi_4263_;
+                            let _e4991 = phi_4264_;
+                            let _e4993 = phi_4265_;
+                            let _e4995 = phi_4266_;
+                            let _e4997 = phi_4267_;
+                            let _e4999 = phi_4268_;
+                            let _e5001 = phi_4269_;
+                            local_25 = _e4993;
+                            local_43 = _e4989;
+                            local_45 = _e4995;
+                            local_46 = _e4997;
+                            local_47 = _e4999;
+                            local_48 = _e5001;
                             continue;
                             continuing {
-                                phi_2328_ = _e3151;
-                                phi_2331_ = _e3518;
-                                break if !(_e3520);
+                                phi_2602_ = _e3962;
+                                phi_2605_ = _e4983;
+                                phi_2607_ = _e4985;
+                                phi_2609_ = _e4987;
+                                break if !(_e4991);
                             }
                         }
-                        let _e3539 = local_36;
-                        if _e3539 {
-                            phi_2810_ = type_40(0u, type_40().member_1);
-                            phi_2811_ = false;
-                            phi_2812_ = false;
-                            phi_2813_ = false;
-                            phi_2814_ = false;
-                            phi_2815_ = false;
-                            phi_2816_ = false;
-                            phi_2817_ = false;
+                        let _e5004 = local_25;
+                        if _e5004 {
+                            let _e6289 = local_43;
+                            phi_4273_ = _e6289;
+                            phi_4274_ = true;
+                            phi_4275_ = false;
+                            phi_4276_ = false;
+                            phi_4277_ = false;
                         } else {
-                            phi_2810_ = type_40();
-                            let _e4778 = local_69;
-                            phi_2811_ = _e4778;
-                            let _e4781 = local_70;
-                            phi_2812_ = _e4781;
-                            let _e4784 = local_71;
-                            phi_2813_ = _e4784;
-                            let _e4787 = local_72;
-                            phi_2814_ = _e4787;
-                            let _e4790 = local_73;
-                            phi_2815_ = _e4790;
-                            let _e4793 = local_74;
-                            phi_2816_ = _e4793;
-                            let _e4796 = local_75;
-                            phi_2817_ = _e4796;
+                            let _e6291 = local_44;
+                            phi_4273_ = _e6291;
+                            let _e6294 = local_45;
+                            phi_4274_ = _e6294;
+                            let _e6297 = local_46;
+                            phi_4275_ = _e6297;
+                            let _e6300 = local_47;
+                            phi_4276_ = _e6300;
+                            let _e6303 = local_48;
+                            phi_4277_ = _e6303;
                         }
-                        let _e3543 = phi_2810_;
-                        let _e3545 = phi_2811_;
-                        let _e3547 = phi_2812_;
-                        let _e3549 = phi_2813_;
-                        let _e3551 = phi_2814_;
-                        let _e3553 = phi_2815_;
-                        let _e3555 = phi_2816_;
-                        let _e3557 = phi_2817_;
-                        if _e3545 {
-                            let _e4799 = local_76;
-                            phi_2821_ = _e4799;
-                            phi_2822_ = true;
-                            phi_2823_ = false;
-                            phi_2824_ = false;
-                            phi_2825_ = false;
-                            phi_2826_ = false;
-                            phi_2827_ = false;
-                            phi_2828_ = false;
+                        let _e5006 = phi_4273_;
+                        let _e5008 = phi_4274_;
+                        let _e5010 = phi_4275_;
+                        let _e5012 = phi_4276_;
+                        let _e5014 = phi_4277_;
+                        if _e5008 {
+                            phi_4282_ = type_44(1u, _e5006);
+                            phi_4283_ = false;
+                            phi_4284_ = false;
+                            phi_4285_ = false;
                         } else {
-                            let _e4801 = local_77;
-                            phi_2821_ = _e4801;
-                            phi_2822_ = _e3547;
-                            phi_2823_ = _e3549;
-                            phi_2824_ = _e3551;
-                            phi_2825_ = _e3553;
-                            let _e4808 = local_78;
-                            phi_2826_ = _e4808;
-                            phi_2827_ = _e3555;
-                            phi_2828_ = _e3557;
+                            phi_4282_ = type_44();
+                            phi_4283_ = _e5010;
+                            phi_4284_ = _e5012;
+                            phi_4285_ = _e5014;
                         }
-                        let _e3559 = phi_2821_;
-                        let _e3561 = phi_2822_;
-                        let _e3563 = phi_2823_;
-                        let _e3565 = phi_2824_;
-                        let _e3567 = phi_2825_;
-                        let _e3569 = phi_2826_;
-                        let _e3571 = phi_2827_;
-                        let _e3573 = phi_2828_;
-                        if _e3561 {
-                            phi_2833_ = type_40(1u, _e3559);
-                            phi_2834_ = false;
-                            phi_2835_ = false;
-                            phi_2836_ = false;
-                            phi_2837_ = false;
-                            phi_2838_ = false;
-                            phi_2839_ = false;
+                        let _e5017 = phi_4282_;
+                        let _e5019 = phi_4283_;
+                        let _e5021 = phi_4284_;
+                        let _e5023 = phi_4285_;
+                        if _e5019 {
+                            let _e5025 = local_26;
+                            phi_4290_ = type_44(1u, _e5025);
+                            phi_4291_ = false;
+                            phi_4292_ = false;
                         } else {
-                            phi_2833_ = type_40();
-                            phi_2834_ = _e3563;
-                            phi_2835_ = _e3565;
-                            phi_2836_ = _e3567;
-                            phi_2837_ = _e3569;
-                            phi_2838_ = _e3571;
-                            phi_2839_ = _e3573;
+                            phi_4290_ = type_44();
+                            phi_4291_ = _e5021;
+                            phi_4292_ = _e5023;
                         }
-                        let _e3576 = phi_2833_;
-                        let _e3578 = phi_2834_;
-                        let _e3580 = phi_2835_;
-                        let _e3582 = phi_2836_;
-                        let _e3584 = phi_2837_;
-                        let _e3586 = phi_2838_;
-                        let _e3588 = phi_2839_;
-                        if _e3578 {
-                            let _e3590 = local_37;
-                            phi_2844_ = type_40(1u, _e3590);
-                            phi_2845_ = false;
-                            phi_2846_ = false;
-                            phi_2847_ = true;
-                            phi_2848_ = false;
-                            phi_2849_ = false;
+                        let _e5028 = phi_4290_;
+                        let _e5030 = phi_4291_;
+                        let _e5032 = phi_4292_;
+                        if _e5030 {
+                            phi_4297_ = type_44(0u, type_44().member_1);
+                            phi_4298_ = false;
+                            phi_4299_ = true;
                         } else {
-                            phi_2844_ = _e3543;
-                            phi_2845_ = _e3580;
-                            phi_2846_ = _e3582;
-                            phi_2847_ = _e3584;
-                            phi_2848_ = _e3586;
-                            phi_2849_ = _e3588;
+                            phi_4297_ = _e5028;
+                            phi_4298_ = _e5032;
+                            phi_4299_ = _e5019;
                         }
-                        let _e3593 = phi_2844_;
-                        let _e3595 = phi_2845_;
-                        let _e3597 = phi_2846_;
-                        let _e3599 = phi_2847_;
-                        let _e3601 = phi_2848_;
-                        let _e3603 = phi_2849_;
-                        if _e3595 {
-                            let _e3605 = local_38;
-                            phi_2854_ = type_40(1u, _e3605);
-                            phi_2855_ = false;
-                            phi_2856_ = false;
-                            phi_2857_ = false;
-                            phi_2858_ = false;
+                        let _e5036 = phi_4297_;
+                        let _e5038 = phi_4298_;
+                        let _e5040 = phi_4299_;
+                        if _e5038 {
+                            phi_4304_ = type_44(0u, type_44().member_1);
+                            phi_4305_ = true;
                         } else {
-                            phi_2854_ = type_40();
-                            phi_2855_ = _e3597;
-                            phi_2856_ = _e3599;
-                            phi_2857_ = _e3601;
-                            phi_2858_ = _e3603;
+                            phi_4304_ = _e5036;
+                            phi_4305_ = _e5040;
                         }
-                        let _e3608 = phi_2854_;
-                        let _e3610 = phi_2855_;
-                        let _e3612 = phi_2856_;
-                        let _e3614 = phi_2857_;
-                        let _e3616 = phi_2858_;
-                        if _e3610 {
-                            let _e3618 = local_39;
-                            phi_2863_ = type_40(1u, _e3618);
-                            phi_2864_ = true;
-                            phi_2865_ = false;
-                            phi_2866_ = false;
-                            phi_2867_ = false;
+                        let _e5044 = phi_4304_;
+                        let _e5046 = phi_4305_;
+                        if _e5046 {
+                            phi_4309_ = _e5044;
                         } else {
-                            phi_2863_ = _e3608;
-                            phi_2864_ = _e3595;
-                            phi_2865_ = _e3612;
-                            phi_2866_ = _e3614;
-                            phi_2867_ = _e3616;
+                            phi_4309_ = _e5017;
                         }
-                        let _e3621 = phi_2863_;
-                        let _e3623 = phi_2864_;
-                        let _e3625 = phi_2865_;
-                        let _e3627 = phi_2866_;
-                        let _e3629 = phi_2867_;
-                        if _e3623 {
-                            phi_2871_ = _e3621;
-                            phi_2872_ = true;
-                            phi_2873_ = false;
-                            phi_2874_ = false;
-                        } else {
-                            phi_2871_ = _e3593;
-                            phi_2872_ = _e3625;
-                            phi_2873_ = _e3627;
-                            phi_2874_ = _e3629;
-                        }
-                        let _e3631 = phi_2871_;
-                        let _e3633 = phi_2872_;
-                        let _e3635 = phi_2873_;
-                        let _e3637 = phi_2874_;
-                        if _e3633 {
-                            phi_2878_ = false;
-                            phi_2879_ = false;
-                        } else {
-                            phi_2878_ = _e3635;
-                            phi_2879_ = _e3637;
-                        }
-                        let _e3639 = phi_2878_;
-                        let _e3641 = phi_2879_;
-                        if _e3639 {
-                            phi_2883_ = false;
-                            phi_2884_ = false;
-                        } else {
-                            phi_2883_ = _e3641;
-                            phi_2884_ = _e3633;
-                        }
-                        let _e3643 = phi_2883_;
-                        let _e3645 = phi_2884_;
-                        if _e3643 {
-                            phi_2888_ = true;
-                            phi_2889_ = false;
-                        } else {
-                            phi_2888_ = _e3639;
-                            phi_2889_ = _e3645;
-                        }
-                        let _e3647 = phi_2888_;
-                        let _e3649 = phi_2889_;
-                        if _e3647 {
-                            let _e3651 = local_40;
-                            phi_2894_ = type_40(1u, _e3651);
-                            phi_2895_ = true;
-                        } else {
-                            phi_2894_ = _e3631;
-                            phi_2895_ = _e3649;
-                        }
-                        let _e3654 = phi_2894_;
-                        let _e3656 = phi_2895_;
-                        if _e3656 {
-                            phi_2899_ = _e3654;
-                        } else {
-                            phi_2899_ = _e3576;
-                        }
-                        let _e3658 = phi_2899_;
-                        if (_e3658.member != 0u) {
+                        let _e5048 = phi_4309_;
+                        if (_e5048.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_2913_ = type_19(0u, 3u);
+                            phi_4323_ = type_9(0u, 3u);
                             loop {
-                                let _e3670 = phi_2913_;
-                                if (_e3670.member < _e3670.member_1) {
-                                    phi_2914_ = type_19((_e3670.member + 1u), _e3670.member_1);
-                                    phi_2937_ = type_19(1u, _e3670.member);
+                                let _e5060 = phi_4323_;
+                                if (_e5060.member < _e5060.member_1) {
+                                    phi_4324_ = type_9((_e5060.member + 1u), _e5060.member_1);
+                                    phi_4347_ = type_9(1u, _e5060.member);
                                 } else {
-                                    phi_2914_ = _e3670;
-                                    phi_2937_ = type_19(0u, type_19().member_1);
+                                    phi_4324_ = _e5060;
+                                    phi_4347_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e3682 = phi_2914_;
-                                let _e3684 = phi_2937_;
-                                if (bitcast<i32>(_e3684.member) != 0i) {
-                                    let _e3690 = local_11[_e3684.member_1];
-                                    let _e3692 = (_e3658.member_1 + f64(_e3690));
-                                    if (_e3692 < _e2904) {
-                                        phi_2958_ = _e3692;
+                                let _e5072 = phi_4324_;
+                                let _e5074 = phi_4347_;
+                                if (bitcast<i32>(_e5074.member) != 0i) {
+                                    let _e5080 = local_11[_e5074.member_1];
+                                    let _e5082 = (_e5048.member_1 + f64(_e5080));
+                                    if (_e5082 < _e3712) {
+                                        phi_4368_ = _e5082;
                                     } else {
-                                        phi_2958_ = _e2904;
+                                        phi_4368_ = _e3712;
                                     }
-                                    let _e3695 = phi_2958_;
-                                    let _e3698 = local_12.member[0u];
-                                    let _e3704 = local_12.member[1u];
-                                    let _e3720 = local_12.member_1[0u];
-                                    let _e3726 = local_12.member_1[1u];
-                                    let _e3742 = local_12.member_2[0u];
-                                    let _e3748 = local_12.member_2[1u];
-                                    let _e3762 = function_2(array<f64, 3>((_e3698[0] + ((_e3704[0] - _e3698[0]) * _e3695)), (_e3698[1] + ((_e3704[1] - _e3698[1]) * _e3695)), (_e3698[2] + ((_e3704[2] - _e3698[2]) * _e3695))), array<f64, 3>((_e3720[0] + ((_e3726[0] - _e3720[0]) * _e3695)), (_e3720[1] + ((_e3726[1] - _e3720[1]) * _e3695)), (_e3720[2] + ((_e3726[2] - _e3720[2]) * _e3695))), array<f64, 3>((_e3742[0] + ((_e3748[0] - _e3742[0]) * _e3695)), (_e3742[1] + ((_e3748[1] - _e3742[1]) * _e3695)), (_e3742[2] + ((_e3748[2] - _e3742[2]) * _e3695))), 0u);
-                                    let _e3773 = (((_e3762[0] * _e3762[0]) + (_e3762[1] * _e3762[1])) + (_e3762[2] * _e3762[2]));
-                                    if (_e3773 <= 2.2250738585072014e-308lf) {
-                                        if (_e3773 > 0.0lf) {
-                                            phi_3081_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e5085 = phi_4368_;
+                                    let _e5088 = local_12.member[0u];
+                                    let _e5094 = local_12.member[1u];
+                                    let _e5110 = local_12.member_1[0u];
+                                    let _e5116 = local_12.member_1[1u];
+                                    let _e5132 = local_12.member_2[0u];
+                                    let _e5138 = local_12.member_2[1u];
+                                    let _e5152 = function_2(array<f64, 3>((_e5088[0] + ((_e5094[0] - _e5088[0]) * _e5085)), (_e5088[1] + ((_e5094[1] - _e5088[1]) * _e5085)), (_e5088[2] + ((_e5094[2] - _e5088[2]) * _e5085))), array<f64, 3>((_e5110[0] + ((_e5116[0] - _e5110[0]) * _e5085)), (_e5110[1] + ((_e5116[1] - _e5110[1]) * _e5085)), (_e5110[2] + ((_e5116[2] - _e5110[2]) * _e5085))), array<f64, 3>((_e5132[0] + ((_e5138[0] - _e5132[0]) * _e5085)), (_e5132[1] + ((_e5138[1] - _e5132[1]) * _e5085)), (_e5132[2] + ((_e5138[2] - _e5132[2]) * _e5085))), 0u);
+                                    let _e5163 = (((_e5152[0] * _e5152[0]) + (_e5152[1] * _e5152[1])) + (_e5152[2] * _e5152[2]));
+                                    if (_e5163 <= 2.2250738585072014e-308lf) {
+                                        if (_e5163 > 0.0lf) {
+                                            phi_4491_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3081_ = 0.0lf;
+                                            phi_4491_ = 0.0lf;
                                         }
-                                        let _e3825 = phi_3081_;
-                                        phi_3145_ = _e3825;
+                                        let _e5215 = phi_4491_;
+                                        phi_4555_ = _e5215;
                                     } else {
-                                        phi_3088_ = type_17(0i, 5i);
-                                        phi_3091_ = bitcast<f64>(((bitcast<u64>(_e3773) / 2lu) + 2303426169912950784lu));
+                                        phi_4498_ = type_16(0i, 5i);
+                                        phi_4501_ = bitcast<f64>(((bitcast<u64>(_e5163) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e3780 = phi_3088_;
-                                            let _e3782 = phi_3091_;
-                                            local_41 = _e3782;
-                                            if (_e3780.member < _e3780.member_1) {
-                                                let _e3789 = (_e3780.member + 1i);
-                                                if ((false == (_e3789 > _e3780.member)) != false) {
-                                                    phi_3112_ = true;
+                                            let _e5170 = phi_4498_;
+                                            let _e5172 = phi_4501_;
+                                            local_27 = _e5172;
+                                            if (_e5170.member < _e5170.member_1) {
+                                                let _e5179 = (_e5170.member + 1i);
+                                                if ((false == (_e5179 > _e5170.member)) != false) {
+                                                    phi_4522_ = true;
                                                 } else {
-                                                    phi_3112_ = false;
+                                                    phi_4522_ = false;
                                                 }
-                                                let _e3794 = phi_3112_;
-                                                if _e3794 {
-                                                    phi_3118_ = type_18(0u, type_18().member_1);
+                                                let _e5184 = phi_4522_;
+                                                if _e5184 {
+                                                    phi_4528_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3118_ = type_18(1u, _e3789);
+                                                    phi_4528_ = type_17(1u, _e5179);
                                                 }
-                                                let _e3799 = phi_3118_;
-                                                phi_3089_ = type_17(_e3799.member_1, _e3780.member_1);
-                                                phi_3132_ = type_18(1u, _e3780.member);
+                                                let _e5189 = phi_4528_;
+                                                phi_4499_ = type_16(_e5189.member_1, _e5170.member_1);
+                                                phi_4542_ = type_17(1u, _e5170.member);
                                             } else {
-                                                phi_3089_ = _e3780;
-                                                phi_3132_ = type_18(0u, type_18().member_1);
+                                                phi_4499_ = _e5170;
+                                                phi_4542_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e3805 = phi_3089_;
-                                            let _e3807 = phi_3132_;
-                                            let _e3810 = (bitcast<i32>(_e3807.member) != 0i);
-                                            if _e3810 {
-                                                phi_3092_ = (0.5lf * (_e3782 + (_e3773 / _e3782)));
+                                            let _e5195 = phi_4499_;
+                                            let _e5197 = phi_4542_;
+                                            let _e5200 = (bitcast<i32>(_e5197.member) != 0i);
+                                            if _e5200 {
+                                                phi_4502_ = (0.5lf * (_e5172 + (_e5163 / _e5172)));
                                             } else {
-                                                phi_3092_ = f64();
+                                                phi_4502_ = f64();
                                             }
-                                            let _e3815 = phi_3092_;
+                                            let _e5205 = phi_4502_;
                                             continue;
                                             continuing {
-                                                phi_3088_ = _e3805;
-                                                phi_3091_ = _e3815;
-                                                break if !(_e3810);
+                                                phi_4498_ = _e5195;
+                                                phi_4501_ = _e5205;
+                                                break if !(_e5200);
                                             }
                                         }
-                                        let _e3820 = local_41;
-                                        phi_3145_ = (_e3820 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e5210 = local_27;
+                                        phi_4555_ = (_e5210 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e3827 = phi_3145_;
-                                    let _e3835 = local_12.member[0u];
-                                    if (_e3835[0] < 0.0lf) {
-                                        phi_3163_ = -(_e3835[0]);
+                                    let _e5217 = phi_4555_;
+                                    let _e5225 = local_12.member[0u];
+                                    if (_e5225[0] < 0.0lf) {
+                                        phi_4573_ = -(_e5225[0]);
                                     } else {
-                                        phi_3163_ = _e3835[0];
+                                        phi_4573_ = _e5225[0];
                                     }
-                                    let _e3842 = phi_3163_;
-                                    if (_e3835[1] < 0.0lf) {
-                                        phi_3170_ = -(_e3835[1]);
+                                    let _e5232 = phi_4573_;
+                                    if (_e5225[1] < 0.0lf) {
+                                        phi_4580_ = -(_e5225[1]);
                                     } else {
-                                        phi_3170_ = _e3835[1];
+                                        phi_4580_ = _e5225[1];
                                     }
-                                    let _e3846 = phi_3170_;
-                                    if (_e3842 > _e3846) {
-                                        phi_3175_ = _e3842;
+                                    let _e5236 = phi_4580_;
+                                    if (_e5232 > _e5236) {
+                                        phi_4585_ = _e5232;
                                     } else {
-                                        phi_3175_ = _e3846;
+                                        phi_4585_ = _e5236;
                                     }
-                                    let _e3849 = phi_3175_;
-                                    if (_e3835[2] < 0.0lf) {
-                                        phi_3182_ = -(_e3835[2]);
+                                    let _e5239 = phi_4585_;
+                                    if (_e5225[2] < 0.0lf) {
+                                        phi_4592_ = -(_e5225[2]);
                                     } else {
-                                        phi_3182_ = _e3835[2];
+                                        phi_4592_ = _e5225[2];
                                     }
-                                    let _e3853 = phi_3182_;
-                                    if (_e3849 > _e3853) {
-                                        phi_3187_ = _e3849;
+                                    let _e5243 = phi_4592_;
+                                    if (_e5239 > _e5243) {
+                                        phi_4597_ = _e5239;
                                     } else {
-                                        phi_3187_ = _e3853;
+                                        phi_4597_ = _e5243;
                                     }
-                                    let _e3856 = phi_3187_;
-                                    let _e3859 = local_12.member[1u];
-                                    if (_e3859[0] < 0.0lf) {
-                                        phi_3200_ = -(_e3859[0]);
+                                    let _e5246 = phi_4597_;
+                                    let _e5249 = local_12.member[1u];
+                                    if (_e5249[0] < 0.0lf) {
+                                        phi_4610_ = -(_e5249[0]);
                                     } else {
-                                        phi_3200_ = _e3859[0];
+                                        phi_4610_ = _e5249[0];
                                     }
-                                    let _e3866 = phi_3200_;
-                                    if (_e3859[1] < 0.0lf) {
-                                        phi_3207_ = -(_e3859[1]);
+                                    let _e5256 = phi_4610_;
+                                    if (_e5249[1] < 0.0lf) {
+                                        phi_4617_ = -(_e5249[1]);
                                     } else {
-                                        phi_3207_ = _e3859[1];
+                                        phi_4617_ = _e5249[1];
                                     }
-                                    let _e3870 = phi_3207_;
-                                    if (_e3866 > _e3870) {
-                                        phi_3212_ = _e3866;
+                                    let _e5260 = phi_4617_;
+                                    if (_e5256 > _e5260) {
+                                        phi_4622_ = _e5256;
                                     } else {
-                                        phi_3212_ = _e3870;
+                                        phi_4622_ = _e5260;
                                     }
-                                    let _e3873 = phi_3212_;
-                                    if (_e3859[2] < 0.0lf) {
-                                        phi_3219_ = -(_e3859[2]);
+                                    let _e5263 = phi_4622_;
+                                    if (_e5249[2] < 0.0lf) {
+                                        phi_4629_ = -(_e5249[2]);
                                     } else {
-                                        phi_3219_ = _e3859[2];
+                                        phi_4629_ = _e5249[2];
                                     }
-                                    let _e3877 = phi_3219_;
-                                    if (_e3873 > _e3877) {
-                                        phi_3224_ = _e3873;
+                                    let _e5267 = phi_4629_;
+                                    if (_e5263 > _e5267) {
+                                        phi_4634_ = _e5263;
                                     } else {
-                                        phi_3224_ = _e3877;
+                                        phi_4634_ = _e5267;
                                     }
-                                    let _e3880 = phi_3224_;
-                                    if (_e3856 > _e3880) {
-                                        phi_3229_ = _e3856;
+                                    let _e5270 = phi_4634_;
+                                    if (_e5246 > _e5270) {
+                                        phi_4639_ = _e5246;
                                     } else {
-                                        phi_3229_ = _e3880;
+                                        phi_4639_ = _e5270;
                                     }
-                                    let _e3883 = phi_3229_;
-                                    let _e3885 = local_12.member_3;
-                                    let _e3889 = local_12.member_1[0u];
-                                    if (_e3889[0] < 0.0lf) {
-                                        phi_3246_ = -(_e3889[0]);
+                                    let _e5273 = phi_4639_;
+                                    let _e5275 = local_12.member_3;
+                                    let _e5279 = local_12.member_1[0u];
+                                    if (_e5279[0] < 0.0lf) {
+                                        phi_4656_ = -(_e5279[0]);
                                     } else {
-                                        phi_3246_ = _e3889[0];
+                                        phi_4656_ = _e5279[0];
                                     }
-                                    let _e3896 = phi_3246_;
-                                    if (_e3889[1] < 0.0lf) {
-                                        phi_3253_ = -(_e3889[1]);
+                                    let _e5286 = phi_4656_;
+                                    if (_e5279[1] < 0.0lf) {
+                                        phi_4663_ = -(_e5279[1]);
                                     } else {
-                                        phi_3253_ = _e3889[1];
+                                        phi_4663_ = _e5279[1];
                                     }
-                                    let _e3900 = phi_3253_;
-                                    if (_e3896 > _e3900) {
-                                        phi_3258_ = _e3896;
+                                    let _e5290 = phi_4663_;
+                                    if (_e5286 > _e5290) {
+                                        phi_4668_ = _e5286;
                                     } else {
-                                        phi_3258_ = _e3900;
+                                        phi_4668_ = _e5290;
                                     }
-                                    let _e3903 = phi_3258_;
-                                    if (_e3889[2] < 0.0lf) {
-                                        phi_3265_ = -(_e3889[2]);
+                                    let _e5293 = phi_4668_;
+                                    if (_e5279[2] < 0.0lf) {
+                                        phi_4675_ = -(_e5279[2]);
                                     } else {
-                                        phi_3265_ = _e3889[2];
+                                        phi_4675_ = _e5279[2];
                                     }
-                                    let _e3907 = phi_3265_;
-                                    if (_e3903 > _e3907) {
-                                        phi_3270_ = _e3903;
+                                    let _e5297 = phi_4675_;
+                                    if (_e5293 > _e5297) {
+                                        phi_4680_ = _e5293;
                                     } else {
-                                        phi_3270_ = _e3907;
+                                        phi_4680_ = _e5297;
                                     }
-                                    let _e3910 = phi_3270_;
-                                    let _e3913 = local_12.member_1[1u];
-                                    if (_e3913[0] < 0.0lf) {
-                                        phi_3284_ = -(_e3913[0]);
+                                    let _e5300 = phi_4680_;
+                                    let _e5303 = local_12.member_1[1u];
+                                    if (_e5303[0] < 0.0lf) {
+                                        phi_4694_ = -(_e5303[0]);
                                     } else {
-                                        phi_3284_ = _e3913[0];
+                                        phi_4694_ = _e5303[0];
                                     }
-                                    let _e3920 = phi_3284_;
-                                    if (_e3913[1] < 0.0lf) {
-                                        phi_3291_ = -(_e3913[1]);
+                                    let _e5310 = phi_4694_;
+                                    if (_e5303[1] < 0.0lf) {
+                                        phi_4701_ = -(_e5303[1]);
                                     } else {
-                                        phi_3291_ = _e3913[1];
+                                        phi_4701_ = _e5303[1];
                                     }
-                                    let _e3924 = phi_3291_;
-                                    if (_e3920 > _e3924) {
-                                        phi_3296_ = _e3920;
+                                    let _e5314 = phi_4701_;
+                                    if (_e5310 > _e5314) {
+                                        phi_4706_ = _e5310;
                                     } else {
-                                        phi_3296_ = _e3924;
+                                        phi_4706_ = _e5314;
                                     }
-                                    let _e3927 = phi_3296_;
-                                    if (_e3913[2] < 0.0lf) {
-                                        phi_3303_ = -(_e3913[2]);
+                                    let _e5317 = phi_4706_;
+                                    if (_e5303[2] < 0.0lf) {
+                                        phi_4713_ = -(_e5303[2]);
                                     } else {
-                                        phi_3303_ = _e3913[2];
+                                        phi_4713_ = _e5303[2];
                                     }
-                                    let _e3931 = phi_3303_;
-                                    if (_e3927 > _e3931) {
-                                        phi_3308_ = _e3927;
+                                    let _e5321 = phi_4713_;
+                                    if (_e5317 > _e5321) {
+                                        phi_4718_ = _e5317;
                                     } else {
-                                        phi_3308_ = _e3931;
+                                        phi_4718_ = _e5321;
                                     }
-                                    let _e3934 = phi_3308_;
-                                    if (_e3910 > _e3934) {
-                                        phi_3313_ = _e3910;
+                                    let _e5324 = phi_4718_;
+                                    if (_e5300 > _e5324) {
+                                        phi_4723_ = _e5300;
                                     } else {
-                                        phi_3313_ = _e3934;
+                                        phi_4723_ = _e5324;
                                     }
-                                    let _e3937 = phi_3313_;
-                                    let _e3939 = local_12.member_3;
-                                    let _e3943 = local_12.member_2[0u];
-                                    if (_e3943[0] < 0.0lf) {
-                                        phi_3330_ = -(_e3943[0]);
+                                    let _e5327 = phi_4723_;
+                                    let _e5329 = local_12.member_3;
+                                    let _e5333 = local_12.member_2[0u];
+                                    if (_e5333[0] < 0.0lf) {
+                                        phi_4740_ = -(_e5333[0]);
                                     } else {
-                                        phi_3330_ = _e3943[0];
+                                        phi_4740_ = _e5333[0];
                                     }
-                                    let _e3950 = phi_3330_;
-                                    if (_e3943[1] < 0.0lf) {
-                                        phi_3337_ = -(_e3943[1]);
+                                    let _e5340 = phi_4740_;
+                                    if (_e5333[1] < 0.0lf) {
+                                        phi_4747_ = -(_e5333[1]);
                                     } else {
-                                        phi_3337_ = _e3943[1];
+                                        phi_4747_ = _e5333[1];
                                     }
-                                    let _e3954 = phi_3337_;
-                                    if (_e3950 > _e3954) {
-                                        phi_3342_ = _e3950;
+                                    let _e5344 = phi_4747_;
+                                    if (_e5340 > _e5344) {
+                                        phi_4752_ = _e5340;
                                     } else {
-                                        phi_3342_ = _e3954;
+                                        phi_4752_ = _e5344;
                                     }
-                                    let _e3957 = phi_3342_;
-                                    if (_e3943[2] < 0.0lf) {
-                                        phi_3349_ = -(_e3943[2]);
+                                    let _e5347 = phi_4752_;
+                                    if (_e5333[2] < 0.0lf) {
+                                        phi_4759_ = -(_e5333[2]);
                                     } else {
-                                        phi_3349_ = _e3943[2];
+                                        phi_4759_ = _e5333[2];
                                     }
-                                    let _e3961 = phi_3349_;
-                                    if (_e3957 > _e3961) {
-                                        phi_3354_ = _e3957;
+                                    let _e5351 = phi_4759_;
+                                    if (_e5347 > _e5351) {
+                                        phi_4764_ = _e5347;
                                     } else {
-                                        phi_3354_ = _e3961;
+                                        phi_4764_ = _e5351;
                                     }
-                                    let _e3964 = phi_3354_;
-                                    let _e3967 = local_12.member_2[1u];
-                                    if (_e3967[0] < 0.0lf) {
-                                        phi_3368_ = -(_e3967[0]);
+                                    let _e5354 = phi_4764_;
+                                    let _e5357 = local_12.member_2[1u];
+                                    if (_e5357[0] < 0.0lf) {
+                                        phi_4778_ = -(_e5357[0]);
                                     } else {
-                                        phi_3368_ = _e3967[0];
+                                        phi_4778_ = _e5357[0];
                                     }
-                                    let _e3974 = phi_3368_;
-                                    if (_e3967[1] < 0.0lf) {
-                                        phi_3375_ = -(_e3967[1]);
+                                    let _e5364 = phi_4778_;
+                                    if (_e5357[1] < 0.0lf) {
+                                        phi_4785_ = -(_e5357[1]);
                                     } else {
-                                        phi_3375_ = _e3967[1];
+                                        phi_4785_ = _e5357[1];
                                     }
-                                    let _e3978 = phi_3375_;
-                                    if (_e3974 > _e3978) {
-                                        phi_3380_ = _e3974;
+                                    let _e5368 = phi_4785_;
+                                    if (_e5364 > _e5368) {
+                                        phi_4790_ = _e5364;
                                     } else {
-                                        phi_3380_ = _e3978;
+                                        phi_4790_ = _e5368;
                                     }
-                                    let _e3981 = phi_3380_;
-                                    if (_e3967[2] < 0.0lf) {
-                                        phi_3387_ = -(_e3967[2]);
+                                    let _e5371 = phi_4790_;
+                                    if (_e5357[2] < 0.0lf) {
+                                        phi_4797_ = -(_e5357[2]);
                                     } else {
-                                        phi_3387_ = _e3967[2];
+                                        phi_4797_ = _e5357[2];
                                     }
-                                    let _e3985 = phi_3387_;
-                                    if (_e3981 > _e3985) {
-                                        phi_3392_ = _e3981;
+                                    let _e5375 = phi_4797_;
+                                    if (_e5371 > _e5375) {
+                                        phi_4802_ = _e5371;
                                     } else {
-                                        phi_3392_ = _e3985;
+                                        phi_4802_ = _e5375;
                                     }
-                                    let _e3988 = phi_3392_;
-                                    if (_e3964 > _e3988) {
-                                        phi_3397_ = _e3964;
+                                    let _e5378 = phi_4802_;
+                                    if (_e5354 > _e5378) {
+                                        phi_4807_ = _e5354;
                                     } else {
-                                        phi_3397_ = _e3988;
+                                        phi_4807_ = _e5378;
                                     }
-                                    let _e3991 = phi_3397_;
-                                    let _e3993 = local_12.member_3;
-                                    let _e4001 = local_12.member_3;
-                                    let _e4011 = (((_e3827 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e3883 + _e3885) + (_e3937 + _e3939)) + (_e3991 + _e3993)) * (1.1102230246251565e-16lf * f64(16f))) + (_e4001 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e370);
-                                    if _e4011 {
-                                        phi_3421_ = false;
+                                    let _e5381 = phi_4807_;
+                                    let _e5383 = local_12.member_3;
+                                    let _e5391 = local_12.member_3;
+                                    let _e5401 = (((_e5217 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5273 + _e5275) + (_e5327 + _e5329)) + (_e5381 + _e5383)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5391 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1);
+                                    if _e5401 {
+                                        phi_4831_ = false;
                                     } else {
-                                        phi_3421_ = true;
+                                        phi_4831_ = true;
                                     }
-                                    let _e4013 = phi_3421_;
-                                    phi_3422_ = _e4013;
-                                    phi_3423_ = _e4011;
+                                    let _e5403 = phi_4831_;
+                                    phi_4832_ = _e5403;
+                                    phi_4833_ = _e5401;
                                 } else {
-                                    phi_3422_ = false;
-                                    phi_3423_ = false;
+                                    phi_4832_ = false;
+                                    phi_4833_ = false;
                                 }
-                                let _e4015 = phi_3422_;
-                                let _e4017 = phi_3423_;
-                                local_42 = _e4017;
+                                let _e5405 = phi_4832_;
+                                let _e5407 = phi_4833_;
+                                local_28 = _e5407;
                                 continue;
                                 continuing {
-                                    phi_2913_ = _e3682;
-                                    break if !(_e4015);
+                                    phi_4323_ = _e5072;
+                                    break if !(_e5405);
                                 }
                             }
-                            let _e4020 = local_42;
-                            if _e4020 {
-                                phi_3428_ = type_40(1u, _e3658.member_1);
-                                phi_3429_ = false;
+                            let _e5410 = local_28;
+                            if _e5410 {
+                                phi_4838_ = type_44(1u, _e5048.member_1);
+                                phi_4839_ = false;
                             } else {
-                                phi_3428_ = type_40();
-                                phi_3429_ = true;
+                                phi_4838_ = type_44();
+                                phi_4839_ = true;
                             }
-                            let _e4023 = phi_3428_;
-                            let _e4025 = phi_3429_;
-                            if _e4025 {
-                                phi_3434_ = type_40(2u, _e3658.member_1);
-                                phi_3435_ = false;
+                            let _e5413 = phi_4838_;
+                            let _e5415 = phi_4839_;
+                            if _e5415 {
+                                phi_4844_ = type_44(2u, _e5048.member_1);
+                                phi_4845_ = false;
                             } else {
-                                phi_3434_ = type_40();
-                                phi_3435_ = true;
+                                phi_4844_ = type_44();
+                                phi_4845_ = true;
                             }
-                            let _e4028 = phi_3434_;
-                            let _e4030 = phi_3435_;
-                            phi_3437_ = _e4028;
-                            phi_3438_ = _e4023;
-                            phi_3439_ = _e4030;
+                            let _e5418 = phi_4844_;
+                            let _e5420 = phi_4845_;
+                            phi_4847_ = _e5418;
+                            phi_4848_ = _e5413;
+                            phi_4849_ = _e5420;
                         } else {
-                            phi_3437_ = type_40();
-                            phi_3438_ = type_40(0u, type_40().member_1);
-                            phi_3439_ = true;
+                            phi_4847_ = type_44();
+                            phi_4848_ = type_44(0u, type_44().member_1);
+                            phi_4849_ = true;
                         }
-                        let _e4032 = phi_3437_;
-                        let _e4034 = phi_3438_;
-                        let _e4036 = phi_3439_;
-                        if _e4036 {
-                            phi_3443_ = _e4034;
+                        let _e5422 = phi_4847_;
+                        let _e5424 = phi_4848_;
+                        let _e5426 = phi_4849_;
+                        if _e5426 {
+                            phi_4853_ = _e5424;
                         } else {
-                            phi_3443_ = _e4032;
+                            phi_4853_ = _e5422;
                         }
-                        let _e4038 = phi_3443_;
-                        phi_6327_ = _e4038;
+                        let _e5428 = phi_4853_;
+                        phi_8823_ = _e5428;
                     } else {
-                        if (_e469 < 0.0lf) {
-                            phi_3454_ = -(_e469);
+                        if (_e713 < 0.0lf) {
+                            phi_4864_ = -(_e713);
                         } else {
-                            phi_3454_ = _e469;
+                            phi_4864_ = _e713;
                         }
-                        let _e824 = phi_3454_;
-                        if (_e492 < 0.0lf) {
-                            phi_3460_ = -(_e492);
+                        let _e1070 = phi_4864_;
+                        if (_e736 < 0.0lf) {
+                            phi_4870_ = -(_e736);
                         } else {
-                            phi_3460_ = _e492;
+                            phi_4870_ = _e736;
                         }
-                        let _e828 = phi_3460_;
-                        if (_e824 > _e828) {
-                            phi_3465_ = _e824;
+                        let _e1074 = phi_4870_;
+                        if (_e1070 > _e1074) {
+                            phi_4875_ = _e1070;
                         } else {
-                            phi_3465_ = _e828;
+                            phi_4875_ = _e1074;
                         }
-                        let _e831 = phi_3465_;
-                        if (_e515 < 0.0lf) {
-                            phi_3471_ = -(_e515);
+                        let _e1077 = phi_4875_;
+                        if (_e759 < 0.0lf) {
+                            phi_4881_ = -(_e759);
                         } else {
-                            phi_3471_ = _e515;
+                            phi_4881_ = _e759;
                         }
-                        let _e835 = phi_3471_;
-                        if (_e526 < 0.0lf) {
-                            phi_3477_ = -(_e526);
+                        let _e1081 = phi_4881_;
+                        if (_e770 < 0.0lf) {
+                            phi_4887_ = -(_e770);
                         } else {
-                            phi_3477_ = _e526;
+                            phi_4887_ = _e770;
                         }
-                        let _e839 = phi_3477_;
-                        if (_e835 > _e839) {
-                            phi_3482_ = _e835;
+                        let _e1085 = phi_4887_;
+                        if (_e1081 > _e1085) {
+                            phi_4892_ = _e1081;
                         } else {
-                            phi_3482_ = _e839;
+                            phi_4892_ = _e1085;
                         }
-                        let _e842 = phi_3482_;
-                        if (_e831 > _e842) {
-                            phi_3487_ = _e831;
+                        let _e1088 = phi_4892_;
+                        if (_e1077 > _e1088) {
+                            phi_4897_ = _e1077;
                         } else {
-                            phi_3487_ = _e842;
+                            phi_4897_ = _e1088;
                         }
-                        let _e845 = phi_3487_;
-                        let _e847 = (2.2250738585072014e-308lf * f64(67108864f));
-                        let _e848 = f64(1f);
-                        if (_e845 >= _e847) {
-                            phi_3497_ = (_e845 <= (_e848 / _e847));
+                        let _e1091 = phi_4897_;
+                        let _e1093 = (2.2250738585072014e-308lf * f64(67108864f));
+                        let _e1094 = f64(1f);
+                        if (_e1091 >= _e1093) {
+                            phi_4907_ = (_e1091 <= (_e1094 / _e1093));
                         } else {
-                            phi_3497_ = false;
+                            phi_4907_ = false;
                         }
-                        let _e853 = phi_3497_;
-                        if _e853 {
-                            phi_3504_ = (1.1102230246251565e-16lf * f64(256f));
+                        let _e1099 = phi_4907_;
+                        if _e1099 {
+                            phi_4914_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_3504_ = f64(2f);
+                            phi_4914_ = f64(2f);
                         }
-                        let _e858 = phi_3504_;
-                        let _e860 = ((_e785 * f64(0.34f)) + (_e845 * _e858));
-                        if _e853 {
-                            phi_3512_ = (_e848 / _e845);
+                        let _e1104 = phi_4914_;
+                        let _e1106 = ((_e1029 * f64(0.34f)) + (_e1091 * _e1104));
+                        if _e1099 {
+                            phi_4922_ = (_e1094 / _e1091);
                         } else {
-                            phi_3512_ = f64(0f);
+                            phi_4922_ = f64(0f);
                         }
-                        let _e864 = phi_3512_;
-                        let _e865 = f64(0f);
-                        let _e866 = f64(1f);
-                        let _e867 = f64(3f);
-                        let _e873 = ((_e492 - (_e867 * _e469)) * _e864);
-                        let _e874 = ((_e515 - _e492) * _e864);
-                        let _e875 = (((_e867 * _e526) - _e515) * _e864);
-                        local_6[0u] = _e865;
-                        local_6[1u] = _e866;
-                        local_6[2u] = _e866;
-                        local_6[3u] = _e866;
-                        let _e882 = ((_e874 * _e874) - (_e873 * _e875));
-                        if (_e882 > _e865) {
-                            if (_e882 <= 2.2250738585072014e-308lf) {
-                                if (_e882 > 0.0lf) {
-                                    phi_3548_ = (1.464336215552873e-154lf * 2.0lf);
+                        let _e1110 = phi_4922_;
+                        let _e1111 = f64(0f);
+                        let _e1112 = f64(1f);
+                        let _e1113 = f64(3f);
+                        let _e1119 = ((_e736 - (_e1113 * _e713)) * _e1110);
+                        let _e1120 = ((_e759 - _e736) * _e1110);
+                        let _e1121 = (((_e1113 * _e770) - _e759) * _e1110);
+                        local_6[0u] = _e1111;
+                        local_6[1u] = _e1112;
+                        local_6[2u] = _e1112;
+                        local_6[3u] = _e1112;
+                        let _e1128 = ((_e1120 * _e1120) - (_e1119 * _e1121));
+                        if (_e1128 > _e1111) {
+                            if (_e1128 <= 2.2250738585072014e-308lf) {
+                                if (_e1128 > 0.0lf) {
+                                    phi_4958_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_3548_ = 0.0lf;
+                                    phi_4958_ = 0.0lf;
                                 }
-                                let _e935 = phi_3548_;
-                                phi_3612_ = _e935;
+                                let _e1181 = phi_4958_;
+                                phi_5022_ = _e1181;
                             } else {
-                                phi_3555_ = type_17(0i, 5i);
-                                phi_3558_ = bitcast<f64>(((bitcast<u64>(_e882) / 2lu) + 2303426169912950784lu));
+                                phi_4965_ = type_16(0i, 5i);
+                                phi_4968_ = bitcast<f64>(((bitcast<u64>(_e1128) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e890 = phi_3555_;
-                                    let _e892 = phi_3558_;
-                                    local_13 = _e892;
-                                    if (_e890.member < _e890.member_1) {
-                                        let _e899 = (_e890.member + 1i);
-                                        if ((false == (_e899 > _e890.member)) != false) {
-                                            phi_3579_ = true;
+                                    let _e1136 = phi_4965_;
+                                    let _e1138 = phi_4968_;
+                                    local_13 = _e1138;
+                                    if (_e1136.member < _e1136.member_1) {
+                                        let _e1145 = (_e1136.member + 1i);
+                                        if ((false == (_e1145 > _e1136.member)) != false) {
+                                            phi_4989_ = true;
                                         } else {
-                                            phi_3579_ = false;
+                                            phi_4989_ = false;
                                         }
-                                        let _e904 = phi_3579_;
-                                        if _e904 {
-                                            phi_3585_ = type_18(0u, type_18().member_1);
+                                        let _e1150 = phi_4989_;
+                                        if _e1150 {
+                                            phi_4995_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_3585_ = type_18(1u, _e899);
+                                            phi_4995_ = type_17(1u, _e1145);
                                         }
-                                        let _e909 = phi_3585_;
-                                        phi_3556_ = type_17(_e909.member_1, _e890.member_1);
-                                        phi_3599_ = type_18(1u, _e890.member);
+                                        let _e1155 = phi_4995_;
+                                        phi_4966_ = type_16(_e1155.member_1, _e1136.member_1);
+                                        phi_5009_ = type_17(1u, _e1136.member);
                                     } else {
-                                        phi_3556_ = _e890;
-                                        phi_3599_ = type_18(0u, type_18().member_1);
+                                        phi_4966_ = _e1136;
+                                        phi_5009_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e915 = phi_3556_;
-                                    let _e917 = phi_3599_;
-                                    let _e920 = (bitcast<i32>(_e917.member) != 0i);
-                                    if _e920 {
-                                        phi_3559_ = (0.5lf * (_e892 + (_e882 / _e892)));
+                                    let _e1161 = phi_4966_;
+                                    let _e1163 = phi_5009_;
+                                    let _e1166 = (bitcast<i32>(_e1163.member) != 0i);
+                                    if _e1166 {
+                                        phi_4969_ = (0.5lf * (_e1138 + (_e1128 / _e1138)));
                                     } else {
-                                        phi_3559_ = f64();
+                                        phi_4969_ = f64();
                                     }
-                                    let _e925 = phi_3559_;
+                                    let _e1171 = phi_4969_;
                                     continue;
                                     continuing {
-                                        phi_3555_ = _e915;
-                                        phi_3558_ = _e925;
-                                        break if !(_e920);
+                                        phi_4965_ = _e1161;
+                                        phi_4968_ = _e1171;
+                                        break if !(_e1166);
                                     }
                                 }
-                                let _e930 = local_13;
-                                phi_3612_ = (_e930 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                let _e1176 = local_13;
+                                phi_5022_ = (_e1176 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e937 = phi_3612_;
-                            if (_e874 < _e865) {
-                                phi_3618_ = -(_e937);
+                            let _e1183 = phi_5022_;
+                            if (_e1120 < _e1111) {
+                                phi_5028_ = -(_e1183);
                             } else {
-                                phi_3618_ = _e937;
+                                phi_5028_ = _e1183;
                             }
-                            let _e941 = phi_3618_;
-                            let _e943 = -((_e874 + _e941));
-                            local_7[0u] = (_e943 / (_e943 + _e875));
-                            local_7[1u] = (_e873 / (_e873 + _e943));
-                            let _e952 = local_7[1u];
-                            let _e953 = local_7[0u];
-                            if (_e952 < _e953) {
-                                let _e956 = local_7[1u];
-                                let _e958 = local_7[0u];
-                                local_7[0u] = _e956;
-                                local_7[1u] = _e958;
+                            let _e1187 = phi_5028_;
+                            let _e1189 = -((_e1120 + _e1187));
+                            local_7[0u] = (_e1189 / (_e1189 + _e1121));
+                            local_7[1u] = (_e1119 / (_e1119 + _e1189));
+                            let _e1198 = local_7[1u];
+                            let _e1199 = local_7[0u];
+                            if (_e1198 < _e1199) {
+                                let _e1202 = local_7[1u];
+                                let _e1204 = local_7[0u];
+                                local_7[0u] = _e1202;
+                                local_7[1u] = _e1204;
                             }
-                            phi_3643_ = type_19(0u, 2u);
-                            phi_3646_ = 1u;
+                            phi_5053_ = type_9(0u, 2u);
+                            phi_5056_ = 1u;
                             loop {
-                                let _e962 = phi_3643_;
-                                let _e964 = phi_3646_;
-                                local_43 = _e964;
-                                if (_e962.member < _e962.member_1) {
-                                    phi_3644_ = type_19((_e962.member + 1u), _e962.member_1);
-                                    phi_3669_ = type_19(1u, _e962.member);
+                                let _e1208 = phi_5053_;
+                                let _e1210 = phi_5056_;
+                                local_29 = _e1210;
+                                if (_e1208.member < _e1208.member_1) {
+                                    phi_5054_ = type_9((_e1208.member + 1u), _e1208.member_1);
+                                    phi_5079_ = type_9(1u, _e1208.member);
                                 } else {
-                                    phi_3644_ = _e962;
-                                    phi_3669_ = type_19(0u, type_19().member_1);
+                                    phi_5054_ = _e1208;
+                                    phi_5079_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e976 = phi_3644_;
-                                let _e978 = phi_3669_;
-                                let _e982 = (bitcast<i32>(_e978.member) != 0i);
-                                if _e982 {
-                                    let _e984 = local_7[_e978.member_1];
-                                    if (_e984 > _e865) {
-                                        let _e987 = local_7[_e978.member_1];
-                                        if (_e987 < _e866) {
-                                            let _e990 = local_7[_e978.member_1];
-                                            local_6[_e964] = _e990;
-                                            phi_3713_ = (_e964 + 1u);
+                                let _e1222 = phi_5054_;
+                                let _e1224 = phi_5079_;
+                                let _e1228 = (bitcast<i32>(_e1224.member) != 0i);
+                                if _e1228 {
+                                    let _e1230 = local_7[_e1224.member_1];
+                                    if (_e1230 > _e1111) {
+                                        let _e1233 = local_7[_e1224.member_1];
+                                        if (_e1233 < _e1112) {
+                                            let _e1236 = local_7[_e1224.member_1];
+                                            local_6[_e1210] = _e1236;
+                                            phi_5123_ = (_e1210 + 1u);
                                         } else {
-                                            phi_3713_ = _e964;
+                                            phi_5123_ = _e1210;
                                         }
-                                        let _e994 = phi_3713_;
-                                        phi_3714_ = _e994;
+                                        let _e1240 = phi_5123_;
+                                        phi_5124_ = _e1240;
                                     } else {
-                                        phi_3714_ = _e964;
+                                        phi_5124_ = _e1210;
                                     }
-                                    let _e996 = phi_3714_;
-                                    phi_3647_ = _e996;
+                                    let _e1242 = phi_5124_;
+                                    phi_5057_ = _e1242;
                                 } else {
-                                    phi_3647_ = u32();
+                                    phi_5057_ = u32();
                                 }
-                                let _e998 = phi_3647_;
+                                let _e1244 = phi_5057_;
                                 continue;
                                 continuing {
-                                    phi_3643_ = _e976;
-                                    phi_3646_ = _e998;
-                                    break if !(_e982);
+                                    phi_5053_ = _e1222;
+                                    phi_5056_ = _e1244;
+                                    break if !(_e1228);
                                 }
                             }
-                            let _e4216 = local_43;
-                            phi_3715_ = _e4216;
+                            let _e5654 = local_29;
+                            phi_5125_ = _e5654;
                         } else {
-                            phi_3715_ = 1u;
+                            phi_5125_ = 1u;
                         }
-                        let _e1001 = phi_3715_;
-                        local_6[_e1001] = _e866;
-                        let _e1003 = local_6;
-                        local_8 = _e1003;
-                        phi_3735_ = type_19(0u, _e1001);
+                        let _e1247 = phi_5125_;
+                        local_6[_e1247] = _e1112;
+                        let _e1249 = local_6;
+                        local_8 = _e1249;
+                        phi_5145_ = type_9(0u, _e1247);
                         loop {
-                            let _e1006 = phi_3735_;
-                            if (_e1006.member < _e1006.member_1) {
-                                phi_3736_ = type_19((_e1006.member + 1u), _e1006.member_1);
-                                phi_3759_ = type_19(1u, _e1006.member);
+                            let _e1252 = phi_5145_;
+                            if (_e1252.member < _e1252.member_1) {
+                                phi_5146_ = type_9((_e1252.member + 1u), _e1252.member_1);
+                                phi_5169_ = type_9(1u, _e1252.member);
                             } else {
-                                phi_3736_ = _e1006;
-                                phi_3759_ = type_19(0u, type_19().member_1);
+                                phi_5146_ = _e1252;
+                                phi_5169_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1018 = phi_3736_;
-                            let _e1020 = phi_3759_;
-                            if (bitcast<i32>(_e1020.member) != 0i) {
-                                let _e1026 = local_8[_e1020.member_1];
-                                let _e1029 = local_8[(_e1020.member_1 + 1u)];
-                                let _e1031 = (f64(1f) - _e1026);
-                                let _e1042 = ((((_e469 * _e1031) + (_e492 * _e1026)) * (_e1031 * _e1031)) + (((_e515 * _e1031) + (_e526 * _e1026)) * (_e1026 * _e1026)));
-                                let _e1044 = (f64(1f) - _e1029);
-                                let _e1055 = ((((_e469 * _e1044) + (_e492 * _e1029)) * (_e1044 * _e1044)) + (((_e515 * _e1044) + (_e526 * _e1029)) * (_e1029 * _e1029)));
-                                if (_e1042 < 0.0lf) {
-                                    phi_3813_ = -(_e1042);
+                            let _e1264 = phi_5146_;
+                            let _e1266 = phi_5169_;
+                            if (bitcast<i32>(_e1266.member) != 0i) {
+                                let _e1272 = local_8[_e1266.member_1];
+                                let _e1275 = local_8[(_e1266.member_1 + 1u)];
+                                let _e1277 = (f64(1f) - _e1272);
+                                let _e1288 = ((((_e713 * _e1277) + (_e736 * _e1272)) * (_e1277 * _e1277)) + (((_e759 * _e1277) + (_e770 * _e1272)) * (_e1272 * _e1272)));
+                                let _e1290 = (f64(1f) - _e1275);
+                                let _e1301 = ((((_e713 * _e1290) + (_e736 * _e1275)) * (_e1290 * _e1290)) + (((_e759 * _e1290) + (_e770 * _e1275)) * (_e1275 * _e1275)));
+                                if (_e1288 < 0.0lf) {
+                                    phi_5223_ = -(_e1288);
                                 } else {
-                                    phi_3813_ = _e1042;
+                                    phi_5223_ = _e1288;
                                 }
-                                let _e1059 = phi_3813_;
-                                let _e1060 = (_e1059 > _e860);
-                                if (_e1055 < 0.0lf) {
-                                    phi_3820_ = -(_e1055);
+                                let _e1305 = phi_5223_;
+                                let _e1306 = (_e1305 > _e1106);
+                                if (_e1301 < 0.0lf) {
+                                    phi_5230_ = -(_e1301);
                                 } else {
-                                    phi_3820_ = _e1055;
+                                    phi_5230_ = _e1301;
                                 }
-                                let _e1064 = phi_3820_;
-                                let _e1065 = (_e1064 > _e860);
-                                let _e1066 = f64(0f);
-                                if _e1060 {
-                                    if _e1065 {
-                                        phi_3832_ = ((_e1042 > _e1066) != (_e1055 > _e1066));
-                                        phi_3833_ = false;
+                                let _e1310 = phi_5230_;
+                                let _e1311 = (_e1310 > _e1106);
+                                let _e1312 = f64(0f);
+                                if _e1306 {
+                                    if _e1311 {
+                                        phi_5242_ = ((_e1288 > _e1312) != (_e1301 > _e1312));
+                                        phi_5243_ = false;
                                     } else {
-                                        phi_3832_ = bool();
-                                        phi_3833_ = true;
+                                        phi_5242_ = bool();
+                                        phi_5243_ = true;
                                     }
-                                    let _e1071 = phi_3832_;
-                                    let _e1073 = phi_3833_;
-                                    phi_3834_ = _e1071;
-                                    phi_3835_ = _e1073;
+                                    let _e1317 = phi_5242_;
+                                    let _e1319 = phi_5243_;
+                                    phi_5244_ = _e1317;
+                                    phi_5245_ = _e1319;
                                 } else {
-                                    phi_3834_ = bool();
-                                    phi_3835_ = true;
+                                    phi_5244_ = bool();
+                                    phi_5245_ = true;
                                 }
-                                let _e1075 = phi_3834_;
-                                let _e1077 = phi_3835_;
-                                if _e1077 {
-                                    phi_3839_ = false;
+                                let _e1321 = phi_5244_;
+                                let _e1323 = phi_5245_;
+                                if _e1323 {
+                                    phi_5249_ = false;
                                 } else {
-                                    phi_3839_ = _e1075;
+                                    phi_5249_ = _e1321;
                                 }
-                                let _e1079 = phi_3839_;
-                                if _e1060 {
-                                    if _e1065 {
-                                        if _e1079 {
-                                            phi_3851_ = type_41();
+                                let _e1325 = phi_5249_;
+                                if _e1306 {
+                                    if _e1311 {
+                                        if _e1325 {
+                                            phi_5261_ = type_45();
                                         } else {
-                                            phi_3851_ = type_41(f64(1f), _e1066, _e1079);
+                                            phi_5261_ = type_45(f64(1f), _e1312, _e1325);
                                         }
-                                        let _e1083 = phi_3851_;
-                                        phi_3852_ = _e1083;
-                                        phi_3853_ = _e1079;
+                                        let _e1329 = phi_5261_;
+                                        phi_5262_ = _e1329;
+                                        phi_5263_ = _e1325;
                                     } else {
-                                        phi_3852_ = type_41();
-                                        phi_3853_ = true;
+                                        phi_5262_ = type_45();
+                                        phi_5263_ = true;
                                     }
-                                    let _e1085 = phi_3852_;
-                                    let _e1087 = phi_3853_;
-                                    phi_3854_ = _e1085;
-                                    phi_3855_ = _e1087;
+                                    let _e1331 = phi_5262_;
+                                    let _e1333 = phi_5263_;
+                                    phi_5264_ = _e1331;
+                                    phi_5265_ = _e1333;
                                 } else {
-                                    phi_3854_ = type_41();
-                                    phi_3855_ = true;
+                                    phi_5264_ = type_45();
+                                    phi_5265_ = true;
                                 }
-                                let _e1089 = phi_3854_;
-                                let _e1091 = phi_3855_;
-                                if _e1091 {
-                                    if _e1060 {
-                                        if (_e1042 < _e1066) {
-                                            phi_3868_ = f64(-1f);
+                                let _e1335 = phi_5264_;
+                                let _e1337 = phi_5265_;
+                                if _e1337 {
+                                    if _e1306 {
+                                        if (_e1288 < _e1312) {
+                                            phi_5278_ = f64(-1f);
                                         } else {
-                                            phi_3868_ = f64(1f);
+                                            phi_5278_ = f64(1f);
                                         }
-                                        let _e1096 = phi_3868_;
-                                        let _e1097 = f64(0.00000000000022737368f);
-                                        let _e1098 = f64(0.5f);
-                                        let _e1099 = f64(3f);
-                                        let _e1102 = (_e515 - _e492);
-                                        phi_3881_ = type_19(0u, 64u);
-                                        phi_3884_ = _e1029;
-                                        phi_3886_ = _e1026;
-                                        phi_3888_ = (_e1098 * (_e1026 + _e1029));
+                                        let _e1342 = phi_5278_;
+                                        let _e1343 = f64(0.00000000000022737368f);
+                                        let _e1344 = f64(0.5f);
+                                        let _e1345 = f64(3f);
+                                        let _e1348 = (_e759 - _e736);
+                                        phi_5291_ = type_9(0u, 64u);
+                                        phi_5294_ = _e1275;
+                                        phi_5296_ = _e1272;
+                                        phi_5298_ = (_e1344 * (_e1272 + _e1275));
                                         loop {
-                                            let _e1108 = phi_3881_;
-                                            let _e1110 = phi_3884_;
-                                            let _e1112 = phi_3886_;
-                                            let _e1114 = phi_3888_;
-                                            local_45 = _e1112;
-                                            if (_e1108.member < _e1108.member_1) {
-                                                phi_3882_ = type_19((_e1108.member + 1u), _e1108.member_1);
-                                                phi_3911_ = type_19(1u, _e1108.member);
+                                            let _e1354 = phi_5291_;
+                                            let _e1356 = phi_5294_;
+                                            let _e1358 = phi_5296_;
+                                            let _e1360 = phi_5298_;
+                                            local_31 = _e1358;
+                                            if (_e1354.member < _e1354.member_1) {
+                                                phi_5292_ = type_9((_e1354.member + 1u), _e1354.member_1);
+                                                phi_5321_ = type_9(1u, _e1354.member);
                                             } else {
-                                                phi_3882_ = _e1108;
-                                                phi_3911_ = type_19(0u, type_19().member_1);
+                                                phi_5292_ = _e1354;
+                                                phi_5321_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1126 = phi_3882_;
-                                            let _e1128 = phi_3911_;
-                                            if (bitcast<i32>(_e1128.member) != 0i) {
-                                                let _e1133 = (f64(1f) - _e1114);
-                                                let _e1146 = ((_e1096 * ((((_e469 * _e1133) + (_e492 * _e1114)) * (_e1133 * _e1133)) + (((_e515 * _e1133) + (_e526 * _e1114)) * (_e1114 * _e1114)))) - _e860);
-                                                if (_e1146 > f64(0f)) {
-                                                    phi_3938_ = _e1110;
-                                                    phi_3939_ = _e1114;
+                                            let _e1372 = phi_5292_;
+                                            let _e1374 = phi_5321_;
+                                            if (bitcast<i32>(_e1374.member) != 0i) {
+                                                let _e1379 = (f64(1f) - _e1360);
+                                                let _e1392 = ((_e1342 * ((((_e713 * _e1379) + (_e736 * _e1360)) * (_e1379 * _e1379)) + (((_e759 * _e1379) + (_e770 * _e1360)) * (_e1360 * _e1360)))) - _e1106);
+                                                if (_e1392 > f64(0f)) {
+                                                    phi_5348_ = _e1356;
+                                                    phi_5349_ = _e1360;
                                                 } else {
-                                                    phi_3938_ = _e1114;
-                                                    phi_3939_ = _e1112;
+                                                    phi_5348_ = _e1360;
+                                                    phi_5349_ = _e1358;
                                                 }
-                                                let _e1150 = phi_3938_;
-                                                let _e1152 = phi_3939_;
-                                                let _e1154 = ((_e1150 - _e1152) > _e1097);
-                                                if _e1154 {
-                                                    let _e1156 = (f64(1f) - _e1114);
-                                                    let _e1168 = (-(_e1146) / (_e1096 * (((((_e492 - (_e1099 * _e469)) * _e1156) + (_e1102 * _e1114)) * _e1156) + (((_e1102 * _e1156) + (((_e1099 * _e526) - _e515) * _e1114)) * _e1114))));
-                                                    if (_e1146 > f64(0f)) {
-                                                        phi_3967_ = (_e1098 * _e1097);
+                                                let _e1396 = phi_5348_;
+                                                let _e1398 = phi_5349_;
+                                                let _e1400 = ((_e1396 - _e1398) > _e1343);
+                                                if _e1400 {
+                                                    let _e1402 = (f64(1f) - _e1360);
+                                                    let _e1414 = (-(_e1392) / (_e1342 * (((((_e736 - (_e1345 * _e713)) * _e1402) + (_e1348 * _e1360)) * _e1402) + (((_e1348 * _e1402) + (((_e1345 * _e770) - _e759) * _e1360)) * _e1360))));
+                                                    if (_e1392 > f64(0f)) {
+                                                        phi_5377_ = (_e1344 * _e1343);
                                                     } else {
-                                                        phi_3967_ = -((_e1098 * _e1097));
+                                                        phi_5377_ = -((_e1344 * _e1343));
                                                     }
-                                                    let _e1175 = phi_3967_;
-                                                    let _e1177 = ((_e1114 + _e1168) + _e1175);
-                                                    if (_e1177 > _e1152) {
-                                                        if (_e1177 < _e1150) {
-                                                            if (_e1168 < 0.0lf) {
-                                                                phi_3983_ = -(_e1168);
+                                                    let _e1421 = phi_5377_;
+                                                    let _e1423 = ((_e1360 + _e1414) + _e1421);
+                                                    if (_e1423 > _e1398) {
+                                                        if (_e1423 < _e1396) {
+                                                            if (_e1414 < 0.0lf) {
+                                                                phi_5393_ = -(_e1414);
                                                             } else {
-                                                                phi_3983_ = _e1168;
+                                                                phi_5393_ = _e1414;
                                                             }
-                                                            let _e1183 = phi_3983_;
-                                                            if (_e1183 < (_e1098 * (_e1150 - _e1152))) {
-                                                                phi_3990_ = false;
+                                                            let _e1429 = phi_5393_;
+                                                            if (_e1429 < (_e1344 * (_e1396 - _e1398))) {
+                                                                phi_5400_ = false;
                                                             } else {
-                                                                phi_3990_ = true;
+                                                                phi_5400_ = true;
                                                             }
-                                                            let _e1188 = phi_3990_;
-                                                            phi_3991_ = _e1188;
+                                                            let _e1434 = phi_5400_;
+                                                            phi_5401_ = _e1434;
                                                         } else {
-                                                            phi_3991_ = true;
+                                                            phi_5401_ = true;
                                                         }
-                                                        let _e1190 = phi_3991_;
-                                                        phi_3992_ = _e1190;
+                                                        let _e1436 = phi_5401_;
+                                                        phi_5402_ = _e1436;
                                                     } else {
-                                                        phi_3992_ = true;
+                                                        phi_5402_ = true;
                                                     }
-                                                    let _e1192 = phi_3992_;
-                                                    if _e1192 {
-                                                        phi_3998_ = (_e1098 * (_e1152 + _e1150));
+                                                    let _e1438 = phi_5402_;
+                                                    if _e1438 {
+                                                        phi_5408_ = (_e1344 * (_e1398 + _e1396));
                                                     } else {
-                                                        phi_3998_ = _e1177;
+                                                        phi_5408_ = _e1423;
                                                     }
-                                                    let _e1196 = phi_3998_;
-                                                    phi_3999_ = _e1196;
-                                                    phi_4000_ = false;
+                                                    let _e1442 = phi_5408_;
+                                                    phi_5409_ = _e1442;
+                                                    phi_5410_ = false;
                                                 } else {
-                                                    phi_3999_ = f64();
-                                                    phi_4000_ = true;
+                                                    phi_5409_ = f64();
+                                                    phi_5410_ = true;
                                                 }
-                                                let _e1198 = phi_3999_;
-                                                let _e1200 = phi_4000_;
-                                                phi_3885_ = _e1150;
-                                                phi_3887_ = _e1152;
-                                                phi_3889_ = _e1198;
-                                                phi_4001_ = _e1152;
-                                                phi_4002_ = _e1154;
-                                                phi_4003_ = _e1200;
+                                                let _e1444 = phi_5409_;
+                                                let _e1446 = phi_5410_;
+                                                phi_5295_ = _e1396;
+                                                phi_5297_ = _e1398;
+                                                phi_5299_ = _e1444;
+                                                phi_5411_ = _e1398;
+                                                phi_5412_ = _e1400;
+                                                phi_5413_ = _e1446;
                                             } else {
-                                                phi_3885_ = f64();
-                                                phi_3887_ = f64();
-                                                phi_3889_ = f64();
-                                                phi_4001_ = f64();
-                                                phi_4002_ = false;
-                                                phi_4003_ = false;
+                                                phi_5295_ = f64();
+                                                phi_5297_ = f64();
+                                                phi_5299_ = f64();
+                                                phi_5411_ = f64();
+                                                phi_5412_ = false;
+                                                phi_5413_ = false;
                                             }
-                                            let _e1202 = phi_3885_;
-                                            let _e1204 = phi_3887_;
-                                            let _e1206 = phi_3889_;
-                                            let _e1208 = phi_4001_;
-                                            let _e1210 = phi_4002_;
-                                            let _e1212 = phi_4003_;
-                                            local_14 = _e1212;
-                                            local_44 = _e1208;
+                                            let _e1448 = phi_5295_;
+                                            let _e1450 = phi_5297_;
+                                            let _e1452 = phi_5299_;
+                                            let _e1454 = phi_5411_;
+                                            let _e1456 = phi_5412_;
+                                            let _e1458 = phi_5413_;
+                                            local_14 = _e1458;
+                                            local_30 = _e1454;
                                             continue;
                                             continuing {
-                                                phi_3881_ = _e1126;
-                                                phi_3884_ = _e1202;
-                                                phi_3886_ = _e1204;
-                                                phi_3888_ = _e1206;
-                                                break if !(_e1210);
+                                                phi_5291_ = _e1372;
+                                                phi_5294_ = _e1448;
+                                                phi_5296_ = _e1450;
+                                                phi_5298_ = _e1452;
+                                                break if !(_e1456);
                                             }
                                         }
-                                        let _e1215 = local_14;
-                                        if _e1215 {
-                                            let _e4258 = local_44;
-                                            phi_4007_ = _e4258;
+                                        let _e1461 = local_14;
+                                        if _e1461 {
+                                            let _e5696 = local_30;
+                                            phi_5417_ = _e5696;
                                         } else {
-                                            let _e4260 = local_45;
-                                            phi_4007_ = _e4260;
+                                            let _e5698 = local_31;
+                                            phi_5417_ = _e5698;
                                         }
-                                        let _e1217 = phi_4007_;
-                                        phi_4008_ = _e1217;
+                                        let _e1463 = phi_5417_;
+                                        phi_5418_ = _e1463;
                                     } else {
-                                        phi_4008_ = _e1026;
+                                        phi_5418_ = _e1272;
                                     }
-                                    let _e1219 = phi_4008_;
-                                    if _e1065 {
-                                        phi_4016_ = type_19(0u, 64u);
-                                        phi_4019_ = f64((2f * 0.00000000000022737368f));
+                                    let _e1465 = phi_5418_;
+                                    if _e1311 {
+                                        if (_e1301 < _e1312) {
+                                            phi_5428_ = f64(-1f);
+                                        } else {
+                                            phi_5428_ = f64(1f);
+                                        }
+                                        let _e1470 = phi_5428_;
+                                        phi_5433_ = type_9(0u, 64u);
+                                        phi_5436_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1223 = phi_4016_;
-                                            let _e1225 = phi_4019_;
-                                            if (_e1223.member < _e1223.member_1) {
-                                                phi_4017_ = type_19((_e1223.member + 1u), _e1223.member_1);
-                                                phi_4042_ = type_19(1u, _e1223.member);
+                                            let _e1474 = phi_5433_;
+                                            let _e1476 = phi_5436_;
+                                            if (_e1474.member < _e1474.member_1) {
+                                                phi_5434_ = type_9((_e1474.member + 1u), _e1474.member_1);
+                                                phi_5459_ = type_9(1u, _e1474.member);
                                             } else {
-                                                phi_4017_ = _e1223;
-                                                phi_4042_ = type_19(0u, type_19().member_1);
+                                                phi_5434_ = _e1474;
+                                                phi_5459_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1237 = phi_4017_;
-                                            let _e1239 = phi_4042_;
-                                            if (bitcast<i32>(_e1239.member) != 0i) {
-                                                let _e1243 = (_e1219 + _e1225);
-                                                if (_e1243 < _e1029) {
-                                                    let _e1246 = (f64(1f) - _e1243);
-                                                    let _e1257 = ((((_e469 * _e1246) + (_e492 * _e1243)) * (_e1246 * _e1246)) + (((_e515 * _e1246) + (_e526 * _e1243)) * (_e1243 * _e1243)));
-                                                    let _e1259 = (f64(1f) - _e1219);
-                                                    let _e1270 = ((((_e469 * _e1259) + (_e492 * _e1219)) * (_e1259 * _e1259)) + (((_e515 * _e1259) + (_e526 * _e1219)) * (_e1219 * _e1219)));
-                                                    if (_e1257 < 0.0lf) {
-                                                        phi_4085_ = -(_e1257);
+                                            let _e1488 = phi_5434_;
+                                            let _e1490 = phi_5459_;
+                                            if (bitcast<i32>(_e1490.member) != 0i) {
+                                                let _e1494 = (_e1465 + _e1476);
+                                                if (_e1494 < _e1275) {
+                                                    let _e1497 = (f64(1f) - _e1494);
+                                                    let _e1510 = ((_e1470 * ((((_e713 * _e1497) + (_e736 * _e1494)) * (_e1497 * _e1497)) + (((_e759 * _e1497) + (_e770 * _e1494)) * (_e1494 * _e1494)))) > _e1106);
+                                                    if _e1510 {
+                                                        phi_5490_ = f64();
+                                                        phi_5491_ = false;
                                                     } else {
-                                                        phi_4085_ = _e1257;
+                                                        phi_5490_ = (_e1476 + _e1476);
+                                                        phi_5491_ = true;
                                                     }
-                                                    let _e1274 = phi_4085_;
-                                                    if (_e1274 > _e860) {
-                                                        if (_e1270 < 0.0lf) {
-                                                            phi_4095_ = -(_e1270);
-                                                        } else {
-                                                            phi_4095_ = _e1270;
-                                                        }
-                                                        let _e1279 = phi_4095_;
-                                                        if (_e1279 > _e860) {
-                                                            phi_4105_ = ((_e1257 > f64(0f)) == (_e1270 > f64(0f)));
-                                                        } else {
-                                                            phi_4105_ = false;
-                                                        }
-                                                        let _e1287 = phi_4105_;
-                                                        phi_4107_ = !(_e1287);
-                                                    } else {
-                                                        phi_4107_ = false;
-                                                    }
-                                                    let _e1290 = phi_4107_;
-                                                    if _e1290 {
-                                                        phi_4112_ = f64();
-                                                        phi_4113_ = false;
-                                                    } else {
-                                                        phi_4112_ = (_e1225 + _e1225);
-                                                        phi_4113_ = true;
-                                                    }
-                                                    let _e1293 = phi_4112_;
-                                                    let _e1295 = phi_4113_;
-                                                    phi_4114_ = _e1293;
-                                                    phi_4115_ = _e1295;
-                                                    phi_4116_ = _e1290;
-                                                    phi_4117_ = false;
+                                                    let _e1513 = phi_5490_;
+                                                    let _e1515 = phi_5491_;
+                                                    phi_5492_ = _e1513;
+                                                    phi_5493_ = _e1515;
+                                                    phi_5494_ = _e1510;
+                                                    phi_5495_ = false;
                                                 } else {
-                                                    phi_4114_ = f64();
-                                                    phi_4115_ = false;
-                                                    phi_4116_ = false;
-                                                    phi_4117_ = true;
+                                                    phi_5492_ = f64();
+                                                    phi_5493_ = false;
+                                                    phi_5494_ = false;
+                                                    phi_5495_ = true;
                                                 }
-                                                let _e1297 = phi_4114_;
-                                                let _e1299 = phi_4115_;
-                                                let _e1301 = phi_4116_;
-                                                let _e1303 = phi_4117_;
-                                                phi_4118_ = _e1243;
-                                                phi_4020_ = _e1297;
-                                                phi_4119_ = _e1299;
-                                                phi_4120_ = _e1301;
-                                                phi_4121_ = _e1303;
-                                                phi_4122_ = false;
+                                                let _e1517 = phi_5492_;
+                                                let _e1519 = phi_5493_;
+                                                let _e1521 = phi_5494_;
+                                                let _e1523 = phi_5495_;
+                                                phi_5496_ = _e1494;
+                                                phi_5437_ = _e1517;
+                                                phi_5497_ = _e1519;
+                                                phi_5498_ = _e1521;
+                                                phi_5499_ = _e1523;
+                                                phi_5500_ = false;
                                             } else {
-                                                phi_4118_ = f64();
-                                                phi_4020_ = f64();
-                                                phi_4119_ = false;
-                                                phi_4120_ = false;
-                                                phi_4121_ = false;
-                                                phi_4122_ = true;
+                                                phi_5496_ = f64();
+                                                phi_5437_ = f64();
+                                                phi_5497_ = false;
+                                                phi_5498_ = false;
+                                                phi_5499_ = false;
+                                                phi_5500_ = true;
                                             }
-                                            let _e1305 = phi_4118_;
-                                            let _e1307 = phi_4020_;
-                                            let _e1309 = phi_4119_;
-                                            let _e1311 = phi_4120_;
-                                            let _e1313 = phi_4121_;
-                                            let _e1315 = phi_4122_;
-                                            local_15 = _e1311;
-                                            local_46 = _e1313;
-                                            local_47 = _e1315;
-                                            local_48 = _e1305;
+                                            let _e1525 = phi_5496_;
+                                            let _e1527 = phi_5437_;
+                                            let _e1529 = phi_5497_;
+                                            let _e1531 = phi_5498_;
+                                            let _e1533 = phi_5499_;
+                                            let _e1535 = phi_5500_;
+                                            local_15 = _e1531;
+                                            local_32 = _e1533;
+                                            local_33 = _e1535;
+                                            local_34 = _e1525;
                                             continue;
                                             continuing {
-                                                phi_4016_ = _e1237;
-                                                phi_4019_ = _e1307;
-                                                break if !(_e1309);
+                                                phi_5433_ = _e1488;
+                                                phi_5436_ = _e1527;
+                                                break if !(_e1529);
                                             }
                                         }
-                                        let _e1318 = local_15;
-                                        if _e1318 {
-                                            phi_4126_ = false;
-                                            phi_4127_ = false;
+                                        let _e1538 = local_15;
+                                        if _e1538 {
+                                            phi_5504_ = false;
+                                            phi_5505_ = false;
                                         } else {
-                                            let _e4285 = local_46;
-                                            phi_4126_ = _e4285;
-                                            let _e4288 = local_47;
-                                            phi_4127_ = _e4288;
+                                            let _e5720 = local_32;
+                                            phi_5504_ = _e5720;
+                                            let _e5723 = local_33;
+                                            phi_5505_ = _e5723;
                                         }
-                                        let _e1320 = phi_4126_;
-                                        let _e1322 = phi_4127_;
-                                        if _e1320 {
-                                            phi_4131_ = true;
+                                        let _e1540 = phi_5504_;
+                                        let _e1542 = phi_5505_;
+                                        if _e1540 {
+                                            phi_5509_ = true;
                                         } else {
-                                            phi_4131_ = _e1322;
+                                            phi_5509_ = _e1542;
                                         }
-                                        let _e1324 = phi_4131_;
-                                        if _e1324 {
-                                            phi_4135_ = _e1029;
+                                        let _e1544 = phi_5509_;
+                                        if _e1544 {
+                                            phi_5513_ = _e1275;
                                         } else {
-                                            let _e4292 = local_48;
-                                            phi_4135_ = _e4292;
+                                            let _e5727 = local_34;
+                                            phi_5513_ = _e5727;
                                         }
-                                        let _e1326 = phi_4135_;
-                                        phi_4136_ = _e1326;
+                                        let _e1546 = phi_5513_;
+                                        phi_5514_ = _e1546;
                                     } else {
-                                        phi_4136_ = _e1029;
+                                        phi_5514_ = _e1275;
                                     }
-                                    let _e1328 = phi_4136_;
-                                    phi_4138_ = type_41(_e1219, _e1328, _e1079);
+                                    let _e1548 = phi_5514_;
+                                    phi_5516_ = type_45(_e1465, _e1548, _e1325);
                                 } else {
-                                    phi_4138_ = _e1089;
+                                    phi_5516_ = _e1335;
                                 }
-                                let _e1331 = phi_4138_;
-                                if (_e1331.member > _e1331.member_1) {
-                                    phi_6283_ = f64();
-                                    phi_6284_ = true;
-                                    phi_6285_ = false;
-                                    phi_6286_ = false;
-                                    phi_6287_ = false;
+                                let _e1551 = phi_5516_;
+                                if (_e1551.member > _e1551.member_1) {
+                                    phi_8779_ = f64();
+                                    phi_8780_ = true;
+                                    phi_8781_ = false;
+                                    phi_8782_ = false;
+                                    phi_8783_ = false;
                                 } else {
-                                    let _e1339 = ((_e1331.member_1 - _e1331.member) * f64(0.5f));
-                                    let _e1340 = (_e1331.member + _e1339);
-                                    let _e1343 = (_e1339 + (1.1102230246251565e-16lf * f64(4f)));
-                                    let _e1345 = local_12.member_3;
-                                    let _e1348 = local_12.member[0u];
-                                    if (_e1348[0] < 0.0lf) {
-                                        phi_4169_ = -(_e1348[0]);
+                                    let _e1559 = ((_e1551.member_1 - _e1551.member) * f64(0.5f));
+                                    let _e1560 = (_e1551.member + _e1559);
+                                    let _e1563 = (_e1559 + (1.1102230246251565e-16lf * f64(4f)));
+                                    let _e1565 = local_12.member_3;
+                                    let _e1568 = local_12.member[0u];
+                                    if (_e1568[0] < 0.0lf) {
+                                        phi_5547_ = -(_e1568[0]);
                                     } else {
-                                        phi_4169_ = _e1348[0];
+                                        phi_5547_ = _e1568[0];
                                     }
-                                    let _e1355 = phi_4169_;
-                                    if (_e1348[1] < 0.0lf) {
-                                        phi_4176_ = -(_e1348[1]);
+                                    let _e1575 = phi_5547_;
+                                    if (_e1568[1] < 0.0lf) {
+                                        phi_5554_ = -(_e1568[1]);
                                     } else {
-                                        phi_4176_ = _e1348[1];
+                                        phi_5554_ = _e1568[1];
                                     }
-                                    let _e1359 = phi_4176_;
-                                    if (_e1355 > _e1359) {
-                                        phi_4181_ = _e1355;
+                                    let _e1579 = phi_5554_;
+                                    if (_e1575 > _e1579) {
+                                        phi_5559_ = _e1575;
                                     } else {
-                                        phi_4181_ = _e1359;
+                                        phi_5559_ = _e1579;
                                     }
-                                    let _e1362 = phi_4181_;
-                                    if (_e1348[2] < 0.0lf) {
-                                        phi_4188_ = -(_e1348[2]);
+                                    let _e1582 = phi_5559_;
+                                    if (_e1568[2] < 0.0lf) {
+                                        phi_5566_ = -(_e1568[2]);
                                     } else {
-                                        phi_4188_ = _e1348[2];
+                                        phi_5566_ = _e1568[2];
                                     }
-                                    let _e1366 = phi_4188_;
-                                    if (_e1362 > _e1366) {
-                                        phi_4193_ = _e1362;
+                                    let _e1586 = phi_5566_;
+                                    if (_e1582 > _e1586) {
+                                        phi_5571_ = _e1582;
                                     } else {
-                                        phi_4193_ = _e1366;
+                                        phi_5571_ = _e1586;
                                     }
-                                    let _e1369 = phi_4193_;
-                                    let _e1371 = local_12.member[1u];
-                                    if (_e1371[0] < 0.0lf) {
-                                        phi_4206_ = -(_e1371[0]);
+                                    let _e1589 = phi_5571_;
+                                    let _e1591 = local_12.member[1u];
+                                    if (_e1591[0] < 0.0lf) {
+                                        phi_5584_ = -(_e1591[0]);
                                     } else {
-                                        phi_4206_ = _e1371[0];
+                                        phi_5584_ = _e1591[0];
                                     }
-                                    let _e1378 = phi_4206_;
-                                    if (_e1371[1] < 0.0lf) {
-                                        phi_4213_ = -(_e1371[1]);
+                                    let _e1598 = phi_5584_;
+                                    if (_e1591[1] < 0.0lf) {
+                                        phi_5591_ = -(_e1591[1]);
                                     } else {
-                                        phi_4213_ = _e1371[1];
+                                        phi_5591_ = _e1591[1];
                                     }
-                                    let _e1382 = phi_4213_;
-                                    if (_e1378 > _e1382) {
-                                        phi_4218_ = _e1378;
+                                    let _e1602 = phi_5591_;
+                                    if (_e1598 > _e1602) {
+                                        phi_5596_ = _e1598;
                                     } else {
-                                        phi_4218_ = _e1382;
+                                        phi_5596_ = _e1602;
                                     }
-                                    let _e1385 = phi_4218_;
-                                    if (_e1371[2] < 0.0lf) {
-                                        phi_4225_ = -(_e1371[2]);
+                                    let _e1605 = phi_5596_;
+                                    if (_e1591[2] < 0.0lf) {
+                                        phi_5603_ = -(_e1591[2]);
                                     } else {
-                                        phi_4225_ = _e1371[2];
+                                        phi_5603_ = _e1591[2];
                                     }
-                                    let _e1389 = phi_4225_;
-                                    if (_e1385 > _e1389) {
-                                        phi_4230_ = _e1385;
+                                    let _e1609 = phi_5603_;
+                                    if (_e1605 > _e1609) {
+                                        phi_5608_ = _e1605;
                                     } else {
-                                        phi_4230_ = _e1389;
+                                        phi_5608_ = _e1609;
                                     }
-                                    let _e1392 = phi_4230_;
-                                    if (_e1369 > _e1392) {
-                                        phi_4235_ = _e1369;
+                                    let _e1612 = phi_5608_;
+                                    if (_e1589 > _e1612) {
+                                        phi_5613_ = _e1589;
                                     } else {
-                                        phi_4235_ = _e1392;
+                                        phi_5613_ = _e1612;
                                     }
-                                    let _e1395 = phi_4235_;
-                                    let _e1398 = local_12.member[0u];
-                                    let _e1403 = local_12.member[1u];
-                                    let _e1413 = (_e1398[0] + ((_e1403[0] - _e1398[0]) * _e1340));
-                                    let _e1414 = (_e1398[1] + ((_e1403[1] - _e1398[1]) * _e1340));
-                                    let _e1415 = (_e1398[2] + ((_e1403[2] - _e1398[2]) * _e1340));
-                                    let _e1417 = local_12.member[1u];
-                                    let _e1422 = local_12.member[0u];
-                                    let _e1426 = (_e1417[0] - _e1422[0]);
-                                    let _e1427 = (_e1417[1] - _e1422[1]);
-                                    let _e1428 = (_e1417[2] - _e1422[2]);
-                                    if (_e1426 < 0.0lf) {
-                                        phi_4294_ = -(_e1426);
+                                    let _e1615 = phi_5613_;
+                                    let _e1618 = local_12.member[0u];
+                                    let _e1623 = local_12.member[1u];
+                                    let _e1633 = (_e1618[0] + ((_e1623[0] - _e1618[0]) * _e1560));
+                                    let _e1634 = (_e1618[1] + ((_e1623[1] - _e1618[1]) * _e1560));
+                                    let _e1635 = (_e1618[2] + ((_e1623[2] - _e1618[2]) * _e1560));
+                                    let _e1637 = local_12.member[1u];
+                                    let _e1642 = local_12.member[0u];
+                                    let _e1646 = (_e1637[0] - _e1642[0]);
+                                    let _e1647 = (_e1637[1] - _e1642[1]);
+                                    let _e1648 = (_e1637[2] - _e1642[2]);
+                                    if (_e1646 < 0.0lf) {
+                                        phi_5672_ = -(_e1646);
                                     } else {
-                                        phi_4294_ = _e1426;
+                                        phi_5672_ = _e1646;
                                     }
-                                    let _e1432 = phi_4294_;
-                                    if (_e1427 < 0.0lf) {
-                                        phi_4300_ = -(_e1427);
+                                    let _e1652 = phi_5672_;
+                                    if (_e1647 < 0.0lf) {
+                                        phi_5678_ = -(_e1647);
                                     } else {
-                                        phi_4300_ = _e1427;
+                                        phi_5678_ = _e1647;
                                     }
-                                    let _e1436 = phi_4300_;
-                                    if (_e1432 > _e1436) {
-                                        phi_4305_ = _e1432;
+                                    let _e1656 = phi_5678_;
+                                    if (_e1652 > _e1656) {
+                                        phi_5683_ = _e1652;
                                     } else {
-                                        phi_4305_ = _e1436;
+                                        phi_5683_ = _e1656;
                                     }
-                                    let _e1439 = phi_4305_;
-                                    if (_e1428 < 0.0lf) {
-                                        phi_4311_ = -(_e1428);
+                                    let _e1659 = phi_5683_;
+                                    if (_e1648 < 0.0lf) {
+                                        phi_5689_ = -(_e1648);
                                     } else {
-                                        phi_4311_ = _e1428;
+                                        phi_5689_ = _e1648;
                                     }
-                                    let _e1443 = phi_4311_;
-                                    if (_e1439 > _e1443) {
-                                        phi_4316_ = _e1439;
+                                    let _e1663 = phi_5689_;
+                                    if (_e1659 > _e1663) {
+                                        phi_5694_ = _e1659;
                                     } else {
-                                        phi_4316_ = _e1443;
+                                        phi_5694_ = _e1663;
                                     }
-                                    let _e1446 = phi_4316_;
-                                    let _e1454 = ((((_e1343 * _e1446) * f64(1.01f)) + ((_e1395 + _e1345) * (1.1102230246251565e-16lf * f64(8f)))) + _e1345);
-                                    if (_e1413 < 0.0lf) {
-                                        phi_4330_ = -(_e1413);
+                                    let _e1666 = phi_5694_;
+                                    let _e1674 = ((((_e1563 * _e1666) * f64(1.01f)) + ((_e1615 + _e1565) * (1.1102230246251565e-16lf * f64(8f)))) + _e1565);
+                                    if (_e1633 < 0.0lf) {
+                                        phi_5708_ = -(_e1633);
                                     } else {
-                                        phi_4330_ = _e1413;
+                                        phi_5708_ = _e1633;
                                     }
-                                    let _e1458 = phi_4330_;
-                                    if (_e1414 < 0.0lf) {
-                                        phi_4336_ = -(_e1414);
+                                    let _e1678 = phi_5708_;
+                                    if (_e1634 < 0.0lf) {
+                                        phi_5714_ = -(_e1634);
                                     } else {
-                                        phi_4336_ = _e1414;
+                                        phi_5714_ = _e1634;
                                     }
-                                    let _e1462 = phi_4336_;
-                                    if (_e1458 > _e1462) {
-                                        phi_4341_ = _e1458;
+                                    let _e1682 = phi_5714_;
+                                    if (_e1678 > _e1682) {
+                                        phi_5719_ = _e1678;
                                     } else {
-                                        phi_4341_ = _e1462;
+                                        phi_5719_ = _e1682;
                                     }
-                                    let _e1465 = phi_4341_;
-                                    if (_e1415 < 0.0lf) {
-                                        phi_4347_ = -(_e1415);
+                                    let _e1685 = phi_5719_;
+                                    if (_e1635 < 0.0lf) {
+                                        phi_5725_ = -(_e1635);
                                     } else {
-                                        phi_4347_ = _e1415;
+                                        phi_5725_ = _e1635;
                                     }
-                                    let _e1469 = phi_4347_;
-                                    if (_e1465 > _e1469) {
-                                        phi_4352_ = _e1465;
+                                    let _e1689 = phi_5725_;
+                                    if (_e1685 > _e1689) {
+                                        phi_5730_ = _e1685;
                                     } else {
-                                        phi_4352_ = _e1469;
+                                        phi_5730_ = _e1689;
                                     }
-                                    let _e1472 = phi_4352_;
-                                    local_2 = type_32(array<f64, 3>(_e1413, _e1414, _e1415), _e1454, (_e1472 + _e1454));
-                                    let _e1478 = local_12.member_3;
-                                    let _e1480 = local_12.member_1[0u];
-                                    if (_e1480[0] < 0.0lf) {
-                                        phi_4378_ = -(_e1480[0]);
+                                    let _e1692 = phi_5730_;
+                                    local_2 = type_35(array<f64, 3>(_e1633, _e1634, _e1635), _e1674, (_e1692 + _e1674));
+                                    let _e1698 = local_12.member_3;
+                                    let _e1700 = local_12.member_1[0u];
+                                    if (_e1700[0] < 0.0lf) {
+                                        phi_5756_ = -(_e1700[0]);
                                     } else {
-                                        phi_4378_ = _e1480[0];
+                                        phi_5756_ = _e1700[0];
                                     }
-                                    let _e1487 = phi_4378_;
-                                    if (_e1480[1] < 0.0lf) {
-                                        phi_4385_ = -(_e1480[1]);
+                                    let _e1707 = phi_5756_;
+                                    if (_e1700[1] < 0.0lf) {
+                                        phi_5763_ = -(_e1700[1]);
                                     } else {
-                                        phi_4385_ = _e1480[1];
+                                        phi_5763_ = _e1700[1];
                                     }
-                                    let _e1491 = phi_4385_;
-                                    if (_e1487 > _e1491) {
-                                        phi_4390_ = _e1487;
+                                    let _e1711 = phi_5763_;
+                                    if (_e1707 > _e1711) {
+                                        phi_5768_ = _e1707;
                                     } else {
-                                        phi_4390_ = _e1491;
+                                        phi_5768_ = _e1711;
                                     }
-                                    let _e1494 = phi_4390_;
-                                    if (_e1480[2] < 0.0lf) {
-                                        phi_4397_ = -(_e1480[2]);
+                                    let _e1714 = phi_5768_;
+                                    if (_e1700[2] < 0.0lf) {
+                                        phi_5775_ = -(_e1700[2]);
                                     } else {
-                                        phi_4397_ = _e1480[2];
+                                        phi_5775_ = _e1700[2];
                                     }
-                                    let _e1498 = phi_4397_;
-                                    if (_e1494 > _e1498) {
-                                        phi_4402_ = _e1494;
+                                    let _e1718 = phi_5775_;
+                                    if (_e1714 > _e1718) {
+                                        phi_5780_ = _e1714;
                                     } else {
-                                        phi_4402_ = _e1498;
+                                        phi_5780_ = _e1718;
                                     }
-                                    let _e1501 = phi_4402_;
-                                    let _e1503 = local_12.member_1[1u];
-                                    if (_e1503[0] < 0.0lf) {
-                                        phi_4415_ = -(_e1503[0]);
+                                    let _e1721 = phi_5780_;
+                                    let _e1723 = local_12.member_1[1u];
+                                    if (_e1723[0] < 0.0lf) {
+                                        phi_5793_ = -(_e1723[0]);
                                     } else {
-                                        phi_4415_ = _e1503[0];
+                                        phi_5793_ = _e1723[0];
                                     }
-                                    let _e1510 = phi_4415_;
-                                    if (_e1503[1] < 0.0lf) {
-                                        phi_4422_ = -(_e1503[1]);
+                                    let _e1730 = phi_5793_;
+                                    if (_e1723[1] < 0.0lf) {
+                                        phi_5800_ = -(_e1723[1]);
                                     } else {
-                                        phi_4422_ = _e1503[1];
+                                        phi_5800_ = _e1723[1];
                                     }
-                                    let _e1514 = phi_4422_;
-                                    if (_e1510 > _e1514) {
-                                        phi_4427_ = _e1510;
+                                    let _e1734 = phi_5800_;
+                                    if (_e1730 > _e1734) {
+                                        phi_5805_ = _e1730;
                                     } else {
-                                        phi_4427_ = _e1514;
+                                        phi_5805_ = _e1734;
                                     }
-                                    let _e1517 = phi_4427_;
-                                    if (_e1503[2] < 0.0lf) {
-                                        phi_4434_ = -(_e1503[2]);
+                                    let _e1737 = phi_5805_;
+                                    if (_e1723[2] < 0.0lf) {
+                                        phi_5812_ = -(_e1723[2]);
                                     } else {
-                                        phi_4434_ = _e1503[2];
+                                        phi_5812_ = _e1723[2];
                                     }
-                                    let _e1521 = phi_4434_;
-                                    if (_e1517 > _e1521) {
-                                        phi_4439_ = _e1517;
+                                    let _e1741 = phi_5812_;
+                                    if (_e1737 > _e1741) {
+                                        phi_5817_ = _e1737;
                                     } else {
-                                        phi_4439_ = _e1521;
+                                        phi_5817_ = _e1741;
                                     }
-                                    let _e1524 = phi_4439_;
-                                    if (_e1501 > _e1524) {
-                                        phi_4444_ = _e1501;
+                                    let _e1744 = phi_5817_;
+                                    if (_e1721 > _e1744) {
+                                        phi_5822_ = _e1721;
                                     } else {
-                                        phi_4444_ = _e1524;
+                                        phi_5822_ = _e1744;
                                     }
-                                    let _e1527 = phi_4444_;
-                                    let _e1530 = local_12.member_1[0u];
-                                    let _e1535 = local_12.member_1[1u];
-                                    let _e1545 = (_e1530[0] + ((_e1535[0] - _e1530[0]) * _e1340));
-                                    let _e1546 = (_e1530[1] + ((_e1535[1] - _e1530[1]) * _e1340));
-                                    let _e1547 = (_e1530[2] + ((_e1535[2] - _e1530[2]) * _e1340));
-                                    let _e1549 = local_12.member_1[1u];
-                                    let _e1554 = local_12.member_1[0u];
-                                    let _e1558 = (_e1549[0] - _e1554[0]);
-                                    let _e1559 = (_e1549[1] - _e1554[1]);
-                                    let _e1560 = (_e1549[2] - _e1554[2]);
-                                    if (_e1558 < 0.0lf) {
-                                        phi_4503_ = -(_e1558);
+                                    let _e1747 = phi_5822_;
+                                    let _e1750 = local_12.member_1[0u];
+                                    let _e1755 = local_12.member_1[1u];
+                                    let _e1765 = (_e1750[0] + ((_e1755[0] - _e1750[0]) * _e1560));
+                                    let _e1766 = (_e1750[1] + ((_e1755[1] - _e1750[1]) * _e1560));
+                                    let _e1767 = (_e1750[2] + ((_e1755[2] - _e1750[2]) * _e1560));
+                                    let _e1769 = local_12.member_1[1u];
+                                    let _e1774 = local_12.member_1[0u];
+                                    let _e1778 = (_e1769[0] - _e1774[0]);
+                                    let _e1779 = (_e1769[1] - _e1774[1]);
+                                    let _e1780 = (_e1769[2] - _e1774[2]);
+                                    if (_e1778 < 0.0lf) {
+                                        phi_5881_ = -(_e1778);
                                     } else {
-                                        phi_4503_ = _e1558;
+                                        phi_5881_ = _e1778;
                                     }
-                                    let _e1564 = phi_4503_;
-                                    if (_e1559 < 0.0lf) {
-                                        phi_4509_ = -(_e1559);
+                                    let _e1784 = phi_5881_;
+                                    if (_e1779 < 0.0lf) {
+                                        phi_5887_ = -(_e1779);
                                     } else {
-                                        phi_4509_ = _e1559;
+                                        phi_5887_ = _e1779;
                                     }
-                                    let _e1568 = phi_4509_;
-                                    if (_e1564 > _e1568) {
-                                        phi_4514_ = _e1564;
+                                    let _e1788 = phi_5887_;
+                                    if (_e1784 > _e1788) {
+                                        phi_5892_ = _e1784;
                                     } else {
-                                        phi_4514_ = _e1568;
+                                        phi_5892_ = _e1788;
                                     }
-                                    let _e1571 = phi_4514_;
-                                    if (_e1560 < 0.0lf) {
-                                        phi_4520_ = -(_e1560);
+                                    let _e1791 = phi_5892_;
+                                    if (_e1780 < 0.0lf) {
+                                        phi_5898_ = -(_e1780);
                                     } else {
-                                        phi_4520_ = _e1560;
+                                        phi_5898_ = _e1780;
                                     }
-                                    let _e1575 = phi_4520_;
-                                    if (_e1571 > _e1575) {
-                                        phi_4525_ = _e1571;
+                                    let _e1795 = phi_5898_;
+                                    if (_e1791 > _e1795) {
+                                        phi_5903_ = _e1791;
                                     } else {
-                                        phi_4525_ = _e1575;
+                                        phi_5903_ = _e1795;
                                     }
-                                    let _e1578 = phi_4525_;
-                                    let _e1586 = ((((_e1343 * _e1578) * f64(1.01f)) + ((_e1527 + _e1478) * (1.1102230246251565e-16lf * f64(8f)))) + _e1478);
-                                    if (_e1545 < 0.0lf) {
-                                        phi_4539_ = -(_e1545);
+                                    let _e1798 = phi_5903_;
+                                    let _e1806 = ((((_e1563 * _e1798) * f64(1.01f)) + ((_e1747 + _e1698) * (1.1102230246251565e-16lf * f64(8f)))) + _e1698);
+                                    if (_e1765 < 0.0lf) {
+                                        phi_5917_ = -(_e1765);
                                     } else {
-                                        phi_4539_ = _e1545;
+                                        phi_5917_ = _e1765;
                                     }
-                                    let _e1590 = phi_4539_;
-                                    if (_e1546 < 0.0lf) {
-                                        phi_4545_ = -(_e1546);
+                                    let _e1810 = phi_5917_;
+                                    if (_e1766 < 0.0lf) {
+                                        phi_5923_ = -(_e1766);
                                     } else {
-                                        phi_4545_ = _e1546;
+                                        phi_5923_ = _e1766;
                                     }
-                                    let _e1594 = phi_4545_;
-                                    if (_e1590 > _e1594) {
-                                        phi_4550_ = _e1590;
+                                    let _e1814 = phi_5923_;
+                                    if (_e1810 > _e1814) {
+                                        phi_5928_ = _e1810;
                                     } else {
-                                        phi_4550_ = _e1594;
+                                        phi_5928_ = _e1814;
                                     }
-                                    let _e1597 = phi_4550_;
-                                    if (_e1547 < 0.0lf) {
-                                        phi_4556_ = -(_e1547);
+                                    let _e1817 = phi_5928_;
+                                    if (_e1767 < 0.0lf) {
+                                        phi_5934_ = -(_e1767);
                                     } else {
-                                        phi_4556_ = _e1547;
+                                        phi_5934_ = _e1767;
                                     }
-                                    let _e1601 = phi_4556_;
-                                    if (_e1597 > _e1601) {
-                                        phi_4561_ = _e1597;
+                                    let _e1821 = phi_5934_;
+                                    if (_e1817 > _e1821) {
+                                        phi_5939_ = _e1817;
                                     } else {
-                                        phi_4561_ = _e1601;
+                                        phi_5939_ = _e1821;
                                     }
-                                    let _e1604 = phi_4561_;
-                                    local_3 = type_32(array<f64, 3>(_e1545, _e1546, _e1547), _e1586, (_e1604 + _e1586));
-                                    let _e1610 = local_12.member_3;
-                                    let _e1612 = local_12.member_2[0u];
-                                    if (_e1612[0] < 0.0lf) {
-                                        phi_4587_ = -(_e1612[0]);
+                                    let _e1824 = phi_5939_;
+                                    local_3 = type_35(array<f64, 3>(_e1765, _e1766, _e1767), _e1806, (_e1824 + _e1806));
+                                    let _e1830 = local_12.member_3;
+                                    let _e1832 = local_12.member_2[0u];
+                                    if (_e1832[0] < 0.0lf) {
+                                        phi_5965_ = -(_e1832[0]);
                                     } else {
-                                        phi_4587_ = _e1612[0];
+                                        phi_5965_ = _e1832[0];
                                     }
-                                    let _e1619 = phi_4587_;
-                                    if (_e1612[1] < 0.0lf) {
-                                        phi_4594_ = -(_e1612[1]);
+                                    let _e1839 = phi_5965_;
+                                    if (_e1832[1] < 0.0lf) {
+                                        phi_5972_ = -(_e1832[1]);
                                     } else {
-                                        phi_4594_ = _e1612[1];
+                                        phi_5972_ = _e1832[1];
                                     }
-                                    let _e1623 = phi_4594_;
-                                    if (_e1619 > _e1623) {
-                                        phi_4599_ = _e1619;
+                                    let _e1843 = phi_5972_;
+                                    if (_e1839 > _e1843) {
+                                        phi_5977_ = _e1839;
                                     } else {
-                                        phi_4599_ = _e1623;
+                                        phi_5977_ = _e1843;
                                     }
-                                    let _e1626 = phi_4599_;
-                                    if (_e1612[2] < 0.0lf) {
-                                        phi_4606_ = -(_e1612[2]);
+                                    let _e1846 = phi_5977_;
+                                    if (_e1832[2] < 0.0lf) {
+                                        phi_5984_ = -(_e1832[2]);
                                     } else {
-                                        phi_4606_ = _e1612[2];
+                                        phi_5984_ = _e1832[2];
                                     }
-                                    let _e1630 = phi_4606_;
-                                    if (_e1626 > _e1630) {
-                                        phi_4611_ = _e1626;
+                                    let _e1850 = phi_5984_;
+                                    if (_e1846 > _e1850) {
+                                        phi_5989_ = _e1846;
                                     } else {
-                                        phi_4611_ = _e1630;
+                                        phi_5989_ = _e1850;
                                     }
-                                    let _e1633 = phi_4611_;
-                                    let _e1635 = local_12.member_2[1u];
-                                    if (_e1635[0] < 0.0lf) {
-                                        phi_4624_ = -(_e1635[0]);
+                                    let _e1853 = phi_5989_;
+                                    let _e1855 = local_12.member_2[1u];
+                                    if (_e1855[0] < 0.0lf) {
+                                        phi_6002_ = -(_e1855[0]);
                                     } else {
-                                        phi_4624_ = _e1635[0];
+                                        phi_6002_ = _e1855[0];
                                     }
-                                    let _e1642 = phi_4624_;
-                                    if (_e1635[1] < 0.0lf) {
-                                        phi_4631_ = -(_e1635[1]);
+                                    let _e1862 = phi_6002_;
+                                    if (_e1855[1] < 0.0lf) {
+                                        phi_6009_ = -(_e1855[1]);
                                     } else {
-                                        phi_4631_ = _e1635[1];
+                                        phi_6009_ = _e1855[1];
                                     }
-                                    let _e1646 = phi_4631_;
-                                    if (_e1642 > _e1646) {
-                                        phi_4636_ = _e1642;
+                                    let _e1866 = phi_6009_;
+                                    if (_e1862 > _e1866) {
+                                        phi_6014_ = _e1862;
                                     } else {
-                                        phi_4636_ = _e1646;
+                                        phi_6014_ = _e1866;
                                     }
-                                    let _e1649 = phi_4636_;
-                                    if (_e1635[2] < 0.0lf) {
-                                        phi_4643_ = -(_e1635[2]);
+                                    let _e1869 = phi_6014_;
+                                    if (_e1855[2] < 0.0lf) {
+                                        phi_6021_ = -(_e1855[2]);
                                     } else {
-                                        phi_4643_ = _e1635[2];
+                                        phi_6021_ = _e1855[2];
                                     }
-                                    let _e1653 = phi_4643_;
-                                    if (_e1649 > _e1653) {
-                                        phi_4648_ = _e1649;
+                                    let _e1873 = phi_6021_;
+                                    if (_e1869 > _e1873) {
+                                        phi_6026_ = _e1869;
                                     } else {
-                                        phi_4648_ = _e1653;
+                                        phi_6026_ = _e1873;
                                     }
-                                    let _e1656 = phi_4648_;
-                                    if (_e1633 > _e1656) {
-                                        phi_4653_ = _e1633;
+                                    let _e1876 = phi_6026_;
+                                    if (_e1853 > _e1876) {
+                                        phi_6031_ = _e1853;
                                     } else {
-                                        phi_4653_ = _e1656;
+                                        phi_6031_ = _e1876;
                                     }
-                                    let _e1659 = phi_4653_;
-                                    let _e1662 = local_12.member_2[0u];
-                                    let _e1667 = local_12.member_2[1u];
-                                    let _e1677 = (_e1662[0] + ((_e1667[0] - _e1662[0]) * _e1340));
-                                    let _e1678 = (_e1662[1] + ((_e1667[1] - _e1662[1]) * _e1340));
-                                    let _e1679 = (_e1662[2] + ((_e1667[2] - _e1662[2]) * _e1340));
-                                    let _e1681 = local_12.member_2[1u];
-                                    let _e1686 = local_12.member_2[0u];
-                                    let _e1690 = (_e1681[0] - _e1686[0]);
-                                    let _e1691 = (_e1681[1] - _e1686[1]);
-                                    let _e1692 = (_e1681[2] - _e1686[2]);
-                                    if (_e1690 < 0.0lf) {
-                                        phi_4712_ = -(_e1690);
+                                    let _e1879 = phi_6031_;
+                                    let _e1882 = local_12.member_2[0u];
+                                    let _e1887 = local_12.member_2[1u];
+                                    let _e1897 = (_e1882[0] + ((_e1887[0] - _e1882[0]) * _e1560));
+                                    let _e1898 = (_e1882[1] + ((_e1887[1] - _e1882[1]) * _e1560));
+                                    let _e1899 = (_e1882[2] + ((_e1887[2] - _e1882[2]) * _e1560));
+                                    let _e1901 = local_12.member_2[1u];
+                                    let _e1906 = local_12.member_2[0u];
+                                    let _e1910 = (_e1901[0] - _e1906[0]);
+                                    let _e1911 = (_e1901[1] - _e1906[1]);
+                                    let _e1912 = (_e1901[2] - _e1906[2]);
+                                    if (_e1910 < 0.0lf) {
+                                        phi_6090_ = -(_e1910);
                                     } else {
-                                        phi_4712_ = _e1690;
+                                        phi_6090_ = _e1910;
                                     }
-                                    let _e1696 = phi_4712_;
-                                    if (_e1691 < 0.0lf) {
-                                        phi_4718_ = -(_e1691);
+                                    let _e1916 = phi_6090_;
+                                    if (_e1911 < 0.0lf) {
+                                        phi_6096_ = -(_e1911);
                                     } else {
-                                        phi_4718_ = _e1691;
+                                        phi_6096_ = _e1911;
                                     }
-                                    let _e1700 = phi_4718_;
-                                    if (_e1696 > _e1700) {
-                                        phi_4723_ = _e1696;
+                                    let _e1920 = phi_6096_;
+                                    if (_e1916 > _e1920) {
+                                        phi_6101_ = _e1916;
                                     } else {
-                                        phi_4723_ = _e1700;
+                                        phi_6101_ = _e1920;
                                     }
-                                    let _e1703 = phi_4723_;
-                                    if (_e1692 < 0.0lf) {
-                                        phi_4729_ = -(_e1692);
+                                    let _e1923 = phi_6101_;
+                                    if (_e1912 < 0.0lf) {
+                                        phi_6107_ = -(_e1912);
                                     } else {
-                                        phi_4729_ = _e1692;
+                                        phi_6107_ = _e1912;
                                     }
-                                    let _e1707 = phi_4729_;
-                                    if (_e1703 > _e1707) {
-                                        phi_4734_ = _e1703;
+                                    let _e1927 = phi_6107_;
+                                    if (_e1923 > _e1927) {
+                                        phi_6112_ = _e1923;
                                     } else {
-                                        phi_4734_ = _e1707;
+                                        phi_6112_ = _e1927;
                                     }
-                                    let _e1710 = phi_4734_;
-                                    let _e1718 = ((((_e1343 * _e1710) * f64(1.01f)) + ((_e1659 + _e1610) * (1.1102230246251565e-16lf * f64(8f)))) + _e1610);
-                                    if (_e1677 < 0.0lf) {
-                                        phi_4748_ = -(_e1677);
+                                    let _e1930 = phi_6112_;
+                                    let _e1938 = ((((_e1563 * _e1930) * f64(1.01f)) + ((_e1879 + _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + _e1830);
+                                    if (_e1897 < 0.0lf) {
+                                        phi_6126_ = -(_e1897);
                                     } else {
-                                        phi_4748_ = _e1677;
+                                        phi_6126_ = _e1897;
                                     }
-                                    let _e1722 = phi_4748_;
-                                    if (_e1678 < 0.0lf) {
-                                        phi_4754_ = -(_e1678);
+                                    let _e1942 = phi_6126_;
+                                    if (_e1898 < 0.0lf) {
+                                        phi_6132_ = -(_e1898);
                                     } else {
-                                        phi_4754_ = _e1678;
+                                        phi_6132_ = _e1898;
                                     }
-                                    let _e1726 = phi_4754_;
-                                    if (_e1722 > _e1726) {
-                                        phi_4759_ = _e1722;
+                                    let _e1946 = phi_6132_;
+                                    if (_e1942 > _e1946) {
+                                        phi_6137_ = _e1942;
                                     } else {
-                                        phi_4759_ = _e1726;
+                                        phi_6137_ = _e1946;
                                     }
-                                    let _e1729 = phi_4759_;
-                                    if (_e1679 < 0.0lf) {
-                                        phi_4765_ = -(_e1679);
+                                    let _e1949 = phi_6137_;
+                                    if (_e1899 < 0.0lf) {
+                                        phi_6143_ = -(_e1899);
                                     } else {
-                                        phi_4765_ = _e1679;
+                                        phi_6143_ = _e1899;
                                     }
-                                    let _e1733 = phi_4765_;
-                                    if (_e1729 > _e1733) {
-                                        phi_4770_ = _e1729;
+                                    let _e1953 = phi_6143_;
+                                    if (_e1949 > _e1953) {
+                                        phi_6148_ = _e1949;
                                     } else {
-                                        phi_4770_ = _e1733;
+                                        phi_6148_ = _e1953;
                                     }
-                                    let _e1736 = phi_4770_;
-                                    local_4 = type_32(array<f64, 3>(_e1677, _e1678, _e1679), _e1718, (_e1736 + _e1718));
-                                    let _e1741 = local_3.member;
-                                    let _e1746 = local_4.member;
-                                    let _e1752 = ((_e1741[1] * _e1746[2]) - (_e1741[2] * _e1746[1]));
-                                    let _e1755 = ((_e1741[2] * _e1746[0]) - (_e1741[0] * _e1746[2]));
-                                    let _e1758 = ((_e1741[0] * _e1746[1]) - (_e1741[1] * _e1746[0]));
-                                    if (_e1752 < 0.0lf) {
-                                        phi_4819_ = -(_e1752);
+                                    let _e1956 = phi_6148_;
+                                    local_4 = type_35(array<f64, 3>(_e1897, _e1898, _e1899), _e1938, (_e1956 + _e1938));
+                                    let _e1961 = local_3.member;
+                                    let _e1966 = local_4.member;
+                                    let _e1972 = ((_e1961[1] * _e1966[2]) - (_e1961[2] * _e1966[1]));
+                                    let _e1975 = ((_e1961[2] * _e1966[0]) - (_e1961[0] * _e1966[2]));
+                                    let _e1978 = ((_e1961[0] * _e1966[1]) - (_e1961[1] * _e1966[0]));
+                                    if (_e1972 < 0.0lf) {
+                                        phi_6197_ = -(_e1972);
                                     } else {
-                                        phi_4819_ = _e1752;
+                                        phi_6197_ = _e1972;
                                     }
-                                    let _e1762 = phi_4819_;
-                                    if (_e1755 < 0.0lf) {
-                                        phi_4825_ = -(_e1755);
+                                    let _e1982 = phi_6197_;
+                                    if (_e1975 < 0.0lf) {
+                                        phi_6203_ = -(_e1975);
                                     } else {
-                                        phi_4825_ = _e1755;
+                                        phi_6203_ = _e1975;
                                     }
-                                    let _e1766 = phi_4825_;
-                                    if (_e1762 > _e1766) {
-                                        if (_e1752 < 0.0lf) {
-                                            phi_4835_ = -(_e1752);
+                                    let _e1986 = phi_6203_;
+                                    if (_e1982 > _e1986) {
+                                        if (_e1972 < 0.0lf) {
+                                            phi_6213_ = -(_e1972);
                                         } else {
-                                            phi_4835_ = _e1752;
+                                            phi_6213_ = _e1972;
                                         }
-                                        let _e1784 = phi_4835_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4841_ = -(_e1758);
+                                        let _e2004 = phi_6213_;
+                                        if (_e1978 < 0.0lf) {
+                                            phi_6219_ = -(_e1978);
                                         } else {
-                                            phi_4841_ = _e1758;
+                                            phi_6219_ = _e1978;
                                         }
-                                        let _e1788 = phi_4841_;
-                                        if (_e1784 > _e1788) {
-                                            phi_4846_ = 2u;
-                                            phi_4847_ = 1u;
+                                        let _e2008 = phi_6219_;
+                                        if (_e2004 > _e2008) {
+                                            phi_6224_ = 2u;
+                                            phi_6225_ = 1u;
                                         } else {
-                                            phi_4846_ = 1u;
-                                            phi_4847_ = 0u;
+                                            phi_6224_ = 1u;
+                                            phi_6225_ = 0u;
                                         }
-                                        let _e1791 = phi_4846_;
-                                        let _e1793 = phi_4847_;
-                                        phi_4866_ = _e1791;
-                                        phi_4867_ = _e1793;
+                                        let _e2011 = phi_6224_;
+                                        let _e2013 = phi_6225_;
+                                        phi_6244_ = _e2011;
+                                        phi_6245_ = _e2013;
                                     } else {
-                                        if (_e1755 < 0.0lf) {
-                                            phi_4853_ = -(_e1755);
+                                        if (_e1975 < 0.0lf) {
+                                            phi_6231_ = -(_e1975);
                                         } else {
-                                            phi_4853_ = _e1755;
+                                            phi_6231_ = _e1975;
                                         }
-                                        let _e1771 = phi_4853_;
-                                        if (_e1758 < 0.0lf) {
-                                            phi_4859_ = -(_e1758);
+                                        let _e1991 = phi_6231_;
+                                        if (_e1978 < 0.0lf) {
+                                            phi_6237_ = -(_e1978);
                                         } else {
-                                            phi_4859_ = _e1758;
+                                            phi_6237_ = _e1978;
                                         }
-                                        let _e1775 = phi_4859_;
-                                        if (_e1771 > _e1775) {
-                                            phi_4864_ = 0u;
-                                            phi_4865_ = 2u;
+                                        let _e1995 = phi_6237_;
+                                        if (_e1991 > _e1995) {
+                                            phi_6242_ = 0u;
+                                            phi_6243_ = 2u;
                                         } else {
-                                            phi_4864_ = 1u;
-                                            phi_4865_ = 0u;
+                                            phi_6242_ = 1u;
+                                            phi_6243_ = 0u;
                                         }
-                                        let _e1778 = phi_4864_;
-                                        let _e1780 = phi_4865_;
-                                        phi_4866_ = _e1778;
-                                        phi_4867_ = _e1780;
+                                        let _e1998 = phi_6242_;
+                                        let _e2000 = phi_6243_;
+                                        phi_6244_ = _e1998;
+                                        phi_6245_ = _e2000;
                                     }
-                                    let _e1795 = phi_4866_;
-                                    let _e1797 = phi_4867_;
-                                    let _e1800 = local_3.member[_e1797];
-                                    let _e1803 = local_4.member[_e1795];
-                                    let _e1807 = local_3.member[_e1795];
-                                    let _e1810 = local_4.member[_e1797];
-                                    let _e1812 = ((_e1800 * _e1803) - (_e1807 * _e1810));
-                                    let _e1813 = f64(1f);
-                                    let _e1815 = local_3.member_1;
-                                    let _e1817 = local_4.member_2;
-                                    let _e1820 = local_3.member_2;
-                                    let _e1822 = local_4.member_1;
-                                    let _e1828 = local_3.member_2;
-                                    let _e1830 = local_4.member_2;
-                                    let _e1839 = local_3.member_2;
-                                    let _e1842 = local_4.member_2;
-                                    let _e1846 = (((((_e1815 * _e1817) + (_e1820 * _e1822)) * f64(2.01f)) + ((_e1828 * _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1813 + _e1839) * (_e1813 + _e1842))));
-                                    if (_e1812 < 0.0lf) {
-                                        phi_4938_ = -(_e1812);
+                                    let _e2015 = phi_6244_;
+                                    let _e2017 = phi_6245_;
+                                    let _e2020 = local_3.member[_e2017];
+                                    let _e2023 = local_4.member[_e2015];
+                                    let _e2027 = local_3.member[_e2015];
+                                    let _e2030 = local_4.member[_e2017];
+                                    let _e2032 = ((_e2020 * _e2023) - (_e2027 * _e2030));
+                                    let _e2033 = f64(1f);
+                                    let _e2034 = f64(2f);
+                                    let _e2036 = local_3.member_1;
+                                    let _e2038 = local_4.member_2;
+                                    let _e2041 = local_3.member_2;
+                                    let _e2043 = local_4.member_1;
+                                    let _e2049 = local_3.member_2;
+                                    let _e2052 = local_4.member_2;
+                                    let _e2061 = local_3.member_2;
+                                    let _e2064 = local_4.member_2;
+                                    let _e2068 = (((((_e2036 * _e2038) + (_e2041 * _e2043)) * f64(2.01f)) + (((_e2049 * _e2034) * (_e2052 * _e2034)) * (1.1102230246251565e-16lf * _e2034))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2033 + _e2061) * (_e2033 + _e2064))));
+                                    if (_e2032 < 0.0lf) {
+                                        phi_6318_ = -(_e2032);
                                     } else {
-                                        phi_4938_ = _e1812;
+                                        phi_6318_ = _e2032;
                                     }
-                                    let _e1850 = phi_4938_;
-                                    if (_e1850 > _e1846) {
-                                        if (_e1812 < f64(0f)) {
-                                            phi_4950_ = f64(-1f);
+                                    let _e2072 = phi_6318_;
+                                    if (_e2072 > _e2068) {
+                                        if (_e2032 < f64(0f)) {
+                                            phi_6330_ = f64(-1f);
                                         } else {
-                                            phi_4950_ = f64(1f);
+                                            phi_6330_ = f64(1f);
                                         }
-                                        let _e1857 = phi_4950_;
-                                        let _e1860 = local_2.member[_e1797];
-                                        let _e1863 = local_4.member[_e1795];
-                                        let _e1867 = local_2.member[_e1795];
-                                        let _e1870 = local_4.member[_e1797];
-                                        let _e1873 = f64(1f);
-                                        let _e1875 = local_2.member_1;
-                                        let _e1877 = local_4.member_2;
-                                        let _e1880 = local_2.member_2;
-                                        let _e1882 = local_4.member_1;
-                                        let _e1888 = local_2.member_2;
-                                        let _e1890 = local_4.member_2;
-                                        let _e1899 = local_2.member_2;
-                                        let _e1902 = local_4.member_2;
-                                        let _e1906 = (((((_e1875 * _e1877) + (_e1880 * _e1882)) * f64(2.01f)) + ((_e1888 * _e1890) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1873 + _e1899) * (_e1873 + _e1902))));
-                                        let _e1909 = local_3.member[_e1797];
-                                        let _e1912 = local_2.member[_e1795];
-                                        let _e1916 = local_3.member[_e1795];
-                                        let _e1919 = local_2.member[_e1797];
-                                        let _e1922 = f64(1f);
-                                        let _e1924 = local_3.member_1;
-                                        let _e1926 = local_2.member_2;
-                                        let _e1929 = local_3.member_2;
-                                        let _e1931 = local_2.member_1;
-                                        let _e1937 = local_3.member_2;
-                                        let _e1939 = local_2.member_2;
-                                        let _e1948 = local_3.member_2;
-                                        let _e1951 = local_2.member_2;
-                                        let _e1955 = (((((_e1924 * _e1926) + (_e1929 * _e1931)) * f64(2.01f)) + ((_e1937 * _e1939) * (1.1102230246251565e-16lf * f64(8f)))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e1922 + _e1948) * (_e1922 + _e1951))));
-                                        let _e1956 = (_e1812 * _e1857);
-                                        let _e1957 = (((_e1860 * _e1863) - (_e1867 * _e1870)) * _e1857);
-                                        let _e1958 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1857);
-                                        if (_e1956 < 0.0lf) {
-                                            phi_5089_ = -(_e1956);
+                                        let _e2079 = phi_6330_;
+                                        let _e2082 = local_2.member[_e2017];
+                                        let _e2085 = local_4.member[_e2015];
+                                        let _e2089 = local_2.member[_e2015];
+                                        let _e2092 = local_4.member[_e2017];
+                                        let _e2095 = f64(1f);
+                                        let _e2096 = f64(2f);
+                                        let _e2098 = local_2.member_1;
+                                        let _e2100 = local_4.member_2;
+                                        let _e2103 = local_2.member_2;
+                                        let _e2105 = local_4.member_1;
+                                        let _e2111 = local_2.member_2;
+                                        let _e2114 = local_4.member_2;
+                                        let _e2123 = local_2.member_2;
+                                        let _e2126 = local_4.member_2;
+                                        let _e2130 = (((((_e2098 * _e2100) + (_e2103 * _e2105)) * f64(2.01f)) + (((_e2111 * _e2096) * (_e2114 * _e2096)) * (1.1102230246251565e-16lf * _e2096))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2095 + _e2123) * (_e2095 + _e2126))));
+                                        let _e2133 = local_3.member[_e2017];
+                                        let _e2136 = local_2.member[_e2015];
+                                        let _e2140 = local_3.member[_e2015];
+                                        let _e2143 = local_2.member[_e2017];
+                                        let _e2146 = f64(1f);
+                                        let _e2147 = f64(2f);
+                                        let _e2149 = local_3.member_1;
+                                        let _e2151 = local_2.member_2;
+                                        let _e2154 = local_3.member_2;
+                                        let _e2156 = local_2.member_1;
+                                        let _e2162 = local_3.member_2;
+                                        let _e2165 = local_2.member_2;
+                                        let _e2174 = local_3.member_2;
+                                        let _e2177 = local_2.member_2;
+                                        let _e2181 = (((((_e2149 * _e2151) + (_e2154 * _e2156)) * f64(2.01f)) + (((_e2162 * _e2147) * (_e2165 * _e2147)) * (1.1102230246251565e-16lf * _e2147))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2146 + _e2174) * (_e2146 + _e2177))));
+                                        let _e2182 = (_e2032 * _e2079);
+                                        let _e2183 = (((_e2082 * _e2085) - (_e2089 * _e2092)) * _e2079);
+                                        let _e2184 = (((_e2133 * _e2136) - (_e2140 * _e2143)) * _e2079);
+                                        if (_e2182 < 0.0lf) {
+                                            phi_6473_ = -(_e2182);
                                         } else {
-                                            phi_5089_ = _e1956;
+                                            phi_6473_ = _e2182;
                                         }
-                                        let _e1962 = phi_5089_;
-                                        if (_e1957 < 0.0lf) {
-                                            phi_5095_ = -(_e1957);
+                                        let _e2188 = phi_6473_;
+                                        if (_e2183 < 0.0lf) {
+                                            phi_6479_ = -(_e2183);
                                         } else {
-                                            phi_5095_ = _e1957;
+                                            phi_6479_ = _e2183;
                                         }
-                                        let _e1966 = phi_5095_;
-                                        if (_e1958 < 0.0lf) {
-                                            phi_5102_ = -(_e1958);
+                                        let _e2192 = phi_6479_;
+                                        if (_e2184 < 0.0lf) {
+                                            phi_6486_ = -(_e2184);
                                         } else {
-                                            phi_5102_ = _e1958;
+                                            phi_6486_ = _e2184;
                                         }
-                                        let _e1971 = phi_5102_;
-                                        let _e1977 = ((_e1956 - _e1957) - _e1958);
-                                        let _e1980 = (((_e1846 + _e1906) + _e1955) + (((_e1962 + _e1966) + _e1971) * (1.1102230246251565e-16lf * f64(4f))));
-                                        local_5[0u].member = _e1957;
-                                        local_5[0u].member_1 = _e1906;
-                                        local_5[1u].member = _e1958;
-                                        local_5[1u].member_1 = _e1955;
-                                        local_5[2u].member = _e1977;
-                                        local_5[2u].member_1 = _e1980;
-                                        local_5[3u].member = _e1977;
-                                        local_5[3u].member_1 = _e1980;
-                                        phi_5146_ = type_19(0u, 4u);
-                                        phi_5149_ = true;
+                                        let _e2197 = phi_6486_;
+                                        let _e2203 = ((_e2182 - _e2183) - _e2184);
+                                        let _e2206 = (((_e2068 + _e2130) + _e2181) + (((_e2188 + _e2192) + _e2197) * (1.1102230246251565e-16lf * f64(4f))));
+                                        local_5[0u].member = _e2183;
+                                        local_5[0u].member_1 = _e2130;
+                                        local_5[1u].member = _e2184;
+                                        local_5[1u].member_1 = _e2181;
+                                        local_5[2u].member = _e2203;
+                                        local_5[2u].member_1 = _e2206;
+                                        local_5[3u].member = _e2203;
+                                        local_5[3u].member_1 = _e2206;
+                                        phi_6530_ = type_9(0u, 4u);
+                                        phi_6533_ = true;
                                         loop {
-                                            let _e1995 = phi_5146_;
-                                            let _e1997 = phi_5149_;
-                                            local_17 = _e1997;
-                                            if (_e1995.member < _e1995.member_1) {
-                                                phi_5147_ = type_19((_e1995.member + 1u), _e1995.member_1);
-                                                phi_5172_ = type_19(1u, _e1995.member);
+                                            let _e2221 = phi_6530_;
+                                            let _e2223 = phi_6533_;
+                                            local_17 = _e2223;
+                                            if (_e2221.member < _e2221.member_1) {
+                                                phi_6531_ = type_9((_e2221.member + 1u), _e2221.member_1);
+                                                phi_6556_ = type_9(1u, _e2221.member);
                                             } else {
-                                                phi_5147_ = _e1995;
-                                                phi_5172_ = type_19(0u, type_19().member_1);
+                                                phi_6531_ = _e2221;
+                                                phi_6556_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2009 = phi_5147_;
-                                            let _e2011 = phi_5172_;
-                                            if (bitcast<i32>(_e2011.member) != 0i) {
-                                                let _e2018 = local_5[_e2011.member_1].member;
-                                                let _e2021 = local_5[_e2011.member_1].member_1;
-                                                let _e2023 = (_e2018 < -(_e2021));
-                                                if _e2023 {
-                                                    phi_5199_ = bool();
-                                                    phi_5200_ = false;
+                                            let _e2235 = phi_6531_;
+                                            let _e2237 = phi_6556_;
+                                            if (bitcast<i32>(_e2237.member) != 0i) {
+                                                let _e2244 = local_5[_e2237.member_1].member;
+                                                let _e2247 = local_5[_e2237.member_1].member_1;
+                                                let _e2249 = (_e2244 < -(_e2247));
+                                                if _e2249 {
+                                                    phi_6583_ = bool();
+                                                    phi_6584_ = false;
                                                 } else {
-                                                    phi_5199_ = (_e1997 && (_e2018 > _e2021));
-                                                    phi_5200_ = true;
+                                                    phi_6583_ = (_e2223 && (_e2244 > _e2247));
+                                                    phi_6584_ = true;
                                                 }
-                                                let _e2027 = phi_5199_;
-                                                let _e2029 = phi_5200_;
-                                                phi_5150_ = _e2027;
-                                                phi_5201_ = _e2029;
-                                                phi_5202_ = _e2023;
+                                                let _e2253 = phi_6583_;
+                                                let _e2255 = phi_6584_;
+                                                phi_6534_ = _e2253;
+                                                phi_6585_ = _e2255;
+                                                phi_6586_ = _e2249;
                                             } else {
-                                                phi_5150_ = bool();
-                                                phi_5201_ = false;
-                                                phi_5202_ = false;
+                                                phi_6534_ = bool();
+                                                phi_6585_ = false;
+                                                phi_6586_ = false;
                                             }
-                                            let _e2031 = phi_5150_;
-                                            let _e2033 = phi_5201_;
-                                            let _e2035 = phi_5202_;
-                                            local_16 = _e2035;
+                                            let _e2257 = phi_6534_;
+                                            let _e2259 = phi_6585_;
+                                            let _e2261 = phi_6586_;
+                                            local_16 = _e2261;
                                             continue;
                                             continuing {
-                                                phi_5146_ = _e2009;
-                                                phi_5149_ = _e2031;
-                                                break if !(_e2033);
+                                                phi_6530_ = _e2235;
+                                                phi_6533_ = _e2257;
+                                                break if !(_e2259);
                                             }
                                         }
-                                        let _e2038 = local_16;
-                                        if _e2038 {
-                                            phi_5206_ = false;
+                                        let _e2264 = local_16;
+                                        if _e2264 {
+                                            phi_6590_ = false;
                                         } else {
-                                            phi_5206_ = true;
+                                            phi_6590_ = true;
                                         }
-                                        let _e2040 = phi_5206_;
-                                        if _e2040 {
-                                            let _e2042 = local_17;
-                                            if _e2042 {
-                                                phi_5213_ = 1u;
+                                        let _e2266 = phi_6590_;
+                                        if _e2266 {
+                                            let _e2268 = local_17;
+                                            if _e2268 {
+                                                phi_6597_ = 1u;
                                             } else {
-                                                phi_5213_ = 2u;
+                                                phi_6597_ = 2u;
                                             }
-                                            let _e2044 = phi_5213_;
-                                            phi_5214_ = _e2044;
-                                            phi_5215_ = false;
+                                            let _e2270 = phi_6597_;
+                                            phi_6598_ = _e2270;
+                                            phi_6599_ = false;
                                         } else {
-                                            phi_5214_ = u32();
-                                            phi_5215_ = true;
+                                            phi_6598_ = u32();
+                                            phi_6599_ = true;
                                         }
-                                        let _e2046 = phi_5214_;
-                                        let _e2048 = phi_5215_;
-                                        phi_5216_ = _e2046;
-                                        phi_5217_ = 0u;
-                                        phi_5218_ = _e2048;
+                                        let _e2272 = phi_6598_;
+                                        let _e2274 = phi_6599_;
+                                        phi_6600_ = _e2272;
+                                        phi_6601_ = 0u;
+                                        phi_6602_ = _e2274;
                                     } else {
-                                        phi_5216_ = u32();
-                                        phi_5217_ = 2u;
-                                        phi_5218_ = true;
+                                        phi_6600_ = u32();
+                                        phi_6601_ = 2u;
+                                        phi_6602_ = true;
                                     }
-                                    let _e2050 = phi_5216_;
-                                    let _e2052 = phi_5217_;
-                                    let _e2054 = phi_5218_;
-                                    if _e2054 {
-                                        phi_5222_ = _e2052;
+                                    let _e2276 = phi_6600_;
+                                    let _e2278 = phi_6601_;
+                                    let _e2280 = phi_6602_;
+                                    if _e2280 {
+                                        phi_6606_ = _e2278;
                                     } else {
-                                        phi_5222_ = _e2050;
+                                        phi_6606_ = _e2276;
                                     }
-                                    let _e2056 = phi_5222_;
-                                    let _e2057 = (_e2056 == 0u);
-                                    if _e2057 {
-                                        phi_6279_ = f64();
-                                        phi_6280_ = false;
-                                        phi_6281_ = false;
-                                        phi_6282_ = false;
+                                    let _e2282 = phi_6606_;
+                                    let _e2283 = (_e2282 == 0u);
+                                    if _e2283 {
+                                        phi_8775_ = f64();
+                                        phi_8776_ = false;
+                                        phi_8777_ = false;
+                                        phi_8778_ = false;
                                     } else {
-                                        if (_e2056 == 1u) {
-                                            if _e1331.member_2 {
-                                                if ((_e1331.member_1 - _e1331.member) <= f64(0.0000005f)) {
-                                                    phi_5243_ = false;
+                                        if (_e2282 == 1u) {
+                                            if _e1551.member_2 {
+                                                if ((_e1551.member_1 - _e1551.member) <= f64(0.0000005f)) {
+                                                    phi_6627_ = false;
                                                 } else {
-                                                    phi_5243_ = true;
+                                                    phi_6627_ = true;
                                                 }
-                                                let _e2066 = phi_5243_;
-                                                phi_5244_ = _e2066;
+                                                let _e2292 = phi_6627_;
+                                                phi_6628_ = _e2292;
                                             } else {
-                                                phi_5244_ = true;
+                                                phi_6628_ = true;
                                             }
-                                            let _e2068 = phi_5244_;
-                                            phi_5245_ = _e2068;
+                                            let _e2294 = phi_6628_;
+                                            phi_6629_ = _e2294;
                                         } else {
-                                            phi_5245_ = true;
+                                            phi_6629_ = true;
                                         }
-                                        let _e2070 = phi_5245_;
-                                        if _e2070 {
-                                            let _e2076 = local_12.member[0u];
-                                            let _e2082 = local_12.member_1[0u];
-                                            let _e2088 = local_12.member_2[0u];
-                                            local = array<array<f64, 3>, 4>(_e2076, array<f64, 3>((_e2076[0] - _e2082[0]), (_e2076[1] - _e2082[1]), (_e2076[2] - _e2082[2])), array<f64, 3>((_e2076[0] - _e2088[0]), (_e2076[1] - _e2088[1]), (_e2076[2] - _e2088[2])), _e2076);
-                                            let _e2103 = local_12.member[1u];
-                                            let _e2109 = local_12.member_1[1u];
-                                            let _e2115 = local_12.member_2[1u];
-                                            local_1 = array<array<f64, 3>, 4>(_e2103, array<f64, 3>((_e2103[0] - _e2109[0]), (_e2103[1] - _e2109[1]), (_e2103[2] - _e2109[2])), array<f64, 3>((_e2103[0] - _e2115[0]), (_e2103[1] - _e2115[1]), (_e2103[2] - _e2115[2])), _e2103);
-                                            let _e2130 = local_12.member[0u];
-                                            if (_e2130[0] < 0.0lf) {
-                                                phi_5442_ = -(_e2130[0]);
+                                        let _e2296 = phi_6629_;
+                                        if _e2296 {
+                                            let _e2302 = local_12.member[0u];
+                                            let _e2308 = local_12.member_1[0u];
+                                            let _e2314 = local_12.member_2[0u];
+                                            let _e2326 = local_12.member[1u];
+                                            let _e2332 = local_12.member_1[1u];
+                                            let _e2338 = local_12.member_2[1u];
+                                            let _e2350 = local_12.member[0u];
+                                            if (_e2350[0] < 0.0lf) {
+                                                phi_6778_ = -(_e2350[0]);
                                             } else {
-                                                phi_5442_ = _e2130[0];
+                                                phi_6778_ = _e2350[0];
                                             }
-                                            let _e2137 = phi_5442_;
-                                            if (_e2130[1] < 0.0lf) {
-                                                phi_5449_ = -(_e2130[1]);
+                                            let _e2357 = phi_6778_;
+                                            if (_e2350[1] < 0.0lf) {
+                                                phi_6785_ = -(_e2350[1]);
                                             } else {
-                                                phi_5449_ = _e2130[1];
+                                                phi_6785_ = _e2350[1];
                                             }
-                                            let _e2141 = phi_5449_;
-                                            if (_e2137 > _e2141) {
-                                                phi_5454_ = _e2137;
+                                            let _e2361 = phi_6785_;
+                                            if (_e2357 > _e2361) {
+                                                phi_6790_ = _e2357;
                                             } else {
-                                                phi_5454_ = _e2141;
+                                                phi_6790_ = _e2361;
                                             }
-                                            let _e2144 = phi_5454_;
-                                            if (_e2130[2] < 0.0lf) {
-                                                phi_5461_ = -(_e2130[2]);
+                                            let _e2364 = phi_6790_;
+                                            if (_e2350[2] < 0.0lf) {
+                                                phi_6797_ = -(_e2350[2]);
                                             } else {
-                                                phi_5461_ = _e2130[2];
+                                                phi_6797_ = _e2350[2];
                                             }
-                                            let _e2148 = phi_5461_;
-                                            if (_e2144 > _e2148) {
-                                                phi_5466_ = _e2144;
+                                            let _e2368 = phi_6797_;
+                                            if (_e2364 > _e2368) {
+                                                phi_6802_ = _e2364;
                                             } else {
-                                                phi_5466_ = _e2148;
+                                                phi_6802_ = _e2368;
                                             }
-                                            let _e2151 = phi_5466_;
-                                            let _e2154 = local_12.member[1u];
-                                            if (_e2154[0] < 0.0lf) {
-                                                phi_5479_ = -(_e2154[0]);
+                                            let _e2371 = phi_6802_;
+                                            let _e2374 = local_12.member[1u];
+                                            if (_e2374[0] < 0.0lf) {
+                                                phi_6815_ = -(_e2374[0]);
                                             } else {
-                                                phi_5479_ = _e2154[0];
+                                                phi_6815_ = _e2374[0];
                                             }
-                                            let _e2161 = phi_5479_;
-                                            if (_e2154[1] < 0.0lf) {
-                                                phi_5486_ = -(_e2154[1]);
+                                            let _e2381 = phi_6815_;
+                                            if (_e2374[1] < 0.0lf) {
+                                                phi_6822_ = -(_e2374[1]);
                                             } else {
-                                                phi_5486_ = _e2154[1];
+                                                phi_6822_ = _e2374[1];
                                             }
-                                            let _e2165 = phi_5486_;
-                                            if (_e2161 > _e2165) {
-                                                phi_5491_ = _e2161;
+                                            let _e2385 = phi_6822_;
+                                            if (_e2381 > _e2385) {
+                                                phi_6827_ = _e2381;
                                             } else {
-                                                phi_5491_ = _e2165;
+                                                phi_6827_ = _e2385;
                                             }
-                                            let _e2168 = phi_5491_;
-                                            if (_e2154[2] < 0.0lf) {
-                                                phi_5498_ = -(_e2154[2]);
+                                            let _e2388 = phi_6827_;
+                                            if (_e2374[2] < 0.0lf) {
+                                                phi_6834_ = -(_e2374[2]);
                                             } else {
-                                                phi_5498_ = _e2154[2];
+                                                phi_6834_ = _e2374[2];
                                             }
-                                            let _e2172 = phi_5498_;
-                                            if (_e2168 > _e2172) {
-                                                phi_5503_ = _e2168;
+                                            let _e2392 = phi_6834_;
+                                            if (_e2388 > _e2392) {
+                                                phi_6839_ = _e2388;
                                             } else {
-                                                phi_5503_ = _e2172;
+                                                phi_6839_ = _e2392;
                                             }
-                                            let _e2175 = phi_5503_;
-                                            if (_e2151 > _e2175) {
-                                                phi_5508_ = _e2151;
+                                            let _e2395 = phi_6839_;
+                                            if (_e2371 > _e2395) {
+                                                phi_6844_ = _e2371;
                                             } else {
-                                                phi_5508_ = _e2175;
+                                                phi_6844_ = _e2395;
                                             }
-                                            let _e2178 = phi_5508_;
-                                            let _e2180 = local_12.member_3;
-                                            let _e2184 = local_12.member_1[0u];
-                                            if (_e2184[0] < 0.0lf) {
-                                                phi_5525_ = -(_e2184[0]);
+                                            let _e2398 = phi_6844_;
+                                            let _e2400 = local_12.member_3;
+                                            let _e2404 = local_12.member_1[0u];
+                                            if (_e2404[0] < 0.0lf) {
+                                                phi_6861_ = -(_e2404[0]);
                                             } else {
-                                                phi_5525_ = _e2184[0];
+                                                phi_6861_ = _e2404[0];
                                             }
-                                            let _e2191 = phi_5525_;
-                                            if (_e2184[1] < 0.0lf) {
-                                                phi_5532_ = -(_e2184[1]);
+                                            let _e2411 = phi_6861_;
+                                            if (_e2404[1] < 0.0lf) {
+                                                phi_6868_ = -(_e2404[1]);
                                             } else {
-                                                phi_5532_ = _e2184[1];
+                                                phi_6868_ = _e2404[1];
                                             }
-                                            let _e2195 = phi_5532_;
-                                            if (_e2191 > _e2195) {
-                                                phi_5537_ = _e2191;
+                                            let _e2415 = phi_6868_;
+                                            if (_e2411 > _e2415) {
+                                                phi_6873_ = _e2411;
                                             } else {
-                                                phi_5537_ = _e2195;
+                                                phi_6873_ = _e2415;
                                             }
-                                            let _e2198 = phi_5537_;
-                                            if (_e2184[2] < 0.0lf) {
-                                                phi_5544_ = -(_e2184[2]);
+                                            let _e2418 = phi_6873_;
+                                            if (_e2404[2] < 0.0lf) {
+                                                phi_6880_ = -(_e2404[2]);
                                             } else {
-                                                phi_5544_ = _e2184[2];
+                                                phi_6880_ = _e2404[2];
                                             }
-                                            let _e2202 = phi_5544_;
-                                            if (_e2198 > _e2202) {
-                                                phi_5549_ = _e2198;
+                                            let _e2422 = phi_6880_;
+                                            if (_e2418 > _e2422) {
+                                                phi_6885_ = _e2418;
                                             } else {
-                                                phi_5549_ = _e2202;
+                                                phi_6885_ = _e2422;
                                             }
-                                            let _e2205 = phi_5549_;
-                                            let _e2208 = local_12.member_1[1u];
-                                            if (_e2208[0] < 0.0lf) {
-                                                phi_5563_ = -(_e2208[0]);
+                                            let _e2425 = phi_6885_;
+                                            let _e2428 = local_12.member_1[1u];
+                                            if (_e2428[0] < 0.0lf) {
+                                                phi_6899_ = -(_e2428[0]);
                                             } else {
-                                                phi_5563_ = _e2208[0];
+                                                phi_6899_ = _e2428[0];
                                             }
-                                            let _e2215 = phi_5563_;
-                                            if (_e2208[1] < 0.0lf) {
-                                                phi_5570_ = -(_e2208[1]);
+                                            let _e2435 = phi_6899_;
+                                            if (_e2428[1] < 0.0lf) {
+                                                phi_6906_ = -(_e2428[1]);
                                             } else {
-                                                phi_5570_ = _e2208[1];
+                                                phi_6906_ = _e2428[1];
                                             }
-                                            let _e2219 = phi_5570_;
-                                            if (_e2215 > _e2219) {
-                                                phi_5575_ = _e2215;
+                                            let _e2439 = phi_6906_;
+                                            if (_e2435 > _e2439) {
+                                                phi_6911_ = _e2435;
                                             } else {
-                                                phi_5575_ = _e2219;
+                                                phi_6911_ = _e2439;
                                             }
-                                            let _e2222 = phi_5575_;
-                                            if (_e2208[2] < 0.0lf) {
-                                                phi_5582_ = -(_e2208[2]);
+                                            let _e2442 = phi_6911_;
+                                            if (_e2428[2] < 0.0lf) {
+                                                phi_6918_ = -(_e2428[2]);
                                             } else {
-                                                phi_5582_ = _e2208[2];
+                                                phi_6918_ = _e2428[2];
                                             }
-                                            let _e2226 = phi_5582_;
-                                            if (_e2222 > _e2226) {
-                                                phi_5587_ = _e2222;
+                                            let _e2446 = phi_6918_;
+                                            if (_e2442 > _e2446) {
+                                                phi_6923_ = _e2442;
                                             } else {
-                                                phi_5587_ = _e2226;
+                                                phi_6923_ = _e2446;
                                             }
-                                            let _e2229 = phi_5587_;
-                                            if (_e2205 > _e2229) {
-                                                phi_5592_ = _e2205;
+                                            let _e2449 = phi_6923_;
+                                            if (_e2425 > _e2449) {
+                                                phi_6928_ = _e2425;
                                             } else {
-                                                phi_5592_ = _e2229;
+                                                phi_6928_ = _e2449;
                                             }
-                                            let _e2232 = phi_5592_;
-                                            let _e2234 = local_12.member_3;
-                                            let _e2238 = local_12.member_2[0u];
-                                            if (_e2238[0] < 0.0lf) {
-                                                phi_5609_ = -(_e2238[0]);
+                                            let _e2452 = phi_6928_;
+                                            let _e2454 = local_12.member_3;
+                                            let _e2458 = local_12.member_2[0u];
+                                            if (_e2458[0] < 0.0lf) {
+                                                phi_6945_ = -(_e2458[0]);
                                             } else {
-                                                phi_5609_ = _e2238[0];
+                                                phi_6945_ = _e2458[0];
                                             }
-                                            let _e2245 = phi_5609_;
-                                            if (_e2238[1] < 0.0lf) {
-                                                phi_5616_ = -(_e2238[1]);
+                                            let _e2465 = phi_6945_;
+                                            if (_e2458[1] < 0.0lf) {
+                                                phi_6952_ = -(_e2458[1]);
                                             } else {
-                                                phi_5616_ = _e2238[1];
+                                                phi_6952_ = _e2458[1];
                                             }
-                                            let _e2249 = phi_5616_;
-                                            if (_e2245 > _e2249) {
-                                                phi_5621_ = _e2245;
+                                            let _e2469 = phi_6952_;
+                                            if (_e2465 > _e2469) {
+                                                phi_6957_ = _e2465;
                                             } else {
-                                                phi_5621_ = _e2249;
+                                                phi_6957_ = _e2469;
                                             }
-                                            let _e2252 = phi_5621_;
-                                            if (_e2238[2] < 0.0lf) {
-                                                phi_5628_ = -(_e2238[2]);
+                                            let _e2472 = phi_6957_;
+                                            if (_e2458[2] < 0.0lf) {
+                                                phi_6964_ = -(_e2458[2]);
                                             } else {
-                                                phi_5628_ = _e2238[2];
+                                                phi_6964_ = _e2458[2];
                                             }
-                                            let _e2256 = phi_5628_;
-                                            if (_e2252 > _e2256) {
-                                                phi_5633_ = _e2252;
+                                            let _e2476 = phi_6964_;
+                                            if (_e2472 > _e2476) {
+                                                phi_6969_ = _e2472;
                                             } else {
-                                                phi_5633_ = _e2256;
+                                                phi_6969_ = _e2476;
                                             }
-                                            let _e2259 = phi_5633_;
-                                            let _e2262 = local_12.member_2[1u];
-                                            if (_e2262[0] < 0.0lf) {
-                                                phi_5647_ = -(_e2262[0]);
+                                            let _e2479 = phi_6969_;
+                                            let _e2482 = local_12.member_2[1u];
+                                            if (_e2482[0] < 0.0lf) {
+                                                phi_6983_ = -(_e2482[0]);
                                             } else {
-                                                phi_5647_ = _e2262[0];
+                                                phi_6983_ = _e2482[0];
                                             }
-                                            let _e2269 = phi_5647_;
-                                            if (_e2262[1] < 0.0lf) {
-                                                phi_5654_ = -(_e2262[1]);
+                                            let _e2489 = phi_6983_;
+                                            if (_e2482[1] < 0.0lf) {
+                                                phi_6990_ = -(_e2482[1]);
                                             } else {
-                                                phi_5654_ = _e2262[1];
+                                                phi_6990_ = _e2482[1];
                                             }
-                                            let _e2273 = phi_5654_;
-                                            if (_e2269 > _e2273) {
-                                                phi_5659_ = _e2269;
+                                            let _e2493 = phi_6990_;
+                                            if (_e2489 > _e2493) {
+                                                phi_6995_ = _e2489;
                                             } else {
-                                                phi_5659_ = _e2273;
+                                                phi_6995_ = _e2493;
                                             }
-                                            let _e2276 = phi_5659_;
-                                            if (_e2262[2] < 0.0lf) {
-                                                phi_5666_ = -(_e2262[2]);
+                                            let _e2496 = phi_6995_;
+                                            if (_e2482[2] < 0.0lf) {
+                                                phi_7002_ = -(_e2482[2]);
                                             } else {
-                                                phi_5666_ = _e2262[2];
+                                                phi_7002_ = _e2482[2];
                                             }
-                                            let _e2280 = phi_5666_;
-                                            if (_e2276 > _e2280) {
-                                                phi_5671_ = _e2276;
+                                            let _e2500 = phi_7002_;
+                                            if (_e2496 > _e2500) {
+                                                phi_7007_ = _e2496;
                                             } else {
-                                                phi_5671_ = _e2280;
+                                                phi_7007_ = _e2500;
                                             }
-                                            let _e2283 = phi_5671_;
-                                            if (_e2259 > _e2283) {
-                                                phi_5676_ = _e2259;
+                                            let _e2503 = phi_7007_;
+                                            if (_e2479 > _e2503) {
+                                                phi_7012_ = _e2479;
                                             } else {
-                                                phi_5676_ = _e2283;
+                                                phi_7012_ = _e2503;
                                             }
-                                            let _e2286 = phi_5676_;
-                                            let _e2288 = local_12.member_3;
-                                            let _e2296 = local_12.member_3;
-                                            phi_5696_ = type_19(0u, 48u);
-                                            phi_5699_ = _e1331.member;
+                                            let _e2506 = phi_7012_;
+                                            let _e2508 = local_12.member_3;
+                                            let _e2516 = local_12.member_3;
+                                            let _e2523 = f64(0f);
+                                            let _e2524 = f64(1f);
+                                            local = type_34(array<f64, 4>(_e2523, _e2523, _e2523, _e2523), array<f64, 4>(_e2523, _e2523, _e2523, _e2523), array<f64, 4>(_e2524, _e2524, _e2524, _e2524));
+                                            phi_7056_ = type_9(0u, 96u);
+                                            phi_7059_ = _e1551.member;
+                                            phi_7061_ = _e1551.member;
+                                            phi_7063_ = _e1551.member;
                                             loop {
-                                                let _e2305 = phi_5696_;
-                                                let _e2307 = phi_5699_;
-                                                local_61 = _e2307;
-                                                local_24 = _e2307;
-                                                local_25 = _e2307;
-                                                local_26 = _e2307;
-                                                local_27 = _e2307;
-                                                if (_e2305.member < _e2305.member_1) {
-                                                    phi_5697_ = type_19((_e2305.member + 1u), _e2305.member_1);
-                                                    phi_5722_ = type_19(1u, _e2305.member);
+                                                let _e2530 = phi_7056_;
+                                                let _e2532 = phi_7059_;
+                                                let _e2534 = phi_7061_;
+                                                let _e2536 = phi_7063_;
+                                                local_36 = _e2534;
+                                                local_20 = _e2532;
+                                                if (_e2530.member < _e2530.member_1) {
+                                                    phi_7057_ = type_9((_e2530.member + 1u), _e2530.member_1);
+                                                    phi_7086_ = type_9(1u, _e2530.member);
                                                 } else {
-                                                    phi_5697_ = _e2305;
-                                                    phi_5722_ = type_19(0u, type_19().member_1);
+                                                    phi_7057_ = _e2530;
+                                                    phi_7086_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2319 = phi_5697_;
-                                                let _e2321 = phi_5722_;
-                                                if (bitcast<i32>(_e2321.member) != 0i) {
-                                                    let _e2327 = local_12.member[0u];
-                                                    let _e2333 = local_12.member[1u];
-                                                    let _e2349 = local_12.member_1[0u];
-                                                    let _e2355 = local_12.member_1[1u];
-                                                    let _e2371 = local_12.member_2[0u];
-                                                    let _e2377 = local_12.member_2[1u];
-                                                    let _e2391 = function_2(array<f64, 3>((_e2327[0] + ((_e2333[0] - _e2327[0]) * _e2307)), (_e2327[1] + ((_e2333[1] - _e2327[1]) * _e2307)), (_e2327[2] + ((_e2333[2] - _e2327[2]) * _e2307))), array<f64, 3>((_e2349[0] + ((_e2355[0] - _e2349[0]) * _e2307)), (_e2349[1] + ((_e2355[1] - _e2349[1]) * _e2307)), (_e2349[2] + ((_e2355[2] - _e2349[2]) * _e2307))), array<f64, 3>((_e2371[0] + ((_e2377[0] - _e2371[0]) * _e2307)), (_e2371[1] + ((_e2377[1] - _e2371[1]) * _e2307)), (_e2371[2] + ((_e2377[2] - _e2371[2]) * _e2307))), 0u);
-                                                    if (_e2391[0] < 0.0lf) {
-                                                        phi_5833_ = -(_e2391[0]);
+                                                let _e2548 = phi_7057_;
+                                                let _e2550 = phi_7086_;
+                                                if (bitcast<i32>(_e2550.member) != 0i) {
+                                                    let _e2557 = local_12.member[0u];
+                                                    let _e2563 = local_12.member[1u];
+                                                    let _e2579 = local_12.member_1[0u];
+                                                    let _e2585 = local_12.member_1[1u];
+                                                    let _e2601 = local_12.member_2[0u];
+                                                    let _e2607 = local_12.member_2[1u];
+                                                    let _e2621 = function_2(array<f64, 3>((_e2557[0] + ((_e2563[0] - _e2557[0]) * _e2532)), (_e2557[1] + ((_e2563[1] - _e2557[1]) * _e2532)), (_e2557[2] + ((_e2563[2] - _e2557[2]) * _e2532))), array<f64, 3>((_e2579[0] + ((_e2585[0] - _e2579[0]) * _e2532)), (_e2579[1] + ((_e2585[1] - _e2579[1]) * _e2532)), (_e2579[2] + ((_e2585[2] - _e2579[2]) * _e2532))), array<f64, 3>((_e2601[0] + ((_e2607[0] - _e2601[0]) * _e2532)), (_e2601[1] + ((_e2607[1] - _e2601[1]) * _e2532)), (_e2601[2] + ((_e2607[2] - _e2601[2]) * _e2532))), 0u);
+                                                    if (_e2621[0] < 0.0lf) {
+                                                        phi_7198_ = -(_e2621[0]);
                                                     } else {
-                                                        phi_5833_ = _e2391[0];
+                                                        phi_7198_ = _e2621[0];
                                                     }
-                                                    let _e2396 = phi_5833_;
-                                                    if (_e2391[1] < 0.0lf) {
-                                                        phi_5840_ = -(_e2391[1]);
+                                                    let _e2626 = phi_7198_;
+                                                    if (_e2621[1] < 0.0lf) {
+                                                        phi_7205_ = -(_e2621[1]);
                                                     } else {
-                                                        phi_5840_ = _e2391[1];
+                                                        phi_7205_ = _e2621[1];
                                                     }
-                                                    let _e2401 = phi_5840_;
-                                                    if (_e2391[2] < 0.0lf) {
-                                                        phi_5848_ = -(_e2391[2]);
+                                                    let _e2631 = phi_7205_;
+                                                    if (_e2621[2] < 0.0lf) {
+                                                        phi_7213_ = -(_e2621[2]);
                                                     } else {
-                                                        phi_5848_ = _e2391[2];
+                                                        phi_7213_ = _e2621[2];
                                                     }
-                                                    let _e2407 = phi_5848_;
-                                                    let _e2408 = ((_e2396 + _e2401) + _e2407);
-                                                    if (_e2408 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2408) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2414 = (f64(1f) / _e2408);
-                                                            let _e2416 = (_e2391[0] * _e2414);
-                                                            let _e2418 = (_e2391[1] * _e2414);
-                                                            let _e2420 = (_e2391[2] * _e2414);
-                                                            let _e2425 = (((_e2416 * _e2416) + (_e2418 * _e2418)) + (_e2420 * _e2420));
-                                                            if (_e2425 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2425 > 0.0lf) {
-                                                                    phi_5886_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2637 = phi_7213_;
+                                                    let _e2638 = ((_e2626 + _e2631) + _e2637);
+                                                    if (_e2638 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2638) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2645 = (f64(1f) / _e2638);
+                                                            let _e2647 = (_e2621[0] * _e2645);
+                                                            let _e2649 = (_e2621[1] * _e2645);
+                                                            let _e2651 = (_e2621[2] * _e2645);
+                                                            let _e2656 = (((_e2647 * _e2647) + (_e2649 * _e2649)) + (_e2651 * _e2651));
+                                                            if (_e2656 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2656 > 0.0lf) {
+                                                                    phi_7252_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_5886_ = 0.0lf;
+                                                                    phi_7252_ = 0.0lf;
                                                                 }
-                                                                let _e2477 = phi_5886_;
-                                                                phi_5950_ = _e2477;
+                                                                let _e2708 = phi_7252_;
+                                                                phi_7316_ = _e2708;
                                                             } else {
-                                                                phi_5893_ = type_17(0i, 5i);
-                                                                phi_5896_ = bitcast<f64>(((bitcast<u64>(_e2425) / 2lu) + 2303426169912950784lu));
+                                                                phi_7259_ = type_16(0i, 5i);
+                                                                phi_7262_ = bitcast<f64>(((bitcast<u64>(_e2656) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2432 = phi_5893_;
-                                                                    let _e2434 = phi_5896_;
-                                                                    local_18 = _e2434;
-                                                                    if (_e2432.member < _e2432.member_1) {
-                                                                        let _e2441 = (_e2432.member + 1i);
-                                                                        if ((false == (_e2441 > _e2432.member)) != false) {
-                                                                            phi_5917_ = true;
+                                                                    let _e2663 = phi_7259_;
+                                                                    let _e2665 = phi_7262_;
+                                                                    local_18 = _e2665;
+                                                                    if (_e2663.member < _e2663.member_1) {
+                                                                        let _e2672 = (_e2663.member + 1i);
+                                                                        if ((false == (_e2672 > _e2663.member)) != false) {
+                                                                            phi_7283_ = true;
                                                                         } else {
-                                                                            phi_5917_ = false;
+                                                                            phi_7283_ = false;
                                                                         }
-                                                                        let _e2446 = phi_5917_;
-                                                                        if _e2446 {
-                                                                            phi_5923_ = type_18(0u, type_18().member_1);
+                                                                        let _e2677 = phi_7283_;
+                                                                        if _e2677 {
+                                                                            phi_7289_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_5923_ = type_18(1u, _e2441);
+                                                                            phi_7289_ = type_17(1u, _e2672);
                                                                         }
-                                                                        let _e2451 = phi_5923_;
-                                                                        phi_5894_ = type_17(_e2451.member_1, _e2432.member_1);
-                                                                        phi_5937_ = type_18(1u, _e2432.member);
+                                                                        let _e2682 = phi_7289_;
+                                                                        phi_7260_ = type_16(_e2682.member_1, _e2663.member_1);
+                                                                        phi_7303_ = type_17(1u, _e2663.member);
                                                                     } else {
-                                                                        phi_5894_ = _e2432;
-                                                                        phi_5937_ = type_18(0u, type_18().member_1);
+                                                                        phi_7260_ = _e2663;
+                                                                        phi_7303_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2457 = phi_5894_;
-                                                                    let _e2459 = phi_5937_;
-                                                                    let _e2462 = (bitcast<i32>(_e2459.member) != 0i);
-                                                                    if _e2462 {
-                                                                        phi_5897_ = (0.5lf * (_e2434 + (_e2425 / _e2434)));
+                                                                    let _e2688 = phi_7260_;
+                                                                    let _e2690 = phi_7303_;
+                                                                    let _e2693 = (bitcast<i32>(_e2690.member) != 0i);
+                                                                    if _e2693 {
+                                                                        phi_7263_ = (0.5lf * (_e2665 + (_e2656 / _e2665)));
                                                                     } else {
-                                                                        phi_5897_ = f64();
+                                                                        phi_7263_ = f64();
                                                                     }
-                                                                    let _e2467 = phi_5897_;
+                                                                    let _e2698 = phi_7263_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_5893_ = _e2457;
-                                                                        phi_5896_ = _e2467;
-                                                                        break if !(_e2462);
+                                                                        phi_7259_ = _e2688;
+                                                                        phi_7262_ = _e2698;
+                                                                        break if !(_e2693);
                                                                     }
                                                                 }
-                                                                let _e2472 = local_18;
-                                                                phi_5950_ = (_e2472 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2703 = local_18;
+                                                                phi_7316_ = (_e2703 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2479 = phi_5950_;
-                                                            phi_5963_ = type_19(0u, 4u);
-                                                            phi_5966_ = f64(2f);
-                                                            loop {
-                                                                let _e2491 = phi_5963_;
-                                                                let _e2493 = phi_5966_;
-                                                                local_20 = _e2493;
-                                                                local_21 = _e2493;
-                                                                local_22 = _e2493;
-                                                                local_51 = _e2493;
-                                                                local_52 = _e2493;
-                                                                if (_e2491.member < _e2491.member_1) {
-                                                                    phi_5964_ = type_19((_e2491.member + 1u), _e2491.member_1);
-                                                                    phi_5989_ = type_19(1u, _e2491.member);
-                                                                } else {
-                                                                    phi_5964_ = _e2491;
-                                                                    phi_5989_ = type_19(0u, type_19().member_1);
-                                                                }
-                                                                let _e2505 = phi_5964_;
-                                                                let _e2507 = phi_5989_;
-                                                                if (bitcast<i32>(_e2507.member) != 0i) {
-                                                                    let _e2513 = local[_e2507.member_1];
-                                                                    let _e2521 = (((_e2416 * _e2513[0]) + (_e2418 * _e2513[1])) + (_e2420 * _e2513[2]));
-                                                                    let _e2523 = local_1[_e2507.member_1];
-                                                                    let _e2531 = (((_e2416 * _e2523[0]) + (_e2418 * _e2523[1])) + (_e2420 * _e2523[2]));
-                                                                    if (_e2521 < 0.0lf) {
-                                                                        phi_6040_ = -(_e2521);
-                                                                    } else {
-                                                                        phi_6040_ = _e2521;
-                                                                    }
-                                                                    let _e2535 = phi_6040_;
-                                                                    if (_e2531 < 0.0lf) {
-                                                                        phi_6046_ = -(_e2531);
-                                                                    } else {
-                                                                        phi_6046_ = _e2531;
-                                                                    }
-                                                                    let _e2539 = phi_6046_;
-                                                                    let _e2544 = (((((((((_e2178 + _e2180) + (_e2232 + _e2234)) + (_e2286 + _e2288)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2296 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2479) * (f64(1f) + (1.1102230246251565e-16lf * f64(8f))))) + ((_e2535 + _e2539) * (1.1102230246251565e-16lf * f64(8f))));
-                                                                    if (_e2521 > _e2544) {
-                                                                        if (_e2531 > _e2544) {
-                                                                            phi_6060_ = false;
-                                                                        } else {
-                                                                            phi_6060_ = true;
-                                                                        }
-                                                                        let _e2548 = phi_6060_;
-                                                                        phi_6061_ = _e2548;
-                                                                    } else {
-                                                                        phi_6061_ = true;
-                                                                    }
-                                                                    let _e2550 = phi_6061_;
-                                                                    if _e2550 {
-                                                                        if ((_e2521 + ((_e2531 - _e2521) * _e2307)) > _e2544) {
-                                                                            if (_e2531 < _e2521) {
-                                                                                let _e2559 = ((_e2521 - _e2531) <= (f64(0.25f) / 2.2250738585072014e-308lf));
-                                                                                if _e2559 {
-                                                                                    let _e2567 = (((_e2521 - _e2544) / (_e2521 - _e2531)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                                    if (_e2493 < _e2567) {
-                                                                                        phi_6095_ = _e2493;
-                                                                                    } else {
-                                                                                        phi_6095_ = _e2567;
-                                                                                    }
-                                                                                    let _e2570 = phi_6095_;
-                                                                                    phi_6096_ = _e2570;
-                                                                                } else {
-                                                                                    phi_6096_ = f64();
-                                                                                }
-                                                                                let _e2572 = phi_6096_;
-                                                                                phi_6097_ = _e2572;
-                                                                                phi_6098_ = _e2559;
-                                                                            } else {
-                                                                                phi_6097_ = _e2493;
-                                                                                phi_6098_ = true;
-                                                                            }
-                                                                            let _e2574 = phi_6097_;
-                                                                            let _e2576 = phi_6098_;
-                                                                            if _e2576 {
-                                                                                phi_6102_ = false;
-                                                                            } else {
-                                                                                phi_6102_ = true;
-                                                                            }
-                                                                            let _e2578 = phi_6102_;
-                                                                            phi_6103_ = _e2574;
-                                                                            phi_6104_ = _e2576;
-                                                                            phi_6105_ = _e2578;
-                                                                            phi_6106_ = false;
-                                                                        } else {
-                                                                            phi_6103_ = f64();
-                                                                            phi_6104_ = false;
-                                                                            phi_6105_ = false;
-                                                                            phi_6106_ = true;
-                                                                        }
-                                                                        let _e2580 = phi_6103_;
-                                                                        let _e2582 = phi_6104_;
-                                                                        let _e2584 = phi_6105_;
-                                                                        let _e2586 = phi_6106_;
-                                                                        phi_6107_ = _e2580;
-                                                                        phi_6108_ = _e2582;
-                                                                        phi_6109_ = _e2584;
-                                                                        phi_6110_ = _e2586;
-                                                                    } else {
-                                                                        phi_6107_ = _e2493;
-                                                                        phi_6108_ = true;
-                                                                        phi_6109_ = false;
-                                                                        phi_6110_ = false;
-                                                                    }
-                                                                    let _e2588 = phi_6107_;
-                                                                    let _e2590 = phi_6108_;
-                                                                    let _e2592 = phi_6109_;
-                                                                    let _e2594 = phi_6110_;
-                                                                    phi_5967_ = _e2588;
-                                                                    phi_6111_ = _e2590;
-                                                                    phi_6112_ = false;
-                                                                    phi_6113_ = _e2592;
-                                                                    phi_6114_ = _e2594;
-                                                                } else {
-                                                                    phi_5967_ = f64();
-                                                                    phi_6111_ = false;
-                                                                    phi_6112_ = true;
-                                                                    phi_6113_ = false;
-                                                                    phi_6114_ = false;
-                                                                }
-                                                                let _e2596 = phi_5967_;
-                                                                let _e2598 = phi_6111_;
-                                                                let _e2600 = phi_6112_;
-                                                                let _e2602 = phi_6113_;
-                                                                let _e2604 = phi_6114_;
-                                                                local_19 = _e2600;
-                                                                local_49 = _e2602;
-                                                                local_50 = _e2604;
-                                                                continue;
-                                                                continuing {
-                                                                    phi_5963_ = _e2505;
-                                                                    phi_5966_ = _e2596;
-                                                                    break if !(_e2598);
-                                                                }
-                                                            }
-                                                            let _e2607 = local_19;
-                                                            if _e2607 {
-                                                                let _e2609 = local_20;
-                                                                let _e2610 = (_e2609 > _e1331.member_1);
-                                                                if _e2610 {
-                                                                    phi_6136_ = false;
-                                                                    phi_6137_ = false;
-                                                                    phi_6138_ = false;
-                                                                } else {
-                                                                    let _e2612 = local_21;
-                                                                    if (_e2612 > _e2307) {
-                                                                        let _e2615 = local_22;
-                                                                        let _e2618 = ((_e2615 - _e2307) < f64(0.00000000023283064f));
-                                                                        if _e2618 {
-                                                                            phi_6132_ = false;
-                                                                        } else {
-                                                                            phi_6132_ = true;
-                                                                        }
-                                                                        let _e2620 = phi_6132_;
-                                                                        phi_6133_ = _e2620;
-                                                                        phi_6134_ = _e2618;
-                                                                        phi_6135_ = false;
-                                                                    } else {
-                                                                        phi_6133_ = false;
-                                                                        phi_6134_ = false;
-                                                                        phi_6135_ = true;
-                                                                    }
-                                                                    let _e2622 = phi_6133_;
-                                                                    let _e2624 = phi_6134_;
-                                                                    let _e2626 = phi_6135_;
-                                                                    phi_6136_ = _e2622;
-                                                                    phi_6137_ = _e2624;
-                                                                    phi_6138_ = _e2626;
-                                                                }
-                                                                let _e2628 = phi_6136_;
-                                                                let _e2630 = phi_6137_;
-                                                                let _e2632 = phi_6138_;
-                                                                phi_6139_ = _e2628;
-                                                                phi_6140_ = _e2610;
-                                                                phi_6141_ = _e2630;
-                                                                phi_6142_ = _e2632;
-                                                                phi_6143_ = false;
-                                                                phi_6144_ = false;
+                                                            let _e2710 = phi_7316_;
+                                                            let _e2712 = (1.1102230246251565e-16lf * f64(12f));
+                                                            let _e2719 = ((((((((_e2398 + _e2400) + (_e2452 + _e2454)) + (_e2506 + _e2508)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2516 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2710) * (f64(1f) + _e2712)));
+                                                            let _e2724 = (((_e2647 * _e2302[0]) + (_e2649 * _e2302[1])) + (_e2651 * _e2302[2]));
+                                                            let _e2729 = (((_e2647 * (_e2302[0] - _e2308[0])) + (_e2649 * (_e2302[1] - _e2308[1]))) + (_e2651 * (_e2302[2] - _e2308[2])));
+                                                            let _e2734 = (((_e2647 * (_e2302[0] - _e2314[0])) + (_e2649 * (_e2302[1] - _e2314[1]))) + (_e2651 * (_e2302[2] - _e2314[2])));
+                                                            let _e2739 = (((_e2647 * _e2302[0]) + (_e2649 * _e2302[1])) + (_e2651 * _e2302[2]));
+                                                            let _e2745 = (((_e2647 * _e2326[0]) + (_e2649 * _e2326[1])) + (_e2651 * _e2326[2]));
+                                                            let _e2750 = (((_e2647 * (_e2326[0] - _e2332[0])) + (_e2649 * (_e2326[1] - _e2332[1]))) + (_e2651 * (_e2326[2] - _e2332[2])));
+                                                            let _e2755 = (((_e2647 * (_e2326[0] - _e2338[0])) + (_e2649 * (_e2326[1] - _e2338[1]))) + (_e2651 * (_e2326[2] - _e2338[2])));
+                                                            let _e2760 = (((_e2647 * _e2326[0]) + (_e2649 * _e2326[1])) + (_e2651 * _e2326[2]));
+                                                            if (_e2724 < 0.0lf) {
+                                                                phi_7385_ = -(_e2724);
                                                             } else {
-                                                                phi_6139_ = false;
-                                                                phi_6140_ = false;
-                                                                phi_6141_ = false;
-                                                                phi_6142_ = false;
-                                                                let _e4490 = local_49;
-                                                                phi_6143_ = _e4490;
-                                                                let _e4493 = local_50;
-                                                                phi_6144_ = _e4493;
+                                                                phi_7385_ = _e2724;
                                                             }
-                                                            let _e2634 = phi_6139_;
-                                                            let _e2636 = phi_6140_;
-                                                            let _e2638 = phi_6141_;
-                                                            let _e2640 = phi_6142_;
-                                                            let _e2642 = phi_6143_;
-                                                            let _e2644 = phi_6144_;
-                                                            let _e4496 = local_51;
-                                                            phi_6145_ = _e4496;
-                                                            let _e4499 = local_52;
-                                                            phi_6146_ = _e4499;
-                                                            phi_6147_ = _e2634;
-                                                            phi_6148_ = _e2636;
-                                                            phi_6149_ = _e2638;
-                                                            phi_6150_ = _e2640;
-                                                            phi_6151_ = _e2642;
-                                                            phi_6152_ = _e2644;
-                                                            phi_6153_ = false;
+                                                            let _e2765 = phi_7385_;
+                                                            if (_e2745 < 0.0lf) {
+                                                                phi_7391_ = -(_e2745);
+                                                            } else {
+                                                                phi_7391_ = _e2745;
+                                                            }
+                                                            let _e2769 = phi_7391_;
+                                                            if (_e2729 < 0.0lf) {
+                                                                phi_7400_ = -(_e2729);
+                                                            } else {
+                                                                phi_7400_ = _e2729;
+                                                            }
+                                                            let _e2776 = phi_7400_;
+                                                            if (_e2750 < 0.0lf) {
+                                                                phi_7406_ = -(_e2750);
+                                                            } else {
+                                                                phi_7406_ = _e2750;
+                                                            }
+                                                            let _e2780 = phi_7406_;
+                                                            if (_e2734 < 0.0lf) {
+                                                                phi_7415_ = -(_e2734);
+                                                            } else {
+                                                                phi_7415_ = _e2734;
+                                                            }
+                                                            let _e2787 = phi_7415_;
+                                                            if (_e2755 < 0.0lf) {
+                                                                phi_7421_ = -(_e2755);
+                                                            } else {
+                                                                phi_7421_ = _e2755;
+                                                            }
+                                                            let _e2791 = phi_7421_;
+                                                            if (_e2739 < 0.0lf) {
+                                                                phi_7430_ = -(_e2739);
+                                                            } else {
+                                                                phi_7430_ = _e2739;
+                                                            }
+                                                            let _e2798 = phi_7430_;
+                                                            if (_e2760 < 0.0lf) {
+                                                                phi_7436_ = -(_e2760);
+                                                            } else {
+                                                                phi_7436_ = _e2760;
+                                                            }
+                                                            let _e2802 = phi_7436_;
+                                                            phi_7442_ = type_34(array<f64, 4>(_e2724, _e2729, _e2734, _e2739), array<f64, 4>(_e2745, _e2750, _e2755, _e2760), array<f64, 4>((_e2719 + ((_e2765 + _e2769) * _e2712)), (_e2719 + ((_e2776 + _e2780) * _e2712)), (_e2719 + ((_e2787 + _e2791) * _e2712)), (_e2719 + ((_e2798 + _e2802) * _e2712))));
+                                                            phi_7443_ = false;
                                                         } else {
-                                                            phi_6145_ = f64();
-                                                            phi_6146_ = f64();
-                                                            phi_6147_ = false;
-                                                            phi_6148_ = false;
-                                                            phi_6149_ = false;
-                                                            phi_6150_ = false;
-                                                            phi_6151_ = false;
-                                                            phi_6152_ = false;
-                                                            phi_6153_ = true;
+                                                            phi_7442_ = type_34();
+                                                            phi_7443_ = true;
                                                         }
-                                                        let _e2646 = phi_6145_;
-                                                        let _e2648 = phi_6146_;
-                                                        let _e2650 = phi_6147_;
-                                                        let _e2652 = phi_6148_;
-                                                        let _e2654 = phi_6149_;
-                                                        let _e2656 = phi_6150_;
-                                                        let _e2658 = phi_6151_;
-                                                        let _e2660 = phi_6152_;
-                                                        let _e2662 = phi_6153_;
-                                                        phi_6154_ = _e2646;
-                                                        phi_6155_ = _e2648;
-                                                        phi_6156_ = _e2650;
-                                                        phi_6157_ = _e2652;
-                                                        phi_6158_ = _e2654;
-                                                        phi_6159_ = _e2656;
-                                                        phi_6160_ = _e2658;
-                                                        phi_6161_ = _e2660;
-                                                        phi_6162_ = _e2662;
-                                                        phi_6163_ = false;
+                                                        let _e2809 = phi_7442_;
+                                                        let _e2811 = phi_7443_;
+                                                        phi_7444_ = _e2809;
+                                                        phi_7445_ = _e2811;
                                                     } else {
-                                                        phi_6154_ = f64();
-                                                        phi_6155_ = f64();
-                                                        phi_6156_ = false;
-                                                        phi_6157_ = false;
-                                                        phi_6158_ = false;
-                                                        phi_6159_ = false;
-                                                        phi_6160_ = false;
-                                                        phi_6161_ = false;
-                                                        phi_6162_ = false;
-                                                        phi_6163_ = true;
+                                                        phi_7444_ = type_34();
+                                                        phi_7445_ = true;
                                                     }
-                                                    let _e2664 = phi_6154_;
-                                                    let _e2666 = phi_6155_;
-                                                    let _e2668 = phi_6156_;
-                                                    let _e2670 = phi_6157_;
-                                                    let _e2672 = phi_6158_;
-                                                    let _e2674 = phi_6159_;
-                                                    let _e2676 = phi_6160_;
-                                                    let _e2678 = phi_6161_;
-                                                    let _e2680 = phi_6162_;
-                                                    let _e2682 = phi_6163_;
-                                                    phi_6164_ = _e2664;
-                                                    phi_5700_ = _e2666;
-                                                    phi_6165_ = _e2668;
-                                                    phi_6166_ = _e2670;
-                                                    phi_6167_ = _e2672;
-                                                    phi_6168_ = false;
-                                                    phi_6169_ = _e2674;
-                                                    phi_6170_ = _e2676;
-                                                    phi_6171_ = _e2678;
-                                                    phi_6172_ = _e2680;
-                                                    phi_6173_ = _e2682;
+                                                    let _e2813 = phi_7444_;
+                                                    let _e2815 = phi_7445_;
+                                                    if _e2815 {
+                                                        let _e2816 = f64(0f);
+                                                        let _e2817 = f64(1f);
+                                                        phi_7455_ = type_34(array<f64, 4>(_e2816, _e2816, _e2816, _e2816), array<f64, 4>(_e2816, _e2816, _e2816, _e2816), array<f64, 4>(_e2817, _e2817, _e2817, _e2817));
+                                                    } else {
+                                                        phi_7455_ = _e2813;
+                                                    }
+                                                    let _e2823 = phi_7455_;
+                                                    local_1 = type_34(array<f64, 4>(_e2823.member[0], _e2823.member[1], _e2823.member[2], _e2823.member[3]), array<f64, 4>(_e2823.member_1[0], _e2823.member_1[1], _e2823.member_1[2], _e2823.member_1[3]), array<f64, 4>(_e2823.member_2[0], _e2823.member_2[1], _e2823.member_2[2], _e2823.member_2[3]));
+                                                    let _e2843 = (_e2532 - _e2536);
+                                                    let _e2844 = f64(0f);
+                                                    let _e2847 = local_1.member[0u];
+                                                    let _e2850 = local_1.member_1[0u];
+                                                    let _e2853 = local_1.member[0u];
+                                                    let _e2859 = local_1.member_2[0u];
+                                                    if (((_e2847 + ((_e2850 - _e2853) * _e2532)) - _e2859) > _e2844) {
+                                                        let _e2864 = local_1.member[1u];
+                                                        let _e2867 = local_1.member_1[1u];
+                                                        let _e2870 = local_1.member[1u];
+                                                        let _e2876 = local_1.member_2[1u];
+                                                        if (((_e2864 + ((_e2867 - _e2870) * _e2532)) - _e2876) > _e2844) {
+                                                            let _e2881 = local_1.member[2u];
+                                                            let _e2884 = local_1.member_1[2u];
+                                                            let _e2887 = local_1.member[2u];
+                                                            let _e2893 = local_1.member_2[2u];
+                                                            if (((_e2881 + ((_e2884 - _e2887) * _e2532)) - _e2893) > _e2844) {
+                                                                let _e2898 = local_1.member[3u];
+                                                                let _e2901 = local_1.member_1[3u];
+                                                                let _e2904 = local_1.member[3u];
+                                                                let _e2910 = local_1.member_2[3u];
+                                                                phi_7626_ = (((_e2898 + ((_e2901 - _e2904) * _e2532)) - _e2910) > _e2844);
+                                                                phi_7627_ = false;
+                                                            } else {
+                                                                phi_7626_ = bool();
+                                                                phi_7627_ = true;
+                                                            }
+                                                            let _e2914 = phi_7626_;
+                                                            let _e2916 = phi_7627_;
+                                                            phi_7628_ = _e2914;
+                                                            phi_7629_ = _e2916;
+                                                        } else {
+                                                            phi_7628_ = bool();
+                                                            phi_7629_ = true;
+                                                        }
+                                                        let _e2918 = phi_7628_;
+                                                        let _e2920 = phi_7629_;
+                                                        phi_7630_ = _e2918;
+                                                        phi_7631_ = _e2920;
+                                                    } else {
+                                                        phi_7630_ = bool();
+                                                        phi_7631_ = true;
+                                                    }
+                                                    let _e2922 = phi_7630_;
+                                                    let _e2924 = phi_7631_;
+                                                    if _e2924 {
+                                                        phi_7635_ = false;
+                                                    } else {
+                                                        phi_7635_ = _e2922;
+                                                    }
+                                                    let _e2926 = phi_7635_;
+                                                    if _e2926 {
+                                                        if (_e2532 <= _e2534) {
+                                                            phi_7946_ = true;
+                                                        } else {
+                                                            let _e2928 = f64(0f);
+                                                            let _e2931 = local.member[0u];
+                                                            let _e2934 = local.member_1[0u];
+                                                            let _e2937 = local.member[0u];
+                                                            let _e2943 = local.member_2[0u];
+                                                            let _e2947 = local_1.member[0u];
+                                                            let _e2950 = local_1.member_1[0u];
+                                                            let _e2953 = local_1.member[0u];
+                                                            let _e2959 = local_1.member_2[0u];
+                                                            if ((((_e2931 + ((_e2934 - _e2937) * _e2532)) - _e2943) + ((_e2947 + ((_e2950 - _e2953) * _e2536)) - _e2959)) > _e2928) {
+                                                                let _e2965 = local.member[1u];
+                                                                let _e2968 = local.member_1[1u];
+                                                                let _e2971 = local.member[1u];
+                                                                let _e2977 = local.member_2[1u];
+                                                                let _e2981 = local_1.member[1u];
+                                                                let _e2984 = local_1.member_1[1u];
+                                                                let _e2987 = local_1.member[1u];
+                                                                let _e2993 = local_1.member_2[1u];
+                                                                if ((((_e2965 + ((_e2968 - _e2971) * _e2532)) - _e2977) + ((_e2981 + ((_e2984 - _e2987) * _e2536)) - _e2993)) > _e2928) {
+                                                                    let _e2999 = local.member[2u];
+                                                                    let _e3002 = local.member_1[2u];
+                                                                    let _e3005 = local.member[2u];
+                                                                    let _e3011 = local.member_2[2u];
+                                                                    let _e3015 = local_1.member[2u];
+                                                                    let _e3018 = local_1.member_1[2u];
+                                                                    let _e3021 = local_1.member[2u];
+                                                                    let _e3027 = local_1.member_2[2u];
+                                                                    if ((((_e2999 + ((_e3002 - _e3005) * _e2532)) - _e3011) + ((_e3015 + ((_e3018 - _e3021) * _e2536)) - _e3027)) > _e2928) {
+                                                                        let _e3033 = local.member[3u];
+                                                                        let _e3036 = local.member_1[3u];
+                                                                        let _e3039 = local.member[3u];
+                                                                        let _e3045 = local.member_2[3u];
+                                                                        let _e3049 = local_1.member[3u];
+                                                                        let _e3052 = local_1.member_1[3u];
+                                                                        let _e3055 = local_1.member[3u];
+                                                                        let _e3061 = local_1.member_2[3u];
+                                                                        phi_7933_ = ((((_e3033 + ((_e3036 - _e3039) * _e2532)) - _e3045) + ((_e3049 + ((_e3052 - _e3055) * _e2536)) - _e3061)) > _e2928);
+                                                                        phi_7934_ = false;
+                                                                    } else {
+                                                                        phi_7933_ = bool();
+                                                                        phi_7934_ = true;
+                                                                    }
+                                                                    let _e3066 = phi_7933_;
+                                                                    let _e3068 = phi_7934_;
+                                                                    phi_7935_ = _e3066;
+                                                                    phi_7936_ = _e3068;
+                                                                } else {
+                                                                    phi_7935_ = bool();
+                                                                    phi_7936_ = true;
+                                                                }
+                                                                let _e3070 = phi_7935_;
+                                                                let _e3072 = phi_7936_;
+                                                                phi_7937_ = _e3070;
+                                                                phi_7938_ = _e3072;
+                                                            } else {
+                                                                phi_7937_ = bool();
+                                                                phi_7938_ = true;
+                                                            }
+                                                            let _e3074 = phi_7937_;
+                                                            let _e3076 = phi_7938_;
+                                                            if _e3076 {
+                                                                phi_7942_ = false;
+                                                            } else {
+                                                                phi_7942_ = _e3074;
+                                                            }
+                                                            let _e3078 = phi_7942_;
+                                                            phi_7946_ = _e3078;
+                                                        }
+                                                        let _e3080 = phi_7946_;
+                                                        if _e3080 {
+                                                            if (_e2550.member_1 > 0u) {
+                                                                if (_e2532 >= _e1551.member_1) {
+                                                                    phi_7958_ = false;
+                                                                } else {
+                                                                    phi_7958_ = true;
+                                                                }
+                                                                let _e3084 = phi_7958_;
+                                                                phi_7959_ = _e3084;
+                                                            } else {
+                                                                phi_7959_ = true;
+                                                            }
+                                                            let _e3086 = phi_7959_;
+                                                            if _e3086 {
+                                                                local = type_34(array<f64, 4>(_e2823.member[0], _e2823.member[1], _e2823.member[2], _e2823.member[3]), array<f64, 4>(_e2823.member_1[0], _e2823.member_1[1], _e2823.member_1[2], _e2823.member_1[3]), array<f64, 4>(_e2823.member_2[0], _e2823.member_2[1], _e2823.member_2[2], _e2823.member_2[3]));
+                                                                let _e3108 = local.member[0u];
+                                                                let _e3111 = local.member_1[0u];
+                                                                let _e3114 = local.member_2[0u];
+                                                                if (_e3108 > _e3114) {
+                                                                    if (_e3111 > _e3114) {
+                                                                        phi_8033_ = false;
+                                                                    } else {
+                                                                        phi_8033_ = true;
+                                                                    }
+                                                                    let _e3118 = phi_8033_;
+                                                                    phi_8034_ = _e3118;
+                                                                } else {
+                                                                    phi_8034_ = true;
+                                                                }
+                                                                let _e3120 = phi_8034_;
+                                                                if _e3120 {
+                                                                    let _e3121 = (_e3111 >= _e3108);
+                                                                    if _e3121 {
+                                                                        phi_8059_ = f64();
+                                                                        phi_8060_ = false;
+                                                                    } else {
+                                                                        if ((_e3108 - _e3111) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8057_ = (((_e3108 - _e3114) / (_e3108 - _e3111)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8058_ = false;
+                                                                        } else {
+                                                                            phi_8057_ = f64();
+                                                                            phi_8058_ = true;
+                                                                        }
+                                                                        let _e3135 = phi_8057_;
+                                                                        let _e3137 = phi_8058_;
+                                                                        phi_8059_ = _e3135;
+                                                                        phi_8060_ = _e3137;
+                                                                    }
+                                                                    let _e3139 = phi_8059_;
+                                                                    let _e3141 = phi_8060_;
+                                                                    phi_8061_ = _e3139;
+                                                                    phi_8062_ = _e3121;
+                                                                    phi_8063_ = _e3141;
+                                                                } else {
+                                                                    phi_8061_ = f64();
+                                                                    phi_8062_ = true;
+                                                                    phi_8063_ = false;
+                                                                }
+                                                                let _e3143 = phi_8061_;
+                                                                let _e3145 = phi_8062_;
+                                                                let _e3147 = phi_8063_;
+                                                                if _e3145 {
+                                                                    phi_8068_ = f64(2f);
+                                                                    phi_8069_ = true;
+                                                                } else {
+                                                                    phi_8068_ = _e2532;
+                                                                    phi_8069_ = _e3147;
+                                                                }
+                                                                let _e3150 = phi_8068_;
+                                                                let _e3152 = phi_8069_;
+                                                                if _e3152 {
+                                                                    phi_8073_ = _e3150;
+                                                                } else {
+                                                                    phi_8073_ = _e3143;
+                                                                }
+                                                                let _e3154 = phi_8073_;
+                                                                let _e3157 = local.member[1u];
+                                                                let _e3160 = local.member_1[1u];
+                                                                let _e3163 = local.member_2[1u];
+                                                                if (_e3157 > _e3163) {
+                                                                    if (_e3160 > _e3163) {
+                                                                        phi_8105_ = false;
+                                                                    } else {
+                                                                        phi_8105_ = true;
+                                                                    }
+                                                                    let _e3167 = phi_8105_;
+                                                                    phi_8106_ = _e3167;
+                                                                } else {
+                                                                    phi_8106_ = true;
+                                                                }
+                                                                let _e3169 = phi_8106_;
+                                                                if _e3169 {
+                                                                    let _e3170 = (_e3160 >= _e3157);
+                                                                    if _e3170 {
+                                                                        phi_8131_ = f64();
+                                                                        phi_8132_ = false;
+                                                                    } else {
+                                                                        if ((_e3157 - _e3160) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8129_ = (((_e3157 - _e3163) / (_e3157 - _e3160)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8130_ = false;
+                                                                        } else {
+                                                                            phi_8129_ = f64();
+                                                                            phi_8130_ = true;
+                                                                        }
+                                                                        let _e3184 = phi_8129_;
+                                                                        let _e3186 = phi_8130_;
+                                                                        phi_8131_ = _e3184;
+                                                                        phi_8132_ = _e3186;
+                                                                    }
+                                                                    let _e3188 = phi_8131_;
+                                                                    let _e3190 = phi_8132_;
+                                                                    phi_8133_ = _e3188;
+                                                                    phi_8134_ = _e3170;
+                                                                    phi_8135_ = _e3190;
+                                                                } else {
+                                                                    phi_8133_ = f64();
+                                                                    phi_8134_ = true;
+                                                                    phi_8135_ = false;
+                                                                }
+                                                                let _e3192 = phi_8133_;
+                                                                let _e3194 = phi_8134_;
+                                                                let _e3196 = phi_8135_;
+                                                                if _e3194 {
+                                                                    phi_8140_ = f64(2f);
+                                                                    phi_8141_ = true;
+                                                                } else {
+                                                                    phi_8140_ = _e2532;
+                                                                    phi_8141_ = _e3196;
+                                                                }
+                                                                let _e3199 = phi_8140_;
+                                                                let _e3201 = phi_8141_;
+                                                                if _e3201 {
+                                                                    phi_8145_ = _e3199;
+                                                                } else {
+                                                                    phi_8145_ = _e3192;
+                                                                }
+                                                                let _e3203 = phi_8145_;
+                                                                if (_e3154 < _e3203) {
+                                                                    phi_8150_ = _e3154;
+                                                                } else {
+                                                                    phi_8150_ = _e3203;
+                                                                }
+                                                                let _e3206 = phi_8150_;
+                                                                let _e3209 = local.member[2u];
+                                                                let _e3212 = local.member_1[2u];
+                                                                let _e3215 = local.member_2[2u];
+                                                                if (_e3209 > _e3215) {
+                                                                    if (_e3212 > _e3215) {
+                                                                        phi_8182_ = false;
+                                                                    } else {
+                                                                        phi_8182_ = true;
+                                                                    }
+                                                                    let _e3219 = phi_8182_;
+                                                                    phi_8183_ = _e3219;
+                                                                } else {
+                                                                    phi_8183_ = true;
+                                                                }
+                                                                let _e3221 = phi_8183_;
+                                                                if _e3221 {
+                                                                    let _e3222 = (_e3212 >= _e3209);
+                                                                    if _e3222 {
+                                                                        phi_8208_ = f64();
+                                                                        phi_8209_ = false;
+                                                                    } else {
+                                                                        if ((_e3209 - _e3212) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8206_ = (((_e3209 - _e3215) / (_e3209 - _e3212)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8207_ = false;
+                                                                        } else {
+                                                                            phi_8206_ = f64();
+                                                                            phi_8207_ = true;
+                                                                        }
+                                                                        let _e3236 = phi_8206_;
+                                                                        let _e3238 = phi_8207_;
+                                                                        phi_8208_ = _e3236;
+                                                                        phi_8209_ = _e3238;
+                                                                    }
+                                                                    let _e3240 = phi_8208_;
+                                                                    let _e3242 = phi_8209_;
+                                                                    phi_8210_ = _e3240;
+                                                                    phi_8211_ = _e3222;
+                                                                    phi_8212_ = _e3242;
+                                                                } else {
+                                                                    phi_8210_ = f64();
+                                                                    phi_8211_ = true;
+                                                                    phi_8212_ = false;
+                                                                }
+                                                                let _e3244 = phi_8210_;
+                                                                let _e3246 = phi_8211_;
+                                                                let _e3248 = phi_8212_;
+                                                                if _e3246 {
+                                                                    phi_8217_ = f64(2f);
+                                                                    phi_8218_ = true;
+                                                                } else {
+                                                                    phi_8217_ = _e2532;
+                                                                    phi_8218_ = _e3248;
+                                                                }
+                                                                let _e3251 = phi_8217_;
+                                                                let _e3253 = phi_8218_;
+                                                                if _e3253 {
+                                                                    phi_8222_ = _e3251;
+                                                                } else {
+                                                                    phi_8222_ = _e3244;
+                                                                }
+                                                                let _e3255 = phi_8222_;
+                                                                let _e3258 = local.member[3u];
+                                                                let _e3261 = local.member_1[3u];
+                                                                let _e3264 = local.member_2[3u];
+                                                                if (_e3258 > _e3264) {
+                                                                    if (_e3261 > _e3264) {
+                                                                        phi_8254_ = false;
+                                                                    } else {
+                                                                        phi_8254_ = true;
+                                                                    }
+                                                                    let _e3268 = phi_8254_;
+                                                                    phi_8255_ = _e3268;
+                                                                } else {
+                                                                    phi_8255_ = true;
+                                                                }
+                                                                let _e3270 = phi_8255_;
+                                                                if _e3270 {
+                                                                    let _e3271 = (_e3261 >= _e3258);
+                                                                    if _e3271 {
+                                                                        phi_8280_ = f64();
+                                                                        phi_8281_ = false;
+                                                                    } else {
+                                                                        if ((_e3258 - _e3261) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8278_ = (((_e3258 - _e3264) / (_e3258 - _e3261)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8279_ = false;
+                                                                        } else {
+                                                                            phi_8278_ = f64();
+                                                                            phi_8279_ = true;
+                                                                        }
+                                                                        let _e3285 = phi_8278_;
+                                                                        let _e3287 = phi_8279_;
+                                                                        phi_8280_ = _e3285;
+                                                                        phi_8281_ = _e3287;
+                                                                    }
+                                                                    let _e3289 = phi_8280_;
+                                                                    let _e3291 = phi_8281_;
+                                                                    phi_8282_ = _e3289;
+                                                                    phi_8283_ = _e3271;
+                                                                    phi_8284_ = _e3291;
+                                                                } else {
+                                                                    phi_8282_ = f64();
+                                                                    phi_8283_ = true;
+                                                                    phi_8284_ = false;
+                                                                }
+                                                                let _e3293 = phi_8282_;
+                                                                let _e3295 = phi_8283_;
+                                                                let _e3297 = phi_8284_;
+                                                                if _e3295 {
+                                                                    phi_8289_ = f64(2f);
+                                                                    phi_8290_ = true;
+                                                                } else {
+                                                                    phi_8289_ = _e2532;
+                                                                    phi_8290_ = _e3297;
+                                                                }
+                                                                let _e3300 = phi_8289_;
+                                                                let _e3302 = phi_8290_;
+                                                                if _e3302 {
+                                                                    phi_8294_ = _e3300;
+                                                                } else {
+                                                                    phi_8294_ = _e3293;
+                                                                }
+                                                                let _e3304 = phi_8294_;
+                                                                if (_e3255 < _e3304) {
+                                                                    phi_8299_ = _e3255;
+                                                                } else {
+                                                                    phi_8299_ = _e3304;
+                                                                }
+                                                                let _e3307 = phi_8299_;
+                                                                if (_e3206 < _e3307) {
+                                                                    phi_8304_ = _e3206;
+                                                                } else {
+                                                                    phi_8304_ = _e3307;
+                                                                }
+                                                                let _e3310 = phi_8304_;
+                                                                if (_e3310 > _e2532) {
+                                                                    phi_8309_ = _e3310;
+                                                                } else {
+                                                                    phi_8309_ = _e2532;
+                                                                }
+                                                                let _e3313 = phi_8309_;
+                                                                let _e3314 = (_e3313 > _e1551.member_1);
+                                                                if _e3314 {
+                                                                    phi_8321_ = f64();
+                                                                    phi_8322_ = false;
+                                                                } else {
+                                                                    if (_e2550.member_1 == 0u) {
+                                                                        phi_8320_ = (_e1551.member_1 - _e2532);
+                                                                    } else {
+                                                                        phi_8320_ = (_e2843 + _e2843);
+                                                                    }
+                                                                    let _e3319 = phi_8320_;
+                                                                    phi_8321_ = _e3319;
+                                                                    phi_8322_ = true;
+                                                                }
+                                                                let _e3321 = phi_8321_;
+                                                                let _e3323 = phi_8322_;
+                                                                phi_8323_ = _e3313;
+                                                                phi_8324_ = _e3321;
+                                                                phi_8325_ = _e3323;
+                                                                phi_8326_ = _e3314;
+                                                                phi_8327_ = false;
+                                                            } else {
+                                                                phi_8323_ = f64();
+                                                                phi_8324_ = f64();
+                                                                phi_8325_ = false;
+                                                                phi_8326_ = false;
+                                                                phi_8327_ = true;
+                                                            }
+                                                            let _e3325 = phi_8323_;
+                                                            let _e3327 = phi_8324_;
+                                                            let _e3329 = phi_8325_;
+                                                            let _e3331 = phi_8326_;
+                                                            let _e3333 = phi_8327_;
+                                                            phi_8328_ = _e3325;
+                                                            phi_8329_ = _e3327;
+                                                            phi_8330_ = false;
+                                                            phi_8331_ = _e3329;
+                                                            phi_8332_ = _e3331;
+                                                            phi_8333_ = _e3333;
+                                                        } else {
+                                                            phi_8328_ = f64();
+                                                            phi_8329_ = f64();
+                                                            phi_8330_ = true;
+                                                            phi_8331_ = false;
+                                                            phi_8332_ = false;
+                                                            phi_8333_ = false;
+                                                        }
+                                                        let _e3335 = phi_8328_;
+                                                        let _e3337 = phi_8329_;
+                                                        let _e3339 = phi_8330_;
+                                                        let _e3341 = phi_8331_;
+                                                        let _e3343 = phi_8332_;
+                                                        let _e3345 = phi_8333_;
+                                                        phi_8334_ = _e3335;
+                                                        phi_8335_ = _e3337;
+                                                        phi_8336_ = _e3339;
+                                                        phi_8337_ = _e3341;
+                                                        phi_8338_ = _e3343;
+                                                        phi_8339_ = _e3345;
+                                                    } else {
+                                                        phi_8334_ = f64();
+                                                        phi_8335_ = f64();
+                                                        phi_8336_ = true;
+                                                        phi_8337_ = false;
+                                                        phi_8338_ = false;
+                                                        phi_8339_ = false;
+                                                    }
+                                                    let _e3347 = phi_8334_;
+                                                    let _e3349 = phi_8335_;
+                                                    let _e3351 = phi_8336_;
+                                                    let _e3353 = phi_8337_;
+                                                    let _e3355 = phi_8338_;
+                                                    let _e3357 = phi_8339_;
+                                                    if _e3351 {
+                                                        let _e3358 = (_e2532 <= _e2534);
+                                                        if _e3358 {
+                                                            phi_8673_ = f64();
+                                                            phi_8674_ = false;
+                                                        } else {
+                                                            let _e3361 = local.member[0u];
+                                                            let _e3364 = local.member_1[0u];
+                                                            let _e3367 = local.member[0u];
+                                                            let _e3373 = local.member_2[0u];
+                                                            let _e3374 = ((_e3361 + ((_e3364 - _e3367) * _e2536)) - _e3373);
+                                                            let _e3377 = local.member[1u];
+                                                            let _e3380 = local.member_1[1u];
+                                                            let _e3383 = local.member[1u];
+                                                            let _e3389 = local.member_2[1u];
+                                                            let _e3390 = ((_e3377 + ((_e3380 - _e3383) * _e2536)) - _e3389);
+                                                            if (_e3374 < _e3390) {
+                                                                phi_8419_ = _e3374;
+                                                            } else {
+                                                                phi_8419_ = _e3390;
+                                                            }
+                                                            let _e3393 = phi_8419_;
+                                                            let _e3396 = local.member[2u];
+                                                            let _e3399 = local.member_1[2u];
+                                                            let _e3402 = local.member[2u];
+                                                            let _e3408 = local.member_2[2u];
+                                                            let _e3409 = ((_e3396 + ((_e3399 - _e3402) * _e2536)) - _e3408);
+                                                            let _e3412 = local.member[3u];
+                                                            let _e3415 = local.member_1[3u];
+                                                            let _e3418 = local.member[3u];
+                                                            let _e3424 = local.member_2[3u];
+                                                            let _e3425 = ((_e3412 + ((_e3415 - _e3418) * _e2536)) - _e3424);
+                                                            if (_e3409 < _e3425) {
+                                                                phi_8492_ = _e3409;
+                                                            } else {
+                                                                phi_8492_ = _e3425;
+                                                            }
+                                                            let _e3428 = phi_8492_;
+                                                            if (_e3393 < _e3428) {
+                                                                phi_8497_ = _e3393;
+                                                            } else {
+                                                                phi_8497_ = _e3428;
+                                                            }
+                                                            let _e3431 = phi_8497_;
+                                                            let _e3434 = local_1.member[0u];
+                                                            let _e3437 = local_1.member_1[0u];
+                                                            let _e3440 = local_1.member[0u];
+                                                            let _e3446 = local_1.member_2[0u];
+                                                            let _e3447 = ((_e3434 + ((_e3437 - _e3440) * _e2532)) - _e3446);
+                                                            let _e3450 = local_1.member[1u];
+                                                            let _e3453 = local_1.member_1[1u];
+                                                            let _e3456 = local_1.member[1u];
+                                                            let _e3462 = local_1.member_2[1u];
+                                                            let _e3463 = ((_e3450 + ((_e3453 - _e3456) * _e2532)) - _e3462);
+                                                            if (_e3447 < _e3463) {
+                                                                phi_8570_ = _e3447;
+                                                            } else {
+                                                                phi_8570_ = _e3463;
+                                                            }
+                                                            let _e3466 = phi_8570_;
+                                                            let _e3469 = local_1.member[2u];
+                                                            let _e3472 = local_1.member_1[2u];
+                                                            let _e3475 = local_1.member[2u];
+                                                            let _e3481 = local_1.member_2[2u];
+                                                            let _e3482 = ((_e3469 + ((_e3472 - _e3475) * _e2532)) - _e3481);
+                                                            let _e3485 = local_1.member[3u];
+                                                            let _e3488 = local_1.member_1[3u];
+                                                            let _e3491 = local_1.member[3u];
+                                                            let _e3497 = local_1.member_2[3u];
+                                                            let _e3498 = ((_e3485 + ((_e3488 - _e3491) * _e2532)) - _e3497);
+                                                            if (_e3482 < _e3498) {
+                                                                phi_8643_ = _e3482;
+                                                            } else {
+                                                                phi_8643_ = _e3498;
+                                                            }
+                                                            let _e3501 = phi_8643_;
+                                                            if (_e3466 < _e3501) {
+                                                                phi_8648_ = _e3466;
+                                                            } else {
+                                                                phi_8648_ = _e3501;
+                                                            }
+                                                            let _e3504 = phi_8648_;
+                                                            let _e3505 = f64(0.0625f);
+                                                            let _e3507 = f64(0.9f);
+                                                            if (_e3504 > f64(0f)) {
+                                                                phi_8671_ = f64(0.5f);
+                                                            } else {
+                                                                let _e3513 = (f64(0.95f) * (_e3431 / (_e3431 - _e3504)));
+                                                                if (_e3513 > _e3505) {
+                                                                    if (_e3513 < _e3507) {
+                                                                        phi_8669_ = _e3513;
+                                                                    } else {
+                                                                        phi_8669_ = _e3507;
+                                                                    }
+                                                                    let _e3517 = phi_8669_;
+                                                                    phi_8670_ = _e3517;
+                                                                } else {
+                                                                    phi_8670_ = _e3505;
+                                                                }
+                                                                let _e3519 = phi_8670_;
+                                                                phi_8671_ = _e3519;
+                                                            }
+                                                            let _e3521 = phi_8671_;
+                                                            phi_8673_ = (_e2843 * _e3521);
+                                                            phi_8674_ = true;
+                                                        }
+                                                        let _e3524 = phi_8673_;
+                                                        let _e3526 = phi_8674_;
+                                                        phi_8675_ = _e2534;
+                                                        phi_8676_ = _e3524;
+                                                        phi_8677_ = _e2536;
+                                                        phi_8678_ = _e3526;
+                                                        phi_8679_ = _e3358;
+                                                        phi_8680_ = false;
+                                                        phi_8681_ = false;
+                                                    } else {
+                                                        phi_8675_ = _e3347;
+                                                        phi_8676_ = _e3349;
+                                                        phi_8677_ = _e2532;
+                                                        phi_8678_ = _e3353;
+                                                        phi_8679_ = false;
+                                                        phi_8680_ = _e3355;
+                                                        phi_8681_ = _e3357;
+                                                    }
+                                                    let _e3528 = phi_8675_;
+                                                    let _e3530 = phi_8676_;
+                                                    let _e3532 = phi_8677_;
+                                                    let _e3534 = phi_8678_;
+                                                    let _e3536 = phi_8679_;
+                                                    let _e3538 = phi_8680_;
+                                                    let _e3540 = phi_8681_;
+                                                    if _e3534 {
+                                                        let _e3541 = (_e3532 + _e3530);
+                                                        if (_e3541 > _e3528) {
+                                                            phi_8690_ = _e3541;
+                                                        } else {
+                                                            phi_8690_ = _e3528;
+                                                        }
+                                                        let _e3544 = phi_8690_;
+                                                        if (_e3544 < _e1551.member_1) {
+                                                            phi_8695_ = _e3544;
+                                                        } else {
+                                                            phi_8695_ = _e1551.member_1;
+                                                        }
+                                                        let _e3547 = phi_8695_;
+                                                        if (_e2550.member_1 > 0u) {
+                                                            phi_8706_ = ((_e3547 - _e3532) > f64(0.0000000037252903f));
+                                                        } else {
+                                                            phi_8706_ = true;
+                                                        }
+                                                        let _e3553 = phi_8706_;
+                                                        if _e3553 {
+                                                            phi_8710_ = false;
+                                                        } else {
+                                                            phi_8710_ = true;
+                                                        }
+                                                        let _e3555 = phi_8710_;
+                                                        phi_8711_ = _e3547;
+                                                        phi_8712_ = _e3553;
+                                                        phi_8713_ = _e3555;
+                                                        phi_8714_ = false;
+                                                        phi_8715_ = false;
+                                                        phi_8716_ = false;
+                                                    } else {
+                                                        phi_8711_ = f64();
+                                                        phi_8712_ = false;
+                                                        phi_8713_ = false;
+                                                        phi_8714_ = _e3536;
+                                                        phi_8715_ = _e3538;
+                                                        phi_8716_ = _e3540;
+                                                    }
+                                                    let _e3557 = phi_8711_;
+                                                    let _e3559 = phi_8712_;
+                                                    let _e3561 = phi_8713_;
+                                                    let _e3563 = phi_8714_;
+                                                    let _e3565 = phi_8715_;
+                                                    let _e3567 = phi_8716_;
+                                                    phi_7060_ = _e3557;
+                                                    phi_7062_ = _e3528;
+                                                    phi_7064_ = _e3532;
+                                                    phi_8717_ = _e3528;
+                                                    phi_8718_ = _e3559;
+                                                    phi_8719_ = _e3561;
+                                                    phi_8720_ = false;
+                                                    phi_8721_ = _e3563;
+                                                    phi_8722_ = _e3565;
+                                                    phi_8723_ = _e3567;
                                                 } else {
-                                                    phi_6164_ = f64();
-                                                    phi_5700_ = f64();
-                                                    phi_6165_ = false;
-                                                    phi_6166_ = false;
-                                                    phi_6167_ = false;
-                                                    phi_6168_ = true;
-                                                    phi_6169_ = false;
-                                                    phi_6170_ = false;
-                                                    phi_6171_ = false;
-                                                    phi_6172_ = false;
-                                                    phi_6173_ = false;
+                                                    phi_7060_ = f64();
+                                                    phi_7062_ = f64();
+                                                    phi_7064_ = f64();
+                                                    phi_8717_ = f64();
+                                                    phi_8718_ = false;
+                                                    phi_8719_ = false;
+                                                    phi_8720_ = true;
+                                                    phi_8721_ = false;
+                                                    phi_8722_ = false;
+                                                    phi_8723_ = false;
                                                 }
-                                                let _e2684 = phi_6164_;
-                                                let _e2686 = phi_5700_;
-                                                let _e2688 = phi_6165_;
-                                                let _e2690 = phi_6166_;
-                                                let _e2692 = phi_6167_;
-                                                let _e2694 = phi_6168_;
-                                                let _e2696 = phi_6169_;
-                                                let _e2698 = phi_6170_;
-                                                let _e2700 = phi_6171_;
-                                                let _e2702 = phi_6172_;
-                                                let _e2704 = phi_6173_;
-                                                local_23 = _e2690;
-                                                local_53 = _e2692;
-                                                local_54 = _e2694;
-                                                local_55 = _e2696;
-                                                local_56 = _e2698;
-                                                local_57 = _e2700;
-                                                local_58 = _e2702;
-                                                local_59 = _e2704;
-                                                local_60 = _e2684;
-                                                local_62 = _e2690;
+                                                let _e3569 = phi_7060_;
+                                                let _e3571 = phi_7062_;
+                                                let _e3573 = phi_7064_;
+                                                let _e3575 = phi_8717_;
+                                                let _e3577 = phi_8718_;
+                                                let _e3579 = phi_8719_;
+                                                let _e3581 = phi_8720_;
+                                                let _e3583 = phi_8721_;
+                                                let _e3585 = phi_8722_;
+                                                let _e3587 = phi_8723_;
+                                                local_19 = _e3579;
+                                                local_35 = _e3575;
+                                                local_37 = _e3581;
+                                                local_38 = _e3583;
+                                                local_39 = _e3585;
+                                                local_40 = _e3587;
                                                 continue;
                                                 continuing {
-                                                    phi_5696_ = _e2319;
-                                                    phi_5699_ = _e2686;
-                                                    break if !(_e2688);
+                                                    phi_7056_ = _e2548;
+                                                    phi_7059_ = _e3569;
+                                                    phi_7061_ = _e3571;
+                                                    phi_7063_ = _e3573;
+                                                    break if !(_e3577);
                                                 }
                                             }
-                                            let _e2707 = local_23;
-                                            if _e2707 {
-                                                phi_6178_ = type_40(0u, type_40().member_1);
-                                                phi_6179_ = false;
-                                                phi_6180_ = false;
-                                                phi_6181_ = false;
-                                                phi_6182_ = false;
-                                                phi_6183_ = false;
-                                                phi_6184_ = false;
-                                                phi_6185_ = false;
+                                            let _e3590 = local_19;
+                                            if _e3590 {
+                                                let _e6027 = local_35;
+                                                phi_8727_ = _e6027;
+                                                phi_8728_ = true;
+                                                phi_8729_ = false;
+                                                phi_8730_ = false;
+                                                phi_8731_ = false;
                                             } else {
-                                                phi_6178_ = type_40();
-                                                let _e4532 = local_53;
-                                                phi_6179_ = _e4532;
-                                                let _e4535 = local_54;
-                                                phi_6180_ = _e4535;
-                                                let _e4538 = local_55;
-                                                phi_6181_ = _e4538;
-                                                let _e4541 = local_56;
-                                                phi_6182_ = _e4541;
-                                                let _e4544 = local_57;
-                                                phi_6183_ = _e4544;
-                                                let _e4547 = local_58;
-                                                phi_6184_ = _e4547;
-                                                let _e4550 = local_59;
-                                                phi_6185_ = _e4550;
+                                                let _e6029 = local_36;
+                                                phi_8727_ = _e6029;
+                                                let _e6032 = local_37;
+                                                phi_8728_ = _e6032;
+                                                let _e6035 = local_38;
+                                                phi_8729_ = _e6035;
+                                                let _e6038 = local_39;
+                                                phi_8730_ = _e6038;
+                                                let _e6041 = local_40;
+                                                phi_8731_ = _e6041;
                                             }
-                                            let _e2711 = phi_6178_;
-                                            let _e2713 = phi_6179_;
-                                            let _e2715 = phi_6180_;
-                                            let _e2717 = phi_6181_;
-                                            let _e2719 = phi_6182_;
-                                            let _e2721 = phi_6183_;
-                                            let _e2723 = phi_6184_;
-                                            let _e2725 = phi_6185_;
-                                            if _e2713 {
-                                                let _e4553 = local_60;
-                                                phi_6189_ = _e4553;
-                                                phi_6190_ = true;
-                                                phi_6191_ = false;
-                                                phi_6192_ = false;
-                                                phi_6193_ = false;
-                                                phi_6194_ = false;
-                                                phi_6195_ = false;
-                                                phi_6196_ = false;
+                                            let _e3592 = phi_8727_;
+                                            let _e3594 = phi_8728_;
+                                            let _e3596 = phi_8729_;
+                                            let _e3598 = phi_8730_;
+                                            let _e3600 = phi_8731_;
+                                            if _e3594 {
+                                                phi_8736_ = type_44(1u, _e3592);
+                                                phi_8737_ = false;
+                                                phi_8738_ = false;
+                                                phi_8739_ = false;
                                             } else {
-                                                let _e4555 = local_61;
-                                                phi_6189_ = _e4555;
-                                                phi_6190_ = _e2715;
-                                                phi_6191_ = _e2717;
-                                                phi_6192_ = _e2719;
-                                                phi_6193_ = _e2721;
-                                                let _e4562 = local_62;
-                                                phi_6194_ = _e4562;
-                                                phi_6195_ = _e2723;
-                                                phi_6196_ = _e2725;
+                                                phi_8736_ = type_44();
+                                                phi_8737_ = _e3596;
+                                                phi_8738_ = _e3598;
+                                                phi_8739_ = _e3600;
                                             }
-                                            let _e2727 = phi_6189_;
-                                            let _e2729 = phi_6190_;
-                                            let _e2731 = phi_6191_;
-                                            let _e2733 = phi_6192_;
-                                            let _e2735 = phi_6193_;
-                                            let _e2737 = phi_6194_;
-                                            let _e2739 = phi_6195_;
-                                            let _e2741 = phi_6196_;
-                                            if _e2729 {
-                                                phi_6201_ = type_40(1u, _e2727);
-                                                phi_6202_ = false;
-                                                phi_6203_ = false;
-                                                phi_6204_ = false;
-                                                phi_6205_ = false;
-                                                phi_6206_ = false;
-                                                phi_6207_ = false;
+                                            let _e3603 = phi_8736_;
+                                            let _e3605 = phi_8737_;
+                                            let _e3607 = phi_8738_;
+                                            let _e3609 = phi_8739_;
+                                            if _e3605 {
+                                                let _e3611 = local_20;
+                                                phi_8744_ = type_44(1u, _e3611);
+                                                phi_8745_ = false;
+                                                phi_8746_ = false;
                                             } else {
-                                                phi_6201_ = type_40();
-                                                phi_6202_ = _e2731;
-                                                phi_6203_ = _e2733;
-                                                phi_6204_ = _e2735;
-                                                phi_6205_ = _e2737;
-                                                phi_6206_ = _e2739;
-                                                phi_6207_ = _e2741;
+                                                phi_8744_ = type_44();
+                                                phi_8745_ = _e3607;
+                                                phi_8746_ = _e3609;
                                             }
-                                            let _e2744 = phi_6201_;
-                                            let _e2746 = phi_6202_;
-                                            let _e2748 = phi_6203_;
-                                            let _e2750 = phi_6204_;
-                                            let _e2752 = phi_6205_;
-                                            let _e2754 = phi_6206_;
-                                            let _e2756 = phi_6207_;
-                                            if _e2746 {
-                                                let _e2758 = local_24;
-                                                phi_6212_ = type_40(1u, _e2758);
-                                                phi_6213_ = false;
-                                                phi_6214_ = false;
-                                                phi_6215_ = true;
-                                                phi_6216_ = false;
-                                                phi_6217_ = false;
+                                            let _e3614 = phi_8744_;
+                                            let _e3616 = phi_8745_;
+                                            let _e3618 = phi_8746_;
+                                            if _e3616 {
+                                                phi_8751_ = type_44(0u, type_44().member_1);
+                                                phi_8752_ = false;
+                                                phi_8753_ = true;
                                             } else {
-                                                phi_6212_ = _e2711;
-                                                phi_6213_ = _e2748;
-                                                phi_6214_ = _e2750;
-                                                phi_6215_ = _e2752;
-                                                phi_6216_ = _e2754;
-                                                phi_6217_ = _e2756;
+                                                phi_8751_ = _e3614;
+                                                phi_8752_ = _e3618;
+                                                phi_8753_ = _e3605;
                                             }
-                                            let _e2761 = phi_6212_;
-                                            let _e2763 = phi_6213_;
-                                            let _e2765 = phi_6214_;
-                                            let _e2767 = phi_6215_;
-                                            let _e2769 = phi_6216_;
-                                            let _e2771 = phi_6217_;
-                                            if _e2763 {
-                                                let _e2773 = local_25;
-                                                phi_6222_ = type_40(1u, _e2773);
-                                                phi_6223_ = false;
-                                                phi_6224_ = false;
-                                                phi_6225_ = false;
-                                                phi_6226_ = false;
+                                            let _e3622 = phi_8751_;
+                                            let _e3624 = phi_8752_;
+                                            let _e3626 = phi_8753_;
+                                            if _e3624 {
+                                                phi_8758_ = type_44(0u, type_44().member_1);
+                                                phi_8759_ = true;
                                             } else {
-                                                phi_6222_ = type_40();
-                                                phi_6223_ = _e2765;
-                                                phi_6224_ = _e2767;
-                                                phi_6225_ = _e2769;
-                                                phi_6226_ = _e2771;
+                                                phi_8758_ = _e3622;
+                                                phi_8759_ = _e3626;
                                             }
-                                            let _e2776 = phi_6222_;
-                                            let _e2778 = phi_6223_;
-                                            let _e2780 = phi_6224_;
-                                            let _e2782 = phi_6225_;
-                                            let _e2784 = phi_6226_;
-                                            if _e2778 {
-                                                let _e2786 = local_26;
-                                                phi_6231_ = type_40(1u, _e2786);
-                                                phi_6232_ = true;
-                                                phi_6233_ = false;
-                                                phi_6234_ = false;
-                                                phi_6235_ = false;
+                                            let _e3630 = phi_8758_;
+                                            let _e3632 = phi_8759_;
+                                            if _e3632 {
+                                                phi_8763_ = _e3630;
                                             } else {
-                                                phi_6231_ = _e2776;
-                                                phi_6232_ = _e2763;
-                                                phi_6233_ = _e2780;
-                                                phi_6234_ = _e2782;
-                                                phi_6235_ = _e2784;
+                                                phi_8763_ = _e3603;
                                             }
-                                            let _e2789 = phi_6231_;
-                                            let _e2791 = phi_6232_;
-                                            let _e2793 = phi_6233_;
-                                            let _e2795 = phi_6234_;
-                                            let _e2797 = phi_6235_;
-                                            if _e2791 {
-                                                phi_6239_ = _e2789;
-                                                phi_6240_ = true;
-                                                phi_6241_ = false;
-                                                phi_6242_ = false;
+                                            let _e3634 = phi_8763_;
+                                            let _e3637 = (_e3634.member != 0u);
+                                            if _e3637 {
+                                                phi_8770_ = false;
                                             } else {
-                                                phi_6239_ = _e2761;
-                                                phi_6240_ = _e2793;
-                                                phi_6241_ = _e2795;
-                                                phi_6242_ = _e2797;
+                                                phi_8770_ = true;
                                             }
-                                            let _e2799 = phi_6239_;
-                                            let _e2801 = phi_6240_;
-                                            let _e2803 = phi_6241_;
-                                            let _e2805 = phi_6242_;
-                                            if _e2801 {
-                                                phi_6246_ = false;
-                                                phi_6247_ = false;
-                                            } else {
-                                                phi_6246_ = _e2803;
-                                                phi_6247_ = _e2805;
-                                            }
-                                            let _e2807 = phi_6246_;
-                                            let _e2809 = phi_6247_;
-                                            if _e2807 {
-                                                phi_6251_ = false;
-                                                phi_6252_ = false;
-                                            } else {
-                                                phi_6251_ = _e2809;
-                                                phi_6252_ = _e2801;
-                                            }
-                                            let _e2811 = phi_6251_;
-                                            let _e2813 = phi_6252_;
-                                            if _e2811 {
-                                                phi_6256_ = true;
-                                                phi_6257_ = false;
-                                            } else {
-                                                phi_6256_ = _e2807;
-                                                phi_6257_ = _e2813;
-                                            }
-                                            let _e2815 = phi_6256_;
-                                            let _e2817 = phi_6257_;
-                                            if _e2815 {
-                                                let _e2819 = local_27;
-                                                phi_6262_ = type_40(1u, _e2819);
-                                                phi_6263_ = true;
-                                            } else {
-                                                phi_6262_ = _e2799;
-                                                phi_6263_ = _e2817;
-                                            }
-                                            let _e2822 = phi_6262_;
-                                            let _e2824 = phi_6263_;
-                                            if _e2824 {
-                                                phi_6267_ = _e2822;
-                                            } else {
-                                                phi_6267_ = _e2744;
-                                            }
-                                            let _e2826 = phi_6267_;
-                                            let _e2829 = (_e2826.member != 0u);
-                                            if _e2829 {
-                                                phi_6274_ = false;
-                                            } else {
-                                                phi_6274_ = true;
-                                            }
-                                            let _e2831 = phi_6274_;
-                                            phi_6275_ = _e2826.member_1;
-                                            phi_6276_ = _e2831;
-                                            phi_6277_ = _e2829;
-                                            phi_6278_ = false;
+                                            let _e3639 = phi_8770_;
+                                            phi_8771_ = _e3634.member_1;
+                                            phi_8772_ = _e3639;
+                                            phi_8773_ = _e3637;
+                                            phi_8774_ = false;
                                         } else {
-                                            phi_6275_ = f64();
-                                            phi_6276_ = false;
-                                            phi_6277_ = false;
-                                            phi_6278_ = true;
+                                            phi_8771_ = f64();
+                                            phi_8772_ = false;
+                                            phi_8773_ = false;
+                                            phi_8774_ = true;
                                         }
-                                        let _e2833 = phi_6275_;
-                                        let _e2835 = phi_6276_;
-                                        let _e2837 = phi_6277_;
-                                        let _e2839 = phi_6278_;
-                                        phi_6279_ = _e2833;
-                                        phi_6280_ = _e2835;
-                                        phi_6281_ = _e2837;
-                                        phi_6282_ = _e2839;
+                                        let _e3641 = phi_8771_;
+                                        let _e3643 = phi_8772_;
+                                        let _e3645 = phi_8773_;
+                                        let _e3647 = phi_8774_;
+                                        phi_8775_ = _e3641;
+                                        phi_8776_ = _e3643;
+                                        phi_8777_ = _e3645;
+                                        phi_8778_ = _e3647;
                                     }
-                                    let _e2841 = phi_6279_;
-                                    let _e2843 = phi_6280_;
-                                    let _e2845 = phi_6281_;
-                                    let _e2847 = phi_6282_;
-                                    phi_6283_ = _e2841;
-                                    phi_6284_ = _e2057;
-                                    phi_6285_ = _e2843;
-                                    phi_6286_ = _e2845;
-                                    phi_6287_ = _e2847;
+                                    let _e3649 = phi_8775_;
+                                    let _e3651 = phi_8776_;
+                                    let _e3653 = phi_8777_;
+                                    let _e3655 = phi_8778_;
+                                    phi_8779_ = _e3649;
+                                    phi_8780_ = _e2283;
+                                    phi_8781_ = _e3651;
+                                    phi_8782_ = _e3653;
+                                    phi_8783_ = _e3655;
                                 }
-                                let _e2849 = phi_6283_;
-                                let _e2851 = phi_6284_;
-                                let _e2853 = phi_6285_;
-                                let _e2855 = phi_6286_;
-                                let _e2857 = phi_6287_;
-                                if _e2851 {
-                                    phi_6291_ = true;
-                                    phi_6292_ = false;
-                                    phi_6293_ = false;
+                                let _e3657 = phi_8779_;
+                                let _e3659 = phi_8780_;
+                                let _e3661 = phi_8781_;
+                                let _e3663 = phi_8782_;
+                                let _e3665 = phi_8783_;
+                                if _e3659 {
+                                    phi_8787_ = true;
+                                    phi_8788_ = false;
+                                    phi_8789_ = false;
                                 } else {
-                                    phi_6291_ = _e2853;
-                                    phi_6292_ = _e2855;
-                                    phi_6293_ = _e2857;
+                                    phi_8787_ = _e3661;
+                                    phi_8788_ = _e3663;
+                                    phi_8789_ = _e3665;
                                 }
-                                let _e2859 = phi_6291_;
-                                let _e2861 = phi_6292_;
-                                let _e2863 = phi_6293_;
-                                phi_6294_ = _e2849;
-                                phi_6295_ = _e1331;
-                                phi_6296_ = _e2859;
-                                phi_6297_ = false;
-                                phi_6298_ = _e2861;
-                                phi_6299_ = _e2863;
+                                let _e3667 = phi_8787_;
+                                let _e3669 = phi_8788_;
+                                let _e3671 = phi_8789_;
+                                phi_8790_ = _e3657;
+                                phi_8791_ = _e1551;
+                                phi_8792_ = _e3667;
+                                phi_8793_ = false;
+                                phi_8794_ = _e3669;
+                                phi_8795_ = _e3671;
                             } else {
-                                phi_6294_ = f64();
-                                phi_6295_ = type_41();
-                                phi_6296_ = false;
-                                phi_6297_ = true;
-                                phi_6298_ = false;
-                                phi_6299_ = false;
+                                phi_8790_ = f64();
+                                phi_8791_ = type_45();
+                                phi_8792_ = false;
+                                phi_8793_ = true;
+                                phi_8794_ = false;
+                                phi_8795_ = false;
                             }
-                            let _e2865 = phi_6294_;
-                            let _e2867 = phi_6295_;
-                            let _e2869 = phi_6296_;
-                            let _e2871 = phi_6297_;
-                            let _e2873 = phi_6298_;
-                            let _e2875 = phi_6299_;
-                            local_28 = _e2871;
-                            local_63 = _e2873;
-                            local_64 = _e2875;
-                            local_29 = _e2865;
-                            local_30 = _e2867;
+                            let _e3673 = phi_8790_;
+                            let _e3675 = phi_8791_;
+                            let _e3677 = phi_8792_;
+                            let _e3679 = phi_8793_;
+                            let _e3681 = phi_8794_;
+                            let _e3683 = phi_8795_;
+                            local_21 = _e3679;
+                            local_41 = _e3681;
+                            local_42 = _e3683;
+                            local_22 = _e3673;
+                            local_23 = _e3675;
                             continue;
                             continuing {
-                                phi_3735_ = _e1018;
-                                break if !(_e2869);
+                                phi_5145_ = _e1264;
+                                break if !(_e3677);
                             }
                         }
-                        let _e2878 = local_28;
-                        if _e2878 {
-                            phi_6304_ = type_40(0u, type_40().member_1);
-                            phi_6305_ = false;
-                            phi_6306_ = false;
+                        let _e3686 = local_21;
+                        if _e3686 {
+                            phi_8800_ = type_44(0u, type_44().member_1);
+                            phi_8801_ = false;
+                            phi_8802_ = false;
                         } else {
-                            phi_6304_ = type_40();
-                            let _e4632 = local_63;
-                            phi_6305_ = _e4632;
-                            let _e4635 = local_64;
-                            phi_6306_ = _e4635;
+                            phi_8800_ = type_44();
+                            let _e6083 = local_41;
+                            phi_8801_ = _e6083;
+                            let _e6086 = local_42;
+                            phi_8802_ = _e6086;
                         }
-                        let _e2882 = phi_6304_;
-                        let _e2884 = phi_6305_;
-                        let _e2886 = phi_6306_;
-                        if _e2884 {
-                            let _e2888 = local_29;
-                            phi_6311_ = type_40(2u, _e2888);
-                            phi_6312_ = false;
+                        let _e3690 = phi_8800_;
+                        let _e3692 = phi_8801_;
+                        let _e3694 = phi_8802_;
+                        if _e3692 {
+                            let _e3696 = local_22;
+                            phi_8807_ = type_44(2u, _e3696);
+                            phi_8808_ = false;
                         } else {
-                            phi_6311_ = type_40();
-                            phi_6312_ = _e2886;
+                            phi_8807_ = type_44();
+                            phi_8808_ = _e3694;
                         }
-                        let _e2891 = phi_6311_;
-                        let _e2893 = phi_6312_;
-                        if _e2893 {
-                            let _e2895 = local_30;
-                            phi_6318_ = type_40(1u, _e2895.member);
-                            phi_6319_ = true;
+                        let _e3699 = phi_8807_;
+                        let _e3701 = phi_8808_;
+                        if _e3701 {
+                            let _e3703 = local_23;
+                            phi_8814_ = type_44(1u, _e3703.member);
+                            phi_8815_ = true;
                         } else {
-                            phi_6318_ = _e2891;
-                            phi_6319_ = _e2884;
+                            phi_8814_ = _e3699;
+                            phi_8815_ = _e3692;
                         }
-                        let _e2899 = phi_6318_;
-                        let _e2901 = phi_6319_;
-                        if _e2901 {
-                            phi_6323_ = _e2899;
+                        let _e3707 = phi_8814_;
+                        let _e3709 = phi_8815_;
+                        if _e3709 {
+                            phi_8819_ = _e3707;
                         } else {
-                            phi_6323_ = _e2882;
+                            phi_8819_ = _e3690;
                         }
-                        let _e2903 = phi_6323_;
-                        phi_6327_ = _e2903;
+                        let _e3711 = phi_8819_;
+                        phi_8823_ = _e3711;
                     }
-                    let _e4040 = phi_6327_;
-                    phi_6328_ = _e4040;
+                    let _e5430 = phi_8823_;
+                    phi_8824_ = _e5430;
                 }
-                let _e4044 = phi_6328_;
-                switch bitcast<i32>(_e4044.member) {
+                let _e5434 = phi_8824_;
+                switch bitcast<i32>(_e5434.member) {
                     case 0: {
-                        phi_6341_ = type_30(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8837_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e4050 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(0u, _e4050, true);
+                        let _e5440 = function_3(_e5434.member_1);
+                        phi_8837_ = type_32(0u, _e5440, true);
                         break;
                     }
                     case 2: {
-                        let _e4048 = function_3(_e4044.member_1);
-                        phi_6341_ = type_30(1u, _e4048, true);
+                        let _e5438 = function_3(_e5434.member_1);
+                        phi_8837_ = type_32(1u, _e5438, true);
                         break;
                     }
                     default: {
-                        phi_6341_ = type_30();
+                        phi_8837_ = type_32();
                         break;
                     }
                 }
-                let _e4053 = phi_6341_;
-                if _e4053.member_2 {
-                    let _e4060 = (_e4053.member_1[1] >> bitcast<u32>(20i));
-                    if (_e4060 <= 896u) {
-                        phi_6364_ = 0u;
+                let _e5443 = phi_8837_;
+                if _e5443.member_2 {
+                    let _e5450 = (_e5443.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5450 <= 896u) {
+                        phi_8860_ = 0u;
                     } else {
-                        phi_6364_ = ((((_e4060 - 896u) << bitcast<u32>(23i)) | ((_e4053.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e4053.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8860_ = ((((_e5450 - 896u) << bitcast<u32>(23i)) | ((_e5443.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5443.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e4075 = phi_6364_;
-                    let _e4077 = atomicMin((&earliest.member[0u]), _e4075);
+                    let _e5465 = phi_8860_;
+                    let _e5467 = atomicMin((&earliest.member[0u]), _e5465);
                 }
-                phi_6368_ = type_29(_e168, _e4053.member, _e174, _e177, _e4053.member_1);
-                phi_6369_ = _e4053.member_2;
+                phi_8864_ = type_22(0u, _e5443.member, _e181, _e184, _e5443.member_1);
+                phi_8865_ = _e5443.member_2;
             } else {
-                phi_6368_ = type_29(_e168, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_6369_ = false;
+                phi_8864_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8865_ = false;
             }
-            let _e4079 = phi_6368_;
-            let _e4081 = phi_6369_;
-            let _e4083 = params.member.member_1;
-            if ((_e4083 & 16u) != 0u) {
-                if (_e101 == 0u) {
+            let _e5469 = phi_8864_;
+            let _e5471 = phi_8865_;
+            let _e5474 = params.member.member.member_1;
+            if ((_e5474 & 16u) != 0u) {
+                if (_e110 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e4081 {
-                    let _e4089 = atomicAdd((&counters[0u]), 1u);
-                    phi_6387_ = _e4089;
+                if _e5471 {
+                    let _e5480 = atomicAdd((&counters[0u]), 1u);
+                    phi_8884_ = _e5480;
                 } else {
-                    phi_6387_ = 0u;
+                    phi_8884_ = 0u;
                 }
-                let _e4091 = phi_6387_;
+                let _e5482 = phi_8884_;
                 workgroupBarrier();
-                if (_e101 == 0u) {
-                    let _e4094 = atomicLoad((&counters[0u]));
-                    if (_e4094 > 0u) {
-                        let _e4097 = atomicAdd((&contacts.member[0u]), _e4094);
-                        atomicStore((&counters[1u]), _e4097);
+                if (_e110 == 0u) {
+                    let _e5485 = atomicLoad((&counters[0u]));
+                    if (_e5485 > 0u) {
+                        let _e5488 = atomicAdd((&contacts.member[0u]), _e5485);
+                        atomicStore((&counters[1u]), _e5488);
                     }
                 }
                 workgroupBarrier();
-                let _e4100 = atomicLoad((&counters[1u]));
-                let _e4101 = (_e4100 + _e4091);
-                if _e4081 {
-                    let _e4103 = params.member.member_16;
-                    if (_e4101 < _e4103) {
-                        let _e4105 = (6u * _e4101);
-                        atomicStore((&contacts.member[(4u + _e4105)]), _e4079.member);
-                        atomicStore((&contacts.member[(_e4105 + 5u)]), _e4079.member_1);
-                        atomicStore((&contacts.member[(_e4105 + 6u)]), _e4079.member_2);
-                        atomicStore((&contacts.member[(_e4105 + 7u)]), _e4079.member_3);
-                        atomicStore((&contacts.member[(_e4105 + 8u)]), _e4079.member_4[0]);
-                        atomicStore((&contacts.member[(_e4105 + 9u)]), _e4079.member_4[1]);
+                let _e5491 = atomicLoad((&counters[1u]));
+                let _e5492 = (_e5491 + _e5482);
+                if _e5471 {
+                    let _e5495 = params.member.member_1.member_3;
+                    if (_e5492 < _e5495) {
+                        let _e5497 = (6u * _e5492);
+                        atomicStore((&contacts.member[(4u + _e5497)]), _e5469.member);
+                        atomicStore((&contacts.member[(_e5497 + 5u)]), _e5469.member_1);
+                        atomicStore((&contacts.member[(_e5497 + 6u)]), _e5469.member_2);
+                        atomicStore((&contacts.member[(_e5497 + 7u)]), _e5469.member_3);
+                        atomicStore((&contacts.member[(_e5497 + 8u)]), _e5469.member_4[0]);
+                        atomicStore((&contacts.member[(_e5497 + 9u)]), _e5469.member_4[1]);
                     }
                 }
             }
         }
         continue;
         continuing {
-            phi_830_ = _e156;
-            break if !(_e162);
+            phi_843_ = _e166;
+            break if !(_e172);
         }
     }
     return;

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,457 +8,449 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_15 {
-    member: array<u32>,
-}
-
-struct type_16 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
-struct type_18 {
-    member: array<type_16>,
-}
-
-struct type_21 {
     member: u32,
     member_1: u32,
 }
 
-struct type_24 {
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_16 {
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+}
+
+struct type_17 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_16,
+}
+
+struct type_18 {
+    member: type_17,
+}
+
+struct type_20 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_22 {
+    member: array<type_20>,
+}
+
+struct type_23 {
+    member: array<u32, 3>,
+    member_1: u32,
+}
+
+struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_27 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
 }
 
 struct type_29 {
+    member: array<type_27>,
+}
+
+struct type_35 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_34 {
+struct type_37 {
     member: array<array<f32, 3>, 2>,
     member_1: array<array<f32, 3>, 2>,
     member_2: array<array<f32, 3>, 2>,
     member_3: f32,
 }
 
-struct type_38 {
+struct type_41 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_18;
+@group(0) @binding(2) 
+var<storage> leaves: type_25;
 @group(0) @binding(1) 
-var<storage> nodes: type_13;
+var<storage> nodes: type_29;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_11, 128>;
+var<workgroup> columns: array<type_27, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
-@group(0) @binding(2) 
-var<storage> leaves: type_18;
 @group(0) @binding(3) 
-var<storage> bodies: type_15;
+var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_29;
+var<storage> keys: type_35;
 @group(0) @binding(5) 
-var<storage> paths: type_26;
+var<storage> paths: type_22;
 @group(0) @binding(6) 
-var<storage> input: type_15;
+var<storage> input: type_11;
 @group(0) @binding(7) 
-var<storage, read_write> output: type_38;
+var<storage, read_write> output: type_41;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_171_: bool;
     var phi_172_: bool;
-    var phi_176_: array<u32, 2>;
+    var phi_173_: bool;
+    var phi_177_: array<u32, 2>;
 
     if (param[1] > param_1[1]) {
-        phi_172_ = true;
+        phi_173_ = true;
     } else {
         if (param[1] == param_1[1]) {
-            phi_171_ = (param[0] > param_1[0]);
+            phi_172_ = (param[0] > param_1[0]);
         } else {
-            phi_171_ = false;
+            phi_172_ = false;
         }
-        let _e14 = phi_171_;
-        phi_172_ = _e14;
+        let _e14 = phi_172_;
+        phi_173_ = _e14;
     }
-    let _e16 = phi_172_;
+    let _e16 = phi_173_;
     if _e16 {
-        phi_176_ = param_1;
+        phi_177_ = param_1;
     } else {
-        phi_176_ = param;
+        phi_177_ = param;
     }
-    let _e18 = phi_176_;
+    let _e18 = phi_177_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_195_: bool;
     var phi_196_: bool;
-    var phi_200_: array<u32, 2>;
+    var phi_197_: bool;
+    var phi_201_: array<u32, 2>;
 
     if (param_3[1] > param_2[1]) {
-        phi_196_ = true;
+        phi_197_ = true;
     } else {
         if (param_3[1] == param_2[1]) {
-            phi_195_ = (param_3[0] > param_2[0]);
+            phi_196_ = (param_3[0] > param_2[0]);
         } else {
-            phi_195_ = false;
+            phi_196_ = false;
         }
-        let _e14 = phi_195_;
-        phi_196_ = _e14;
+        let _e14 = phi_196_;
+        phi_197_ = _e14;
     }
-    let _e16 = phi_196_;
+    let _e16 = phi_197_;
     if _e16 {
-        phi_200_ = param_3;
+        phi_201_ = param_3;
     } else {
-        phi_200_ = param_2;
+        phi_201_ = param_2;
     }
-    let _e18 = phi_200_;
+    let _e18 = phi_201_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_219_: bool;
     var phi_220_: bool;
-    var phi_224_: array<u32, 2>;
+    var phi_221_: bool;
+    var phi_225_: array<u32, 2>;
 
     if (param_4[1] > param_5[1]) {
-        phi_220_ = true;
+        phi_221_ = true;
     } else {
         if (param_4[1] == param_5[1]) {
-            phi_219_ = (param_4[0] > param_5[0]);
+            phi_220_ = (param_4[0] > param_5[0]);
         } else {
-            phi_219_ = false;
+            phi_220_ = false;
         }
-        let _e14 = phi_219_;
-        phi_220_ = _e14;
+        let _e14 = phi_220_;
+        phi_221_ = _e14;
     }
-    let _e16 = phi_220_;
+    let _e16 = phi_221_;
     if _e16 {
-        phi_224_ = param_5;
+        phi_225_ = param_5;
     } else {
-        phi_224_ = param_4;
+        phi_225_ = param_4;
     }
-    let _e18 = phi_224_;
+    let _e18 = phi_225_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_243_: bool;
     var phi_244_: bool;
-    var phi_248_: array<u32, 2>;
+    var phi_245_: bool;
+    var phi_249_: array<u32, 2>;
 
     if (param_7[1] > param_6[1]) {
-        phi_244_ = true;
+        phi_245_ = true;
     } else {
         if (param_7[1] == param_6[1]) {
-            phi_243_ = (param_7[0] > param_6[0]);
+            phi_244_ = (param_7[0] > param_6[0]);
         } else {
-            phi_243_ = false;
+            phi_244_ = false;
         }
-        let _e14 = phi_243_;
-        phi_244_ = _e14;
+        let _e14 = phi_244_;
+        phi_245_ = _e14;
     }
-    let _e16 = phi_244_;
+    let _e16 = phi_245_;
     if _e16 {
-        phi_248_ = param_7;
+        phi_249_ = param_7;
     } else {
-        phi_248_ = param_6;
+        phi_249_ = param_6;
     }
-    let _e18 = phi_248_;
+    let _e18 = phi_249_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_267_: bool;
     var phi_268_: bool;
-    var phi_272_: array<u32, 2>;
+    var phi_269_: bool;
+    var phi_273_: array<u32, 2>;
 
     if (param_8[1] > param_9[1]) {
-        phi_268_ = true;
+        phi_269_ = true;
     } else {
         if (param_8[1] == param_9[1]) {
-            phi_267_ = (param_8[0] > param_9[0]);
+            phi_268_ = (param_8[0] > param_9[0]);
         } else {
-            phi_267_ = false;
+            phi_268_ = false;
         }
-        let _e14 = phi_267_;
-        phi_268_ = _e14;
+        let _e14 = phi_268_;
+        phi_269_ = _e14;
     }
-    let _e16 = phi_268_;
+    let _e16 = phi_269_;
     if _e16 {
-        phi_272_ = param_9;
+        phi_273_ = param_9;
     } else {
-        phi_272_ = param_8;
+        phi_273_ = param_8;
     }
-    let _e18 = phi_272_;
+    let _e18 = phi_273_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_291_: bool;
     var phi_292_: bool;
-    var phi_296_: array<u32, 2>;
+    var phi_293_: bool;
+    var phi_297_: array<u32, 2>;
 
     if (param_11[1] > param_10[1]) {
-        phi_292_ = true;
+        phi_293_ = true;
     } else {
         if (param_11[1] == param_10[1]) {
-            phi_291_ = (param_11[0] > param_10[0]);
+            phi_292_ = (param_11[0] > param_10[0]);
         } else {
-            phi_291_ = false;
+            phi_292_ = false;
         }
-        let _e14 = phi_291_;
-        phi_292_ = _e14;
+        let _e14 = phi_292_;
+        phi_293_ = _e14;
     }
-    let _e16 = phi_292_;
+    let _e16 = phi_293_;
     if _e16 {
-        phi_296_ = param_11;
+        phi_297_ = param_11;
     } else {
-        phi_296_ = param_10;
+        phi_297_ = param_10;
     }
-    let _e18 = phi_296_;
+    let _e18 = phi_297_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_34;
-    var local_1: type_34;
-    var local_2: type_34;
-    var phi_342_: u32;
-    var phi_380_: u32;
-    var phi_381_: u32;
-    var phi_388_: u32;
-    var phi_404_: u32;
-    var phi_425_: u32;
-    var phi_426_: u32;
-    var phi_429_: type_21;
-    var phi_430_: type_21;
-    var phi_453_: type_21;
-    var phi_491_: u32;
-    var phi_492_: u32;
-    var phi_499_: u32;
+    var local: type_37;
+    var local_1: type_37;
+    var local_2: type_37;
+    var phi_344_: u32;
+    var phi_385_: u32;
+    var phi_386_: u32;
+    var phi_394_: u32;
+    var phi_410_: u32;
+    var phi_431_: u32;
+    var phi_432_: u32;
+    var phi_435_: type_9;
+    var phi_436_: type_9;
+    var phi_459_: type_9;
+    var phi_500_: u32;
+    var phi_501_: u32;
     var phi_509_: u32;
-    var phi_588_: array<u32, 2>;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_787_: type_11;
-    var phi_800_: type_21;
-    var phi_803_: u32;
-    var phi_801_: type_21;
-    var phi_826_: type_21;
-    var phi_916_: u32;
-    var phi_918_: u32;
-    var phi_804_: u32;
-    var phi_921_: type_21;
-    var phi_924_: u32;
-    var phi_922_: type_21;
-    var phi_947_: type_21;
-    var phi_1065_: bool;
+    var phi_521_: u32;
+    var phi_606_: array<u32, 2>;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_809_: type_27;
+    var phi_822_: type_9;
+    var phi_825_: u32;
+    var phi_823_: type_9;
+    var phi_848_: type_9;
+    var phi_938_: u32;
+    var phi_940_: u32;
+    var phi_826_: u32;
+    var phi_943_: type_9;
+    var phi_946_: u32;
+    var phi_944_: type_9;
+    var phi_969_: type_9;
+    var phi_1051_: bool;
+    var phi_1058_: bool;
     var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1073_: bool;
-    var phi_1037_: bool;
-    var phi_1038_: bool;
-    var phi_1039_: bool;
-    var phi_1043_: bool;
-    var phi_1074_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1123_: bool;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1275_: bool;
-    var phi_1276_: bool;
-    var phi_1369_: bool;
-    var phi_1370_: bool;
-    var phi_1464_: bool;
-    var phi_1465_: bool;
-    var phi_1558_: bool;
-    var phi_1559_: bool;
-    var phi_1654_: bool;
-    var phi_1655_: bool;
-    var phi_1748_: bool;
-    var phi_1749_: bool;
-    var phi_1753_: bool;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1759_: bool;
-    var phi_1760_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1136_: bool;
+    var phi_1143_: bool;
+    var phi_1147_: bool;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
+    var phi_1472_: bool;
+    var phi_1473_: bool;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1662_: bool;
+    var phi_1663_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
     var phi_1761_: bool;
     var phi_1762_: bool;
     var phi_1763_: bool;
     var phi_1767_: bool;
-    var phi_1830_: u32;
-    var phi_1831_: bool;
-    var phi_925_: u32;
-    var phi_1832_: bool;
-    var phi_1839_: u32;
-    var phi_1842_: type_21;
-    var phi_1843_: type_21;
-    var phi_1866_: type_21;
-    var phi_1992_: bool;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_1995_: bool;
-    var phi_1996_: bool;
-    var phi_2000_: bool;
-    var phi_1964_: bool;
-    var phi_1965_: bool;
-    var phi_1966_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
+    var phi_1775_: bool;
+    var phi_1837_: u32;
+    var phi_1838_: bool;
+    var phi_947_: u32;
+    var phi_1839_: bool;
+    var phi_1846_: u32;
+    var phi_1849_: type_9;
+    var phi_1850_: type_9;
+    var phi_1873_: type_9;
+    var phi_1963_: bool;
     var phi_1970_: bool;
+    var phi_1978_: bool;
     var phi_2001_: bool;
-    var phi_2005_: bool;
-    var phi_2006_: bool;
-    var phi_2050_: bool;
-    var phi_2060_: bool;
-    var phi_2061_: bool;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var phi_2202_: bool;
-    var phi_2203_: bool;
-    var phi_2296_: bool;
-    var phi_2297_: bool;
-    var phi_2391_: bool;
-    var phi_2392_: bool;
-    var phi_2485_: bool;
-    var phi_2486_: bool;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
+    var phi_2002_: bool;
+    var phi_2048_: bool;
+    var phi_2055_: bool;
+    var phi_2059_: bool;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
+    var phi_2289_: bool;
+    var phi_2290_: bool;
+    var phi_2384_: bool;
+    var phi_2385_: bool;
+    var phi_2478_: bool;
+    var phi_2479_: bool;
+    var phi_2574_: bool;
+    var phi_2575_: bool;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
     var phi_2675_: bool;
-    var phi_2676_: bool;
+    var phi_2679_: bool;
     var phi_2680_: bool;
     var phi_2681_: bool;
     var phi_2682_: bool;
-    var phi_2686_: bool;
+    var phi_2683_: bool;
     var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2689_: bool;
-    var phi_2690_: bool;
-    var phi_2694_: bool;
-    var phi_3088_: f32;
-    var phi_3095_: f32;
-    var phi_3100_: f32;
-    var phi_3107_: f32;
-    var phi_3112_: f32;
-    var phi_3125_: f32;
-    var phi_3132_: f32;
-    var phi_3137_: f32;
-    var phi_3144_: f32;
-    var phi_3149_: f32;
-    var phi_3154_: f32;
-    var phi_3171_: f32;
-    var phi_3178_: f32;
-    var phi_3183_: f32;
-    var phi_3190_: f32;
-    var phi_3195_: f32;
-    var phi_3209_: f32;
-    var phi_3216_: f32;
-    var phi_3221_: f32;
-    var phi_3228_: f32;
-    var phi_3233_: f32;
-    var phi_3238_: f32;
-    var phi_3255_: f32;
-    var phi_3262_: f32;
-    var phi_3267_: f32;
-    var phi_3274_: f32;
-    var phi_3279_: f32;
-    var phi_3293_: f32;
-    var phi_3300_: f32;
-    var phi_3305_: f32;
-    var phi_3312_: f32;
-    var phi_3317_: f32;
-    var phi_3322_: f32;
+    var phi_3082_: f32;
+    var phi_3089_: f32;
+    var phi_3094_: f32;
+    var phi_3101_: f32;
+    var phi_3106_: f32;
+    var phi_3119_: f32;
+    var phi_3126_: f32;
+    var phi_3131_: f32;
+    var phi_3138_: f32;
+    var phi_3143_: f32;
+    var phi_3148_: f32;
+    var phi_3165_: f32;
+    var phi_3172_: f32;
+    var phi_3177_: f32;
+    var phi_3184_: f32;
+    var phi_3189_: f32;
+    var phi_3203_: f32;
+    var phi_3210_: f32;
+    var phi_3215_: f32;
+    var phi_3222_: f32;
+    var phi_3227_: f32;
+    var phi_3232_: f32;
+    var phi_3249_: f32;
+    var phi_3256_: f32;
+    var phi_3261_: f32;
+    var phi_3268_: f32;
+    var phi_3273_: f32;
+    var phi_3287_: f32;
+    var phi_3294_: f32;
+    var phi_3299_: f32;
+    var phi_3306_: f32;
+    var phi_3311_: f32;
+    var phi_3316_: f32;
+    var phi_3347_: f32;
     var phi_3353_: f32;
-    var phi_3359_: f32;
-    var phi_3366_: f32;
+    var phi_3360_: f32;
+    var phi_3367_: f32;
     var phi_3373_: f32;
-    var phi_3379_: f32;
+    var phi_3380_: f32;
     var phi_3386_: f32;
     var phi_3392_: f32;
     var phi_3398_: f32;
-    var phi_3404_: f32;
-    var phi_3411_: f32;
-    var phi_3418_: f32;
-    var phi_3442_: f32;
-    var phi_3447_: f32;
-    var phi_3452_: f32;
-    var phi_3457_: f32;
-    var phi_3462_: f32;
-    var phi_3467_: f32;
-    var phi_3477_: f32;
-    var phi_3680_: f32;
-    var phi_3687_: f32;
-    var phi_3692_: f32;
-    var phi_3699_: f32;
-    var phi_3704_: f32;
-    var phi_3717_: f32;
-    var phi_3724_: f32;
-    var phi_3729_: f32;
-    var phi_3736_: f32;
-    var phi_3741_: f32;
-    var phi_3746_: f32;
-    var phi_3763_: f32;
-    var phi_3770_: f32;
-    var phi_3775_: f32;
-    var phi_3782_: f32;
-    var phi_3787_: f32;
-    var phi_3801_: f32;
-    var phi_3808_: f32;
-    var phi_3813_: f32;
-    var phi_3820_: f32;
-    var phi_3825_: f32;
-    var phi_3830_: f32;
-    var phi_3847_: f32;
-    var phi_3854_: f32;
-    var phi_3859_: f32;
-    var phi_3866_: f32;
-    var phi_3871_: f32;
-    var phi_3885_: f32;
-    var phi_3892_: f32;
-    var phi_3897_: f32;
-    var phi_3904_: f32;
-    var phi_3909_: f32;
-    var phi_3914_: f32;
+    var phi_3405_: f32;
+    var phi_3412_: f32;
+    var phi_3436_: f32;
+    var phi_3441_: f32;
+    var phi_3446_: f32;
+    var phi_3451_: f32;
+    var phi_3456_: f32;
+    var phi_3461_: f32;
+    var phi_3471_: f32;
+    var phi_3674_: f32;
+    var phi_3681_: f32;
+    var phi_3686_: f32;
+    var phi_3693_: f32;
+    var phi_3698_: f32;
+    var phi_3711_: f32;
+    var phi_3718_: f32;
+    var phi_3723_: f32;
+    var phi_3730_: f32;
+    var phi_3735_: f32;
+    var phi_3740_: f32;
+    var phi_3757_: f32;
+    var phi_3764_: f32;
+    var phi_3769_: f32;
+    var phi_3776_: f32;
+    var phi_3781_: f32;
+    var phi_3795_: f32;
+    var phi_3802_: f32;
+    var phi_3807_: f32;
+    var phi_3814_: f32;
+    var phi_3819_: f32;
+    var phi_3824_: f32;
+    var phi_3841_: f32;
+    var phi_3848_: f32;
+    var phi_3853_: f32;
+    var phi_3860_: f32;
+    var phi_3865_: f32;
+    var phi_3879_: f32;
+    var phi_3886_: f32;
+    var phi_3891_: f32;
+    var phi_3898_: f32;
+    var phi_3903_: f32;
+    var phi_3908_: f32;
+    var phi_3987_: f32;
     var phi_3992_: f32;
     var phi_3997_: f32;
     var phi_4002_: f32;
@@ -471,134 +464,133 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_4042_: f32;
     var phi_4047_: f32;
     var phi_4052_: f32;
-    var phi_4057_: f32;
-    var phi_4063_: f32;
-    var phi_4069_: f32;
-    var phi_4076_: f32;
-    var phi_4086_: f32;
-    var phi_4157_: f32;
-    var phi_4162_: f32;
-    var phi_4167_: f32;
-    var phi_4172_: f32;
-    var phi_4177_: f32;
-    var phi_4182_: f32;
-    var phi_4187_: f32;
-    var phi_4192_: f32;
-    var phi_4197_: f32;
-    var phi_4202_: f32;
-    var phi_4207_: f32;
-    var phi_4212_: f32;
-    var phi_4217_: f32;
-    var phi_4222_: f32;
-    var phi_4228_: f32;
-    var phi_4234_: f32;
-    var phi_4241_: f32;
-    var phi_4251_: f32;
-    var phi_4261_: f32;
-    var phi_4334_: f32;
-    var phi_4339_: f32;
-    var phi_4344_: f32;
-    var phi_4349_: f32;
-    var phi_4354_: f32;
-    var phi_4359_: f32;
-    var phi_4364_: f32;
-    var phi_4369_: f32;
-    var phi_4374_: f32;
-    var phi_4379_: f32;
-    var phi_4384_: f32;
-    var phi_4389_: f32;
-    var phi_4394_: f32;
-    var phi_4399_: f32;
-    var phi_4405_: f32;
-    var phi_4411_: f32;
-    var phi_4418_: f32;
-    var phi_4428_: f32;
-    var phi_4438_: f32;
-    var phi_4441_: bool;
-    var phi_4893_: f32;
-    var phi_4900_: f32;
-    var phi_4905_: f32;
-    var phi_4912_: f32;
-    var phi_4917_: f32;
-    var phi_4930_: f32;
-    var phi_4937_: f32;
-    var phi_4942_: f32;
-    var phi_4949_: f32;
-    var phi_4954_: f32;
-    var phi_4959_: f32;
-    var phi_4976_: f32;
-    var phi_4983_: f32;
-    var phi_4988_: f32;
-    var phi_4995_: f32;
-    var phi_5000_: f32;
-    var phi_5014_: f32;
-    var phi_5021_: f32;
-    var phi_5026_: f32;
-    var phi_5033_: f32;
-    var phi_5038_: f32;
-    var phi_5043_: f32;
-    var phi_5060_: f32;
-    var phi_5067_: f32;
-    var phi_5072_: f32;
-    var phi_5079_: f32;
-    var phi_5084_: f32;
-    var phi_5098_: f32;
-    var phi_5105_: f32;
-    var phi_5110_: f32;
-    var phi_5117_: f32;
-    var phi_5122_: f32;
-    var phi_5127_: f32;
-    var phi_5158_: f32;
-    var phi_5164_: f32;
-    var phi_5171_: f32;
-    var phi_5178_: f32;
-    var phi_5184_: f32;
-    var phi_5191_: f32;
-    var phi_5197_: f32;
-    var phi_5203_: f32;
-    var phi_5209_: f32;
-    var phi_5216_: f32;
-    var phi_5223_: f32;
-    var phi_5247_: f32;
-    var phi_5252_: f32;
-    var phi_5257_: f32;
-    var phi_5262_: f32;
-    var phi_5267_: f32;
-    var phi_5272_: f32;
-    var phi_5282_: f32;
-    var phi_5485_: f32;
-    var phi_5492_: f32;
-    var phi_5497_: f32;
-    var phi_5504_: f32;
-    var phi_5509_: f32;
-    var phi_5522_: f32;
-    var phi_5529_: f32;
-    var phi_5534_: f32;
-    var phi_5541_: f32;
-    var phi_5546_: f32;
-    var phi_5551_: f32;
-    var phi_5568_: f32;
-    var phi_5575_: f32;
-    var phi_5580_: f32;
-    var phi_5587_: f32;
-    var phi_5592_: f32;
-    var phi_5606_: f32;
-    var phi_5613_: f32;
-    var phi_5618_: f32;
-    var phi_5625_: f32;
-    var phi_5630_: f32;
-    var phi_5635_: f32;
-    var phi_5652_: f32;
-    var phi_5659_: f32;
-    var phi_5664_: f32;
-    var phi_5671_: f32;
-    var phi_5676_: f32;
-    var phi_5690_: f32;
-    var phi_5697_: f32;
-    var phi_5702_: f32;
-    var phi_5709_: f32;
-    var phi_5714_: f32;
-    var phi_5719_: f32;
+    var phi_4058_: f32;
+    var phi_4064_: f32;
+    var phi_4071_: f32;
+    var phi_4082_: f32;
+    var phi_4153_: f32;
+    var phi_4158_: f32;
+    var phi_4163_: f32;
+    var phi_4168_: f32;
+    var phi_4173_: f32;
+    var phi_4178_: f32;
+    var phi_4183_: f32;
+    var phi_4188_: f32;
+    var phi_4193_: f32;
+    var phi_4198_: f32;
+    var phi_4203_: f32;
+    var phi_4208_: f32;
+    var phi_4213_: f32;
+    var phi_4218_: f32;
+    var phi_4224_: f32;
+    var phi_4230_: f32;
+    var phi_4237_: f32;
+    var phi_4248_: f32;
+    var phi_4258_: f32;
+    var phi_4331_: f32;
+    var phi_4336_: f32;
+    var phi_4341_: f32;
+    var phi_4346_: f32;
+    var phi_4351_: f32;
+    var phi_4356_: f32;
+    var phi_4361_: f32;
+    var phi_4366_: f32;
+    var phi_4371_: f32;
+    var phi_4376_: f32;
+    var phi_4381_: f32;
+    var phi_4386_: f32;
+    var phi_4391_: f32;
+    var phi_4396_: f32;
+    var phi_4402_: f32;
+    var phi_4408_: f32;
+    var phi_4415_: f32;
+    var phi_4426_: f32;
+    var phi_4436_: f32;
+    var phi_4440_: bool;
+    var phi_4892_: f32;
+    var phi_4899_: f32;
+    var phi_4904_: f32;
+    var phi_4911_: f32;
+    var phi_4916_: f32;
+    var phi_4929_: f32;
+    var phi_4936_: f32;
+    var phi_4941_: f32;
+    var phi_4948_: f32;
+    var phi_4953_: f32;
+    var phi_4958_: f32;
+    var phi_4975_: f32;
+    var phi_4982_: f32;
+    var phi_4987_: f32;
+    var phi_4994_: f32;
+    var phi_4999_: f32;
+    var phi_5013_: f32;
+    var phi_5020_: f32;
+    var phi_5025_: f32;
+    var phi_5032_: f32;
+    var phi_5037_: f32;
+    var phi_5042_: f32;
+    var phi_5059_: f32;
+    var phi_5066_: f32;
+    var phi_5071_: f32;
+    var phi_5078_: f32;
+    var phi_5083_: f32;
+    var phi_5097_: f32;
+    var phi_5104_: f32;
+    var phi_5109_: f32;
+    var phi_5116_: f32;
+    var phi_5121_: f32;
+    var phi_5126_: f32;
+    var phi_5157_: f32;
+    var phi_5163_: f32;
+    var phi_5170_: f32;
+    var phi_5177_: f32;
+    var phi_5183_: f32;
+    var phi_5190_: f32;
+    var phi_5196_: f32;
+    var phi_5202_: f32;
+    var phi_5208_: f32;
+    var phi_5215_: f32;
+    var phi_5222_: f32;
+    var phi_5246_: f32;
+    var phi_5251_: f32;
+    var phi_5256_: f32;
+    var phi_5261_: f32;
+    var phi_5266_: f32;
+    var phi_5271_: f32;
+    var phi_5281_: f32;
+    var phi_5484_: f32;
+    var phi_5491_: f32;
+    var phi_5496_: f32;
+    var phi_5503_: f32;
+    var phi_5508_: f32;
+    var phi_5521_: f32;
+    var phi_5528_: f32;
+    var phi_5533_: f32;
+    var phi_5540_: f32;
+    var phi_5545_: f32;
+    var phi_5550_: f32;
+    var phi_5567_: f32;
+    var phi_5574_: f32;
+    var phi_5579_: f32;
+    var phi_5586_: f32;
+    var phi_5591_: f32;
+    var phi_5605_: f32;
+    var phi_5612_: f32;
+    var phi_5617_: f32;
+    var phi_5624_: f32;
+    var phi_5629_: f32;
+    var phi_5634_: f32;
+    var phi_5651_: f32;
+    var phi_5658_: f32;
+    var phi_5663_: f32;
+    var phi_5670_: f32;
+    var phi_5675_: f32;
+    var phi_5689_: f32;
+    var phi_5696_: f32;
+    var phi_5701_: f32;
+    var phi_5708_: f32;
+    var phi_5713_: f32;
+    var phi_5718_: f32;
     var phi_5797_: f32;
     var phi_5802_: f32;
     var phi_5807_: f32;
@@ -616,131 +608,130 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_5868_: f32;
     var phi_5874_: f32;
     var phi_5881_: f32;
-    var phi_5891_: f32;
-    var phi_5962_: f32;
-    var phi_5967_: f32;
-    var phi_5972_: f32;
-    var phi_5977_: f32;
-    var phi_5982_: f32;
-    var phi_5987_: f32;
-    var phi_5992_: f32;
-    var phi_5997_: f32;
-    var phi_6002_: f32;
-    var phi_6007_: f32;
-    var phi_6012_: f32;
-    var phi_6017_: f32;
-    var phi_6022_: f32;
-    var phi_6027_: f32;
-    var phi_6033_: f32;
-    var phi_6039_: f32;
-    var phi_6046_: f32;
-    var phi_6056_: f32;
-    var phi_6066_: f32;
-    var phi_6139_: f32;
-    var phi_6144_: f32;
-    var phi_6149_: f32;
-    var phi_6154_: f32;
-    var phi_6159_: f32;
-    var phi_6164_: f32;
-    var phi_6169_: f32;
-    var phi_6174_: f32;
-    var phi_6179_: f32;
-    var phi_6184_: f32;
-    var phi_6189_: f32;
-    var phi_6194_: f32;
-    var phi_6199_: f32;
-    var phi_6204_: f32;
-    var phi_6210_: f32;
-    var phi_6216_: f32;
-    var phi_6223_: f32;
-    var phi_6233_: f32;
-    var phi_6243_: f32;
-    var phi_6246_: bool;
-    var phi_6491_: f32;
-    var phi_6498_: f32;
-    var phi_6503_: f32;
-    var phi_6510_: f32;
-    var phi_6515_: f32;
-    var phi_6528_: f32;
-    var phi_6535_: f32;
-    var phi_6540_: f32;
-    var phi_6547_: f32;
-    var phi_6552_: f32;
-    var phi_6557_: f32;
-    var phi_6574_: f32;
-    var phi_6581_: f32;
-    var phi_6586_: f32;
-    var phi_6593_: f32;
-    var phi_6598_: f32;
-    var phi_6612_: f32;
-    var phi_6619_: f32;
-    var phi_6624_: f32;
-    var phi_6631_: f32;
-    var phi_6636_: f32;
-    var phi_6641_: f32;
-    var phi_6658_: f32;
-    var phi_6665_: f32;
-    var phi_6670_: f32;
-    var phi_6677_: f32;
-    var phi_6682_: f32;
-    var phi_6696_: f32;
-    var phi_6703_: f32;
-    var phi_6708_: f32;
-    var phi_6715_: f32;
-    var phi_6720_: f32;
-    var phi_6725_: f32;
-    var phi_6756_: f32;
-    var phi_6762_: f32;
-    var phi_6769_: f32;
-    var phi_6776_: f32;
-    var phi_6782_: f32;
-    var phi_6789_: f32;
-    var phi_6795_: f32;
-    var phi_6801_: f32;
-    var phi_6807_: f32;
-    var phi_6814_: f32;
-    var phi_6821_: f32;
-    var phi_6845_: f32;
-    var phi_6850_: f32;
-    var phi_6855_: f32;
-    var phi_6860_: f32;
-    var phi_6865_: f32;
-    var phi_6870_: f32;
-    var phi_6880_: f32;
-    var phi_7083_: f32;
-    var phi_7090_: f32;
-    var phi_7095_: f32;
-    var phi_7102_: f32;
-    var phi_7107_: f32;
-    var phi_7120_: f32;
-    var phi_7127_: f32;
-    var phi_7132_: f32;
-    var phi_7139_: f32;
-    var phi_7144_: f32;
-    var phi_7149_: f32;
-    var phi_7166_: f32;
-    var phi_7173_: f32;
-    var phi_7178_: f32;
-    var phi_7185_: f32;
-    var phi_7190_: f32;
-    var phi_7204_: f32;
-    var phi_7211_: f32;
-    var phi_7216_: f32;
-    var phi_7223_: f32;
-    var phi_7228_: f32;
-    var phi_7233_: f32;
-    var phi_7250_: f32;
-    var phi_7257_: f32;
-    var phi_7262_: f32;
-    var phi_7269_: f32;
-    var phi_7274_: f32;
-    var phi_7288_: f32;
-    var phi_7295_: f32;
-    var phi_7300_: f32;
-    var phi_7307_: f32;
-    var phi_7312_: f32;
-    var phi_7317_: f32;
-    var phi_7395_: f32;
+    var phi_5892_: f32;
+    var phi_5963_: f32;
+    var phi_5968_: f32;
+    var phi_5973_: f32;
+    var phi_5978_: f32;
+    var phi_5983_: f32;
+    var phi_5988_: f32;
+    var phi_5993_: f32;
+    var phi_5998_: f32;
+    var phi_6003_: f32;
+    var phi_6008_: f32;
+    var phi_6013_: f32;
+    var phi_6018_: f32;
+    var phi_6023_: f32;
+    var phi_6028_: f32;
+    var phi_6034_: f32;
+    var phi_6040_: f32;
+    var phi_6047_: f32;
+    var phi_6058_: f32;
+    var phi_6068_: f32;
+    var phi_6141_: f32;
+    var phi_6146_: f32;
+    var phi_6151_: f32;
+    var phi_6156_: f32;
+    var phi_6161_: f32;
+    var phi_6166_: f32;
+    var phi_6171_: f32;
+    var phi_6176_: f32;
+    var phi_6181_: f32;
+    var phi_6186_: f32;
+    var phi_6191_: f32;
+    var phi_6196_: f32;
+    var phi_6201_: f32;
+    var phi_6206_: f32;
+    var phi_6212_: f32;
+    var phi_6218_: f32;
+    var phi_6225_: f32;
+    var phi_6236_: f32;
+    var phi_6246_: f32;
+    var phi_6250_: bool;
+    var phi_6495_: f32;
+    var phi_6502_: f32;
+    var phi_6507_: f32;
+    var phi_6514_: f32;
+    var phi_6519_: f32;
+    var phi_6532_: f32;
+    var phi_6539_: f32;
+    var phi_6544_: f32;
+    var phi_6551_: f32;
+    var phi_6556_: f32;
+    var phi_6561_: f32;
+    var phi_6578_: f32;
+    var phi_6585_: f32;
+    var phi_6590_: f32;
+    var phi_6597_: f32;
+    var phi_6602_: f32;
+    var phi_6616_: f32;
+    var phi_6623_: f32;
+    var phi_6628_: f32;
+    var phi_6635_: f32;
+    var phi_6640_: f32;
+    var phi_6645_: f32;
+    var phi_6662_: f32;
+    var phi_6669_: f32;
+    var phi_6674_: f32;
+    var phi_6681_: f32;
+    var phi_6686_: f32;
+    var phi_6700_: f32;
+    var phi_6707_: f32;
+    var phi_6712_: f32;
+    var phi_6719_: f32;
+    var phi_6724_: f32;
+    var phi_6729_: f32;
+    var phi_6760_: f32;
+    var phi_6766_: f32;
+    var phi_6773_: f32;
+    var phi_6780_: f32;
+    var phi_6786_: f32;
+    var phi_6793_: f32;
+    var phi_6799_: f32;
+    var phi_6805_: f32;
+    var phi_6811_: f32;
+    var phi_6818_: f32;
+    var phi_6825_: f32;
+    var phi_6849_: f32;
+    var phi_6854_: f32;
+    var phi_6859_: f32;
+    var phi_6864_: f32;
+    var phi_6869_: f32;
+    var phi_6874_: f32;
+    var phi_6884_: f32;
+    var phi_7087_: f32;
+    var phi_7094_: f32;
+    var phi_7099_: f32;
+    var phi_7106_: f32;
+    var phi_7111_: f32;
+    var phi_7124_: f32;
+    var phi_7131_: f32;
+    var phi_7136_: f32;
+    var phi_7143_: f32;
+    var phi_7148_: f32;
+    var phi_7153_: f32;
+    var phi_7170_: f32;
+    var phi_7177_: f32;
+    var phi_7182_: f32;
+    var phi_7189_: f32;
+    var phi_7194_: f32;
+    var phi_7208_: f32;
+    var phi_7215_: f32;
+    var phi_7220_: f32;
+    var phi_7227_: f32;
+    var phi_7232_: f32;
+    var phi_7237_: f32;
+    var phi_7254_: f32;
+    var phi_7261_: f32;
+    var phi_7266_: f32;
+    var phi_7273_: f32;
+    var phi_7278_: f32;
+    var phi_7292_: f32;
+    var phi_7299_: f32;
+    var phi_7304_: f32;
+    var phi_7311_: f32;
+    var phi_7316_: f32;
+    var phi_7321_: f32;
     var phi_7400_: f32;
     var phi_7405_: f32;
     var phi_7410_: f32;
@@ -754,59 +745,60 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_7450_: f32;
     var phi_7455_: f32;
     var phi_7460_: f32;
-    var phi_7466_: f32;
-    var phi_7472_: f32;
-    var phi_7479_: f32;
-    var phi_7489_: f32;
-    var phi_7560_: f32;
-    var phi_7565_: f32;
-    var phi_7570_: f32;
-    var phi_7575_: f32;
-    var phi_7580_: f32;
-    var phi_7585_: f32;
-    var phi_7590_: f32;
-    var phi_7595_: f32;
-    var phi_7600_: f32;
-    var phi_7605_: f32;
-    var phi_7610_: f32;
-    var phi_7615_: f32;
-    var phi_7620_: f32;
-    var phi_7625_: f32;
+    var phi_7465_: f32;
+    var phi_7471_: f32;
+    var phi_7477_: f32;
+    var phi_7484_: f32;
+    var phi_7495_: f32;
+    var phi_7566_: f32;
+    var phi_7571_: f32;
+    var phi_7576_: f32;
+    var phi_7581_: f32;
+    var phi_7586_: f32;
+    var phi_7591_: f32;
+    var phi_7596_: f32;
+    var phi_7601_: f32;
+    var phi_7606_: f32;
+    var phi_7611_: f32;
+    var phi_7616_: f32;
+    var phi_7621_: f32;
+    var phi_7626_: f32;
     var phi_7631_: f32;
     var phi_7637_: f32;
-    var phi_7644_: f32;
-    var phi_7654_: f32;
-    var phi_7664_: f32;
-    var phi_7737_: f32;
-    var phi_7742_: f32;
-    var phi_7747_: f32;
-    var phi_7752_: f32;
-    var phi_7757_: f32;
-    var phi_7762_: f32;
-    var phi_7767_: f32;
-    var phi_7772_: f32;
-    var phi_7777_: f32;
-    var phi_7782_: f32;
-    var phi_7787_: f32;
-    var phi_7792_: f32;
-    var phi_7797_: f32;
-    var phi_7802_: f32;
-    var phi_7808_: f32;
-    var phi_7814_: f32;
+    var phi_7643_: f32;
+    var phi_7650_: f32;
+    var phi_7661_: f32;
+    var phi_7671_: f32;
+    var phi_7744_: f32;
+    var phi_7749_: f32;
+    var phi_7754_: f32;
+    var phi_7759_: f32;
+    var phi_7764_: f32;
+    var phi_7769_: f32;
+    var phi_7774_: f32;
+    var phi_7779_: f32;
+    var phi_7784_: f32;
+    var phi_7789_: f32;
+    var phi_7794_: f32;
+    var phi_7799_: f32;
+    var phi_7804_: f32;
+    var phi_7809_: f32;
+    var phi_7815_: f32;
     var phi_7821_: f32;
-    var phi_7831_: f32;
-    var phi_7841_: f32;
-    var phi_7844_: bool;
-    var phi_7845_: bool;
-    var phi_7847_: bool;
+    var phi_7828_: f32;
+    var phi_7839_: f32;
+    var phi_7849_: f32;
+    var phi_7853_: bool;
+    var phi_7855_: bool;
     var phi_7857_: bool;
-    var phi_7858_: bool;
-    var phi_7908_: type_21;
-    var phi_7909_: type_21;
-    var phi_7932_: type_21;
-    var phi_7955_: u32;
-    var phi_8030_: bool;
-    var phi_8031_: bool;
+    var phi_7868_: bool;
+    var phi_7869_: bool;
+    var phi_7919_: type_9;
+    var phi_7920_: type_9;
+    var phi_7943_: type_9;
+    var phi_7966_: u32;
+    var phi_8040_: bool;
+    var phi_8041_: bool;
     var local_3: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -820,3992 +812,3889 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e67 = lane_2;
     let _e80 = ((_e65.y * _e66.x) + _e65.x);
     let _e83 = (_e66.x * _e66.y);
-    let _e85 = params.member.member_15;
-    let _e87 = input.member[0u];
-    if (_e85 < _e87) {
-        phi_342_ = _e85;
+    let _e86 = params.member.member_1.member_2;
+    let _e88 = input.member[0u];
+    if (_e86 < _e88) {
+        phi_344_ = _e86;
     } else {
-        phi_342_ = _e87;
+        phi_344_ = _e88;
     }
-    let _e90 = phi_342_;
-    let _e91 = (_e67 / 32u);
-    let _e92 = (_e67 % 32u);
-    let _e94 = params.member.member_12;
-    if (_e90 > _e94) {
-        let _e97 = params.member.member_12;
-        let _e98 = (_e90 - _e97);
-        let _e100 = params.member.member_13;
-        if (_e100 == 0u) {
+    let _e91 = phi_344_;
+    let _e92 = (_e67 / 32u);
+    let _e93 = (_e67 % 32u);
+    let _e96 = params.member.member_1.member_1;
+    if (_e91 > _e96) {
+        let _e100 = params.member.member_1.member_1;
+        let _e101 = (_e91 - _e100);
+        let _e104 = params.member.member_2.member_3;
+        if (_e104 == 0u) {
             return;
         }
-        let _e102 = (_e98 / _e100);
-        if (_e100 == 0u) {
+        let _e106 = (_e101 / _e104);
+        if (_e104 == 0u) {
             return;
         }
-        if ((_e98 % _e100) > 0u) {
-            phi_380_ = (_e102 + 1u);
+        if ((_e101 % _e104) > 0u) {
+            phi_385_ = (_e106 + 1u);
         } else {
-            phi_380_ = _e102;
+            phi_385_ = _e106;
         }
-        let _e108 = phi_380_;
-        phi_381_ = _e108;
+        let _e112 = phi_385_;
+        phi_386_ = _e112;
     } else {
-        phi_381_ = 0u;
+        phi_386_ = 0u;
     }
-    let _e110 = phi_381_;
-    let _e112 = params.member.member_14;
-    if (_e112 < _e110) {
-        phi_388_ = _e112;
+    let _e114 = phi_386_;
+    let _e117 = params.member.member_2.member_4;
+    if (_e117 < _e114) {
+        phi_394_ = _e117;
     } else {
-        phi_388_ = _e110;
+        phi_394_ = _e114;
     }
-    let _e115 = phi_388_;
-    let _e116 = (_e115 / 4u);
-    if ((_e115 % 4u) > 0u) {
-        phi_404_ = (_e116 + 1u);
+    let _e120 = phi_394_;
+    let _e121 = (_e120 / 4u);
+    if ((_e120 % 4u) > 0u) {
+        phi_410_ = (_e121 + 1u);
     } else {
-        phi_404_ = _e116;
+        phi_410_ = _e121;
     }
-    let _e121 = phi_404_;
-    if (_e121 > _e80) {
-        let _e123 = (_e121 - _e80);
+    let _e126 = phi_410_;
+    if (_e126 > _e80) {
+        let _e128 = (_e126 - _e80);
         if (_e83 == 0u) {
             return;
         }
-        let _e125 = (_e123 / _e83);
+        let _e130 = (_e128 / _e83);
         if (_e83 == 0u) {
             return;
         }
-        if ((_e123 % _e83) > 0u) {
-            phi_425_ = (_e125 + 1u);
+        if ((_e128 % _e83) > 0u) {
+            phi_431_ = (_e130 + 1u);
         } else {
-            phi_425_ = _e125;
+            phi_431_ = _e130;
         }
-        let _e131 = phi_425_;
-        phi_426_ = _e131;
+        let _e136 = phi_431_;
+        phi_432_ = _e136;
     } else {
-        phi_426_ = 0u;
+        phi_432_ = 0u;
     }
-    let _e133 = phi_426_;
-    phi_429_ = type_21(0u, _e133);
+    let _e138 = phi_432_;
+    phi_435_ = type_9(0u, _e138);
     loop {
-        let _e136 = phi_429_;
-        if (_e136.member < _e136.member_1) {
-            phi_430_ = type_21((_e136.member + 1u), _e136.member_1);
-            phi_453_ = type_21(1u, _e136.member);
+        let _e141 = phi_435_;
+        if (_e141.member < _e141.member_1) {
+            phi_436_ = type_9((_e141.member + 1u), _e141.member_1);
+            phi_459_ = type_9(1u, _e141.member);
         } else {
-            phi_430_ = _e136;
-            phi_453_ = type_21(0u, type_21().member_1);
+            phi_436_ = _e141;
+            phi_459_ = type_9(0u, type_9().member_1);
         }
-        let _e148 = phi_430_;
-        let _e150 = phi_453_;
-        let _e154 = (bitcast<i32>(_e150.member) != 0i);
-        if _e154 {
-            let _e158 = (((_e80 + (_e150.member_1 * _e83)) * 4u) + _e91);
-            let _e160 = params.member.member_12;
-            if (_e90 > _e160) {
-                let _e163 = params.member.member_12;
-                let _e164 = (_e90 - _e163);
-                let _e166 = params.member.member_13;
-                if (_e166 == 0u) {
+        let _e153 = phi_436_;
+        let _e155 = phi_459_;
+        let _e159 = (bitcast<i32>(_e155.member) != 0i);
+        if _e159 {
+            let _e163 = (((_e80 + (_e155.member_1 * _e83)) * 4u) + _e92);
+            let _e166 = params.member.member_1.member_1;
+            if (_e91 > _e166) {
+                let _e170 = params.member.member_1.member_1;
+                let _e171 = (_e91 - _e170);
+                let _e174 = params.member.member_2.member_3;
+                if (_e174 == 0u) {
                     return;
                 }
-                let _e168 = (_e164 / _e166);
-                if (_e166 == 0u) {
+                let _e176 = (_e171 / _e174);
+                if (_e174 == 0u) {
                     return;
                 }
-                if ((_e164 % _e166) > 0u) {
-                    phi_491_ = (_e168 + 1u);
+                if ((_e171 % _e174) > 0u) {
+                    phi_500_ = (_e176 + 1u);
                 } else {
-                    phi_491_ = _e168;
+                    phi_500_ = _e176;
                 }
-                let _e174 = phi_491_;
-                phi_492_ = _e174;
+                let _e182 = phi_500_;
+                phi_501_ = _e182;
             } else {
-                phi_492_ = 0u;
+                phi_501_ = 0u;
             }
-            let _e176 = phi_492_;
-            let _e178 = params.member.member_14;
-            if (_e178 < _e176) {
-                phi_499_ = _e178;
+            let _e184 = phi_501_;
+            let _e187 = params.member.member_2.member_4;
+            if (_e187 < _e184) {
+                phi_509_ = _e187;
             } else {
-                phi_499_ = _e176;
+                phi_509_ = _e184;
             }
-            let _e181 = phi_499_;
-            let _e182 = (_e158 < _e181);
-            let _e184 = params.member.member_12;
-            if _e182 {
-                let _e186 = params.member.member_13;
-                phi_509_ = (_e158 * _e186);
+            let _e190 = phi_509_;
+            let _e191 = (_e163 < _e190);
+            let _e194 = params.member.member_1.member_1;
+            if _e191 {
+                let _e197 = params.member.member_2.member_3;
+                phi_521_ = (_e163 * _e197);
             } else {
-                phi_509_ = 0u;
+                phi_521_ = 0u;
             }
-            let _e189 = phi_509_;
-            let _e191 = (2u * (_e184 + _e189));
-            let _e194 = input.member[(4u + _e191)];
-            let _e197 = input.member[(_e191 + 5u)];
+            let _e200 = phi_521_;
+            let _e202 = (2u * (_e194 + _e200));
+            let _e205 = input.member[(4u + _e202)];
+            let _e208 = input.member[(_e202 + 5u)];
             if (_e67 < 8u) {
                 atomicStore((&counters[_e67]), 0u);
             }
             workgroupBarrier();
-            let _e204 = params.member.member_20[0u][0u];
-            let _e205 = (_e204 + (_e194 * 32u));
-            let _e210 = params.member.member_20[0u][2u];
-            let _e211 = (_e210 + (_e197 * 32u));
-            if (_e92 == 0u) {
-                firsts[(2u * _e91)] = _e205;
-                firsts[((2u * _e91) + 1u)] = _e211;
+            let _e216 = params.member.member_2.member[0u][0u];
+            let _e217 = (_e216 + (_e205 * 32u));
+            let _e223 = params.member.member_2.member[0u][2u];
+            let _e224 = (_e223 + (_e208 * 32u));
+            if (_e93 == 0u) {
+                firsts[(2u * _e92)] = _e217;
+                firsts[((2u * _e92) + 1u)] = _e224;
             }
-            let _e219 = params.member.member_8;
-            if (_e219 == 0u) {
-                phi_588_ = array<u32, 2>(0u, 2u);
+            let _e233 = params.member.member_2.member_1;
+            if (_e233 == 0u) {
+                phi_606_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_588_ = array<u32, 2>(1u, 1u);
+                phi_606_ = array<u32, 2>(1u, 1u);
             }
-            let _e222 = phi_588_;
-            let _e225 = (_e67 / 32u);
-            let _e226 = (_e67 % 32u);
-            let _e228 = params.member.member_9;
-            let _e232 = params.member.member_20[_e228][_e222[0]];
-            let _e235 = nodes.member[(_e232 + _e194)];
-            let _e237 = params.member.member_9;
-            let _e241 = params.member.member_20[_e237][_e222[1]];
-            let _e244 = nodes.member[(_e241 + _e197)];
-            let _e246 = params.member.member_9;
-            let _e253 = params.member.member_20[(_e246 - 1u)][_e222[0]];
-            let _e256 = nodes.member[(_e253 + ((_e194 * 32u) + _e226))];
-            let _e258 = params.member.member_9;
-            let _e265 = params.member.member_20[(_e258 - 1u)][_e222[1]];
-            let _e268 = nodes.member[(_e265 + ((_e197 * 32u) + _e226))];
-            if _e182 {
-                if ((((((_e268.member[0] <= _e235.member_1[0]) && (_e235.member[0] <= _e268.member_1[0])) && (_e268.member[1] <= _e235.member_1[1])) && (_e235.member[1] <= _e268.member_1[1])) && (_e268.member[2] <= _e235.member_1[2])) && (_e235.member[2] <= _e268.member_1[2])) {
-                    let _e306 = atomicAdd((&counters[_e225]), 1u);
-                    let _e307 = ((_e225 * 32u) + _e306);
-                    columns[_e307] = type_11(array<f32, 3>(_e268.member[0], _e268.member[1], _e268.member[2]), array<f32, 3>(_e268.member_1[0], _e268.member_1[1], _e268.member_1[2]));
-                    names[_e307] = _e226;
+            let _e236 = phi_606_;
+            let _e239 = (_e67 / 32u);
+            let _e240 = (_e67 % 32u);
+            let _e244 = params.member.member_2.member_2;
+            let _e248 = params.member.member_2.member[_e244][_e236[0]];
+            let _e251 = nodes.member[(_e248 + _e205)];
+            let _e255 = params.member.member_2.member_2;
+            let _e259 = params.member.member_2.member[_e255][_e236[1]];
+            let _e262 = nodes.member[(_e259 + _e208)];
+            let _e266 = params.member.member_2.member_2;
+            let _e273 = params.member.member_2.member[(_e266 - 1u)][_e236[0]];
+            let _e276 = nodes.member[(_e273 + ((_e205 * 32u) + _e240))];
+            let _e280 = params.member.member_2.member_2;
+            let _e287 = params.member.member_2.member[(_e280 - 1u)][_e236[1]];
+            let _e290 = nodes.member[(_e287 + ((_e208 * 32u) + _e240))];
+            if _e191 {
+                if ((((((_e290.member[0] <= _e251.member_1[0]) && (_e251.member[0] <= _e290.member_1[0])) && (_e290.member[1] <= _e251.member_1[1])) && (_e251.member[1] <= _e290.member_1[1])) && (_e290.member[2] <= _e251.member_1[2])) && (_e251.member[2] <= _e290.member_1[2])) {
+                    let _e328 = atomicAdd((&counters[_e239]), 1u);
+                    let _e329 = ((_e239 * 32u) + _e328);
+                    columns[_e329] = type_27(array<f32, 3>(_e290.member[0], _e290.member[1], _e290.member[2]), array<f32, 3>(_e290.member_1[0], _e290.member_1[1], _e290.member_1[2]));
+                    names[_e329] = _e240;
                 }
             }
             workgroupBarrier();
-            if _e182 {
-                if ((((((_e256.member[0] <= _e244.member_1[0]) && (_e244.member[0] <= _e256.member_1[0])) && (_e256.member[1] <= _e244.member_1[1])) && (_e244.member[1] <= _e256.member_1[1])) && (_e256.member[2] <= _e244.member_1[2])) && (_e244.member[2] <= _e256.member_1[2])) {
-                    phi_782_ = false;
+            if _e191 {
+                if ((((((_e276.member[0] <= _e262.member_1[0]) && (_e262.member[0] <= _e276.member_1[0])) && (_e276.member[1] <= _e262.member_1[1])) && (_e262.member[1] <= _e276.member_1[1])) && (_e276.member[2] <= _e262.member_1[2])) && (_e262.member[2] <= _e276.member_1[2])) {
+                    phi_804_ = false;
                 } else {
-                    phi_782_ = true;
+                    phi_804_ = true;
                 }
-                let _e357 = phi_782_;
-                phi_783_ = _e357;
+                let _e379 = phi_804_;
+                phi_805_ = _e379;
             } else {
-                phi_783_ = true;
+                phi_805_ = true;
             }
-            let _e359 = phi_783_;
-            if _e359 {
-                phi_787_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e381 = phi_805_;
+            if _e381 {
+                phi_809_ = type_27(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_787_ = _e256;
+                phi_809_ = _e276;
             }
-            let _e361 = phi_787_;
-            let _e362 = (_e67 / 32u);
-            let _e365 = atomicLoad((&counters[_e362]));
-            phi_800_ = type_21(0u, _e365);
-            phi_803_ = 0u;
+            let _e383 = phi_809_;
+            let _e384 = (_e67 / 32u);
+            let _e387 = atomicLoad((&counters[_e384]));
+            phi_822_ = type_9(0u, _e387);
+            phi_825_ = 0u;
             loop {
-                let _e368 = phi_800_;
-                let _e370 = phi_803_;
-                local_3 = _e370;
-                if (_e368.member < _e368.member_1) {
-                    phi_801_ = type_21((_e368.member + 1u), _e368.member_1);
-                    phi_826_ = type_21(1u, _e368.member);
+                let _e390 = phi_822_;
+                let _e392 = phi_825_;
+                local_3 = _e392;
+                if (_e390.member < _e390.member_1) {
+                    phi_823_ = type_9((_e390.member + 1u), _e390.member_1);
+                    phi_848_ = type_9(1u, _e390.member);
                 } else {
-                    phi_801_ = _e368;
-                    phi_826_ = type_21(0u, type_21().member_1);
+                    phi_823_ = _e390;
+                    phi_848_ = type_9(0u, type_9().member_1);
                 }
-                let _e382 = phi_801_;
-                let _e384 = phi_826_;
-                let _e388 = (bitcast<i32>(_e384.member) != 0i);
-                if _e388 {
-                    let _e392 = names[((_e362 * 32u) + _e384.member_1)];
-                    let _e396 = columns[((_e362 * 32u) + _e384.member_1)];
-                    if ((((((_e361.member[0] <= _e396.member_1[0]) && (_e396.member[0] <= _e361.member_1[0])) && (_e361.member[1] <= _e396.member_1[1])) && (_e396.member[1] <= _e361.member_1[1])) && (_e361.member[2] <= _e396.member_1[2])) && (_e396.member[2] <= _e361.member_1[2])) {
-                        let _e429 = atomicAdd((&counters[4u]), 1u);
-                        if (_e429 < 2048u) {
-                            hits[_e429] = (((_e362 << bitcast<u32>(10i)) | ((_e67 % 32u) << bitcast<u32>(5i))) | _e392);
-                            phi_916_ = _e370;
+                let _e404 = phi_823_;
+                let _e406 = phi_848_;
+                let _e410 = (bitcast<i32>(_e406.member) != 0i);
+                if _e410 {
+                    let _e414 = names[((_e384 * 32u) + _e406.member_1)];
+                    let _e418 = columns[((_e384 * 32u) + _e406.member_1)];
+                    if ((((((_e383.member[0] <= _e418.member_1[0]) && (_e418.member[0] <= _e383.member_1[0])) && (_e383.member[1] <= _e418.member_1[1])) && (_e418.member[1] <= _e383.member_1[1])) && (_e383.member[2] <= _e418.member_1[2])) && (_e418.member[2] <= _e383.member_1[2])) {
+                        let _e451 = atomicAdd((&counters[4u]), 1u);
+                        if (_e451 < 2048u) {
+                            hits[_e451] = (((_e384 << bitcast<u32>(10i)) | ((_e67 % 32u) << bitcast<u32>(5i))) | _e414);
+                            phi_938_ = _e392;
                         } else {
-                            phi_916_ = (_e370 | (1u << bitcast<u32>((_e384.member_1 & 31u))));
+                            phi_938_ = (_e392 | (1u << bitcast<u32>((_e406.member_1 & 31u))));
                         }
-                        let _e443 = phi_916_;
-                        phi_918_ = _e443;
+                        let _e465 = phi_938_;
+                        phi_940_ = _e465;
                     } else {
-                        phi_918_ = _e370;
+                        phi_940_ = _e392;
                     }
-                    let _e445 = phi_918_;
-                    phi_804_ = _e445;
+                    let _e467 = phi_940_;
+                    phi_826_ = _e467;
                 } else {
-                    phi_804_ = u32();
+                    phi_826_ = u32();
                 }
-                let _e447 = phi_804_;
+                let _e469 = phi_826_;
                 continue;
                 continuing {
-                    phi_800_ = _e382;
-                    phi_803_ = _e447;
-                    break if !(_e388);
+                    phi_822_ = _e404;
+                    phi_825_ = _e469;
+                    break if !(_e410);
                 }
             }
-            phi_921_ = type_21(0u, 32u);
-            let _e4974 = local_3;
-            phi_924_ = _e4974;
+            phi_943_ = type_9(0u, 32u);
+            let _e4926 = local_3;
+            phi_946_ = _e4926;
             loop {
-                let _e450 = phi_921_;
-                let _e452 = phi_924_;
-                if (_e450.member < _e450.member_1) {
-                    phi_922_ = type_21((_e450.member + 1u), _e450.member_1);
-                    phi_947_ = type_21(1u, _e450.member);
+                let _e472 = phi_943_;
+                let _e474 = phi_946_;
+                if (_e472.member < _e472.member_1) {
+                    phi_944_ = type_9((_e472.member + 1u), _e472.member_1);
+                    phi_969_ = type_9(1u, _e472.member);
                 } else {
-                    phi_922_ = _e450;
-                    phi_947_ = type_21(0u, type_21().member_1);
+                    phi_944_ = _e472;
+                    phi_969_ = type_9(0u, type_9().member_1);
                 }
-                let _e464 = phi_922_;
-                let _e466 = phi_947_;
-                if (bitcast<i32>(_e466.member) != 0i) {
-                    if (_e452 == 0u) {
-                        phi_1830_ = u32();
-                        phi_1831_ = false;
+                let _e486 = phi_944_;
+                let _e488 = phi_969_;
+                if (bitcast<i32>(_e488.member) != 0i) {
+                    if (_e474 == 0u) {
+                        phi_1837_ = u32();
+                        phi_1838_ = false;
                     } else {
-                        let _e477 = names[((_e91 * 32u) + select(firstTrailingBit(_e452), 32u, (_e452 == 0u)))];
-                        let _e480 = (_e205 + _e92);
-                        let _e481 = (_e211 + _e477);
-                        let _e483 = leaves.member[_e480];
-                        let _e485 = leaves.member[_e481];
-                        let _e487 = nodes.member[_e480];
-                        let _e489 = nodes.member[_e481];
-                        let _e491 = params.member.member_1;
-                        if ((_e491 & 1u) != 0u) {
-                            let _e495 = params.member.member_8;
-                            if (_e495 == 0u) {
-                                if (_e483.member[0] == _e485.member[0]) {
-                                    phi_1038_ = bool();
-                                    phi_1039_ = true;
-                                } else {
-                                    let _e538 = (_e483.member[0] == _e485.member[1]);
-                                    if _e538 {
-                                        phi_1037_ = bool();
-                                    } else {
-                                        phi_1037_ = (_e483.member[0] == _e485.member[2]);
-                                    }
-                                    let _e545 = phi_1037_;
-                                    phi_1038_ = _e545;
-                                    phi_1039_ = _e538;
-                                }
-                                let _e547 = phi_1038_;
-                                let _e549 = phi_1039_;
-                                if _e549 {
-                                    phi_1043_ = true;
-                                } else {
-                                    phi_1043_ = _e547;
-                                }
-                                let _e551 = phi_1043_;
-                                phi_1074_ = _e551;
+                        let _e499 = names[((_e92 * 32u) + select(firstTrailingBit(_e474), 32u, (_e474 == 0u)))];
+                        let _e502 = (_e217 + _e93);
+                        let _e503 = (_e224 + _e499);
+                        let _e505 = leaves.member[_e502];
+                        let _e507 = leaves.member[_e503];
+                        let _e509 = nodes.member[_e502];
+                        let _e511 = nodes.member[_e503];
+                        let _e514 = params.member.member.member_1;
+                        if ((_e514 & 1u) != 0u) {
+                            if (_e507.member[0] == _e505.member[0]) {
+                                phi_1051_ = true;
                             } else {
-                                if (_e483.member[0] == _e485.member[0]) {
-                                    phi_1068_ = bool();
-                                    phi_1069_ = true;
-                                } else {
-                                    if (_e483.member[0] == _e485.member[1]) {
-                                        phi_1066_ = bool();
-                                        phi_1067_ = true;
-                                    } else {
-                                        let _e511 = (_e483.member[1] == _e485.member[0]);
-                                        if _e511 {
-                                            phi_1065_ = bool();
-                                        } else {
-                                            phi_1065_ = (_e483.member[1] == _e485.member[1]);
-                                        }
-                                        let _e518 = phi_1065_;
-                                        phi_1066_ = _e518;
-                                        phi_1067_ = _e511;
-                                    }
-                                    let _e520 = phi_1066_;
-                                    let _e522 = phi_1067_;
-                                    phi_1068_ = _e520;
-                                    phi_1069_ = _e522;
-                                }
-                                let _e524 = phi_1068_;
-                                let _e526 = phi_1069_;
-                                if _e526 {
-                                    phi_1073_ = true;
-                                } else {
-                                    phi_1073_ = _e524;
-                                }
-                                let _e528 = phi_1073_;
-                                phi_1074_ = _e528;
+                                phi_1051_ = (_e507.member[0] == _e505.member[0]);
                             }
-                            let _e553 = phi_1074_;
-                            if _e553 {
-                                phi_1078_ = false;
+                            let _e524 = phi_1051_;
+                            if (_e507.member[1] == _e505.member[0]) {
+                                phi_1058_ = true;
                             } else {
-                                phi_1078_ = true;
+                                phi_1058_ = (_e507.member[1] == _e505.member[0]);
                             }
-                            let _e555 = phi_1078_;
-                            phi_1079_ = _e555;
+                            let _e529 = phi_1058_;
+                            if (_e507.member[2] == _e505.member[0]) {
+                                phi_1066_ = true;
+                            } else {
+                                phi_1066_ = (_e507.member[2] == _e505.member[0]);
+                            }
+                            let _e535 = phi_1066_;
+                            if ((_e524 || _e529) || _e535) {
+                                phi_1089_ = false;
+                            } else {
+                                phi_1089_ = true;
+                            }
+                            let _e538 = phi_1089_;
+                            phi_1090_ = _e538;
                         } else {
-                            phi_1079_ = true;
+                            phi_1090_ = true;
                         }
-                        let _e557 = phi_1079_;
-                        if _e557 {
-                            let _e559 = params.member.member_1;
-                            if ((_e559 & 2u) != 0u) {
-                                let _e565 = bodies.member[_e483.member[0]];
-                                let _e569 = bodies.member[_e485.member[0]];
-                                if ((_e565 / 2u) == (_e569 / 2u)) {
-                                    let _e574 = params.member.member_1;
-                                    phi_1123_ = !(((_e574 & 4u) != 0u));
+                        let _e540 = phi_1090_;
+                        if _e540 {
+                            let _e542 = params.member.member.member_1;
+                            if ((_e542 & 2u) != 0u) {
+                                let _e546 = params.member.member.member_1;
+                                let _e552 = bodies.member[_e505.member[0]];
+                                let _e556 = bodies.member[_e507.member[0]];
+                                if ((_e552 / 2u) != (_e556 / 2u)) {
+                                    phi_1136_ = true;
                                 } else {
-                                    phi_1123_ = false;
+                                    phi_1136_ = ((_e546 & 4u) != 0u);
                                 }
-                                let _e579 = phi_1123_;
-                                if _e579 {
-                                    phi_1134_ = true;
+                                let _e561 = phi_1136_;
+                                if _e561 {
+                                    phi_1143_ = (((_e552 & _e556) & 1u) == 0u);
                                 } else {
-                                    if (((_e565 & _e569) & 1u) == 0u) {
-                                        phi_1133_ = false;
-                                    } else {
-                                        phi_1133_ = true;
-                                    }
-                                    let _e584 = phi_1133_;
-                                    phi_1134_ = _e584;
+                                    phi_1143_ = false;
                                 }
-                                let _e586 = phi_1134_;
-                                if _e586 {
-                                    phi_1138_ = false;
-                                } else {
-                                    phi_1138_ = true;
-                                }
-                                let _e588 = phi_1138_;
-                                phi_1139_ = _e588;
+                                let _e566 = phi_1143_;
+                                phi_1147_ = _e566;
                             } else {
-                                phi_1139_ = true;
+                                phi_1147_ = true;
                             }
-                            let _e590 = phi_1139_;
-                            if _e590 {
-                                let _e592 = params.member.member_1;
-                                if ((_e592 & 32u) != 0u) {
-                                    let _e596 = params.member.member_6;
-                                    let _e637 = (((((((_e487.member_1[0] - _e489.member[0]) > _e596) && ((_e489.member_1[0] - _e487.member[0]) > _e596)) && ((_e487.member_1[1] - _e489.member[1]) > _e596)) && ((_e489.member_1[1] - _e487.member[1]) > _e596)) && ((_e487.member_1[2] - _e489.member[2]) > _e596)) && ((_e489.member_1[2] - _e487.member[2]) > _e596));
-                                    if _e637 {
-                                        phi_1753_ = bool();
+                            let _e568 = phi_1147_;
+                            if _e568 {
+                                let _e570 = params.member.member.member_1;
+                                if ((_e570 & 32u) != 0u) {
+                                    let _e574 = params.member.member.member_6;
+                                    let _e615 = (((((_e509.member_1[0] - _e511.member[0]) > _e574) && ((_e511.member_1[0] - _e509.member[0]) > _e574)) && (((_e509.member_1[1] - _e511.member[1]) > _e574) && ((_e511.member_1[1] - _e509.member[1]) > _e574))) && (((_e509.member_1[2] - _e511.member[2]) > _e574) && ((_e511.member_1[2] - _e509.member[2]) > _e574)));
+                                    if _e615 {
+                                        phi_1761_ = bool();
                                     } else {
-                                        let _e641 = keys.member[_e483.member[0]];
-                                        let _e646 = keys.member[_e483.member[1]];
-                                        let _e648 = function_(_e641[0], _e646[0]);
-                                        let _e652 = keys.member[_e483.member[2]];
-                                        let _e654 = function_(_e648, _e652[0]);
-                                        let _e658 = keys.member[_e485.member[0]];
-                                        let _e663 = keys.member[_e485.member[1]];
-                                        let _e665 = function_1(_e658[3], _e663[3]);
-                                        let _e669 = keys.member[_e485.member[2]];
-                                        let _e671 = function_1(_e665, _e669[3]);
-                                        if (_e654[1] > _e671[1]) {
-                                            phi_1276_ = true;
+                                        let _e619 = keys.member[_e505.member[0]];
+                                        let _e624 = keys.member[_e505.member[1]];
+                                        let _e626 = function_(_e619[0], _e624[0]);
+                                        let _e630 = keys.member[_e505.member[2]];
+                                        let _e632 = function_(_e626, _e630[0]);
+                                        let _e636 = keys.member[_e507.member[0]];
+                                        let _e641 = keys.member[_e507.member[1]];
+                                        let _e643 = function_1(_e636[3], _e641[3]);
+                                        let _e647 = keys.member[_e507.member[2]];
+                                        let _e649 = function_1(_e643, _e647[3]);
+                                        if (_e632[1] > _e649[1]) {
+                                            phi_1284_ = true;
                                         } else {
-                                            if (_e654[1] == _e671[1]) {
-                                                phi_1275_ = (_e654[0] > _e671[0]);
+                                            if (_e632[1] == _e649[1]) {
+                                                phi_1283_ = (_e632[0] > _e649[0]);
                                             } else {
-                                                phi_1275_ = false;
+                                                phi_1283_ = false;
                                             }
-                                            let _e682 = phi_1275_;
-                                            phi_1276_ = _e682;
+                                            let _e660 = phi_1283_;
+                                            phi_1284_ = _e660;
                                         }
-                                        let _e684 = phi_1276_;
-                                        let _e689 = keys.member[_e485.member[0]];
-                                        let _e694 = keys.member[_e485.member[1]];
-                                        let _e696 = function_(_e689[0], _e694[0]);
-                                        let _e700 = keys.member[_e485.member[2]];
-                                        let _e702 = function_(_e696, _e700[0]);
-                                        let _e706 = keys.member[_e483.member[0]];
-                                        let _e711 = keys.member[_e483.member[1]];
-                                        let _e713 = function_1(_e706[3], _e711[3]);
-                                        let _e717 = keys.member[_e483.member[2]];
-                                        let _e719 = function_1(_e713, _e717[3]);
-                                        if (_e702[1] > _e719[1]) {
-                                            phi_1370_ = true;
+                                        let _e662 = phi_1284_;
+                                        let _e667 = keys.member[_e507.member[0]];
+                                        let _e672 = keys.member[_e507.member[1]];
+                                        let _e674 = function_(_e667[0], _e672[0]);
+                                        let _e678 = keys.member[_e507.member[2]];
+                                        let _e680 = function_(_e674, _e678[0]);
+                                        let _e684 = keys.member[_e505.member[0]];
+                                        let _e689 = keys.member[_e505.member[1]];
+                                        let _e691 = function_1(_e684[3], _e689[3]);
+                                        let _e695 = keys.member[_e505.member[2]];
+                                        let _e697 = function_1(_e691, _e695[3]);
+                                        if (_e680[1] > _e697[1]) {
+                                            phi_1378_ = true;
                                         } else {
-                                            if (_e702[1] == _e719[1]) {
-                                                phi_1369_ = (_e702[0] > _e719[0]);
+                                            if (_e680[1] == _e697[1]) {
+                                                phi_1377_ = (_e680[0] > _e697[0]);
                                             } else {
-                                                phi_1369_ = false;
+                                                phi_1377_ = false;
                                             }
-                                            let _e730 = phi_1369_;
-                                            phi_1370_ = _e730;
+                                            let _e708 = phi_1377_;
+                                            phi_1378_ = _e708;
                                         }
-                                        let _e732 = phi_1370_;
-                                        let _e738 = keys.member[_e483.member[0]];
-                                        let _e743 = keys.member[_e483.member[1]];
-                                        let _e745 = function_2(_e738[1], _e743[1]);
-                                        let _e749 = keys.member[_e483.member[2]];
-                                        let _e751 = function_2(_e745, _e749[1]);
-                                        let _e755 = keys.member[_e485.member[0]];
-                                        let _e760 = keys.member[_e485.member[1]];
-                                        let _e762 = function_3(_e755[4], _e760[4]);
-                                        let _e766 = keys.member[_e485.member[2]];
-                                        let _e768 = function_3(_e762, _e766[4]);
-                                        if (_e751[1] > _e768[1]) {
-                                            phi_1465_ = true;
+                                        let _e710 = phi_1378_;
+                                        let _e716 = keys.member[_e505.member[0]];
+                                        let _e721 = keys.member[_e505.member[1]];
+                                        let _e723 = function_2(_e716[1], _e721[1]);
+                                        let _e727 = keys.member[_e505.member[2]];
+                                        let _e729 = function_2(_e723, _e727[1]);
+                                        let _e733 = keys.member[_e507.member[0]];
+                                        let _e738 = keys.member[_e507.member[1]];
+                                        let _e740 = function_3(_e733[4], _e738[4]);
+                                        let _e744 = keys.member[_e507.member[2]];
+                                        let _e746 = function_3(_e740, _e744[4]);
+                                        if (_e729[1] > _e746[1]) {
+                                            phi_1473_ = true;
                                         } else {
-                                            if (_e751[1] == _e768[1]) {
-                                                phi_1464_ = (_e751[0] > _e768[0]);
+                                            if (_e729[1] == _e746[1]) {
+                                                phi_1472_ = (_e729[0] > _e746[0]);
                                             } else {
-                                                phi_1464_ = false;
+                                                phi_1472_ = false;
                                             }
-                                            let _e779 = phi_1464_;
-                                            phi_1465_ = _e779;
+                                            let _e757 = phi_1472_;
+                                            phi_1473_ = _e757;
                                         }
-                                        let _e781 = phi_1465_;
-                                        let _e786 = keys.member[_e485.member[0]];
-                                        let _e791 = keys.member[_e485.member[1]];
-                                        let _e793 = function_2(_e786[1], _e791[1]);
-                                        let _e797 = keys.member[_e485.member[2]];
-                                        let _e799 = function_2(_e793, _e797[1]);
-                                        let _e803 = keys.member[_e483.member[0]];
-                                        let _e808 = keys.member[_e483.member[1]];
-                                        let _e810 = function_3(_e803[4], _e808[4]);
-                                        let _e814 = keys.member[_e483.member[2]];
-                                        let _e816 = function_3(_e810, _e814[4]);
-                                        if (_e799[1] > _e816[1]) {
-                                            phi_1559_ = true;
+                                        let _e759 = phi_1473_;
+                                        let _e764 = keys.member[_e507.member[0]];
+                                        let _e769 = keys.member[_e507.member[1]];
+                                        let _e771 = function_2(_e764[1], _e769[1]);
+                                        let _e775 = keys.member[_e507.member[2]];
+                                        let _e777 = function_2(_e771, _e775[1]);
+                                        let _e781 = keys.member[_e505.member[0]];
+                                        let _e786 = keys.member[_e505.member[1]];
+                                        let _e788 = function_3(_e781[4], _e786[4]);
+                                        let _e792 = keys.member[_e505.member[2]];
+                                        let _e794 = function_3(_e788, _e792[4]);
+                                        if (_e777[1] > _e794[1]) {
+                                            phi_1567_ = true;
                                         } else {
-                                            if (_e799[1] == _e816[1]) {
-                                                phi_1558_ = (_e799[0] > _e816[0]);
+                                            if (_e777[1] == _e794[1]) {
+                                                phi_1566_ = (_e777[0] > _e794[0]);
                                             } else {
-                                                phi_1558_ = false;
+                                                phi_1566_ = false;
                                             }
-                                            let _e827 = phi_1558_;
-                                            phi_1559_ = _e827;
+                                            let _e805 = phi_1566_;
+                                            phi_1567_ = _e805;
                                         }
-                                        let _e829 = phi_1559_;
-                                        let _e836 = keys.member[_e483.member[0]];
-                                        let _e841 = keys.member[_e483.member[1]];
-                                        let _e843 = function_4(_e836[2], _e841[2]);
-                                        let _e847 = keys.member[_e483.member[2]];
-                                        let _e849 = function_4(_e843, _e847[2]);
-                                        let _e853 = keys.member[_e485.member[0]];
-                                        let _e858 = keys.member[_e485.member[1]];
-                                        let _e860 = function_5(_e853[5], _e858[5]);
-                                        let _e864 = keys.member[_e485.member[2]];
-                                        let _e866 = function_5(_e860, _e864[5]);
-                                        if (_e849[1] > _e866[1]) {
-                                            phi_1655_ = true;
+                                        let _e807 = phi_1567_;
+                                        let _e814 = keys.member[_e505.member[0]];
+                                        let _e819 = keys.member[_e505.member[1]];
+                                        let _e821 = function_4(_e814[2], _e819[2]);
+                                        let _e825 = keys.member[_e505.member[2]];
+                                        let _e827 = function_4(_e821, _e825[2]);
+                                        let _e831 = keys.member[_e507.member[0]];
+                                        let _e836 = keys.member[_e507.member[1]];
+                                        let _e838 = function_5(_e831[5], _e836[5]);
+                                        let _e842 = keys.member[_e507.member[2]];
+                                        let _e844 = function_5(_e838, _e842[5]);
+                                        if (_e827[1] > _e844[1]) {
+                                            phi_1663_ = true;
                                         } else {
-                                            if (_e849[1] == _e866[1]) {
-                                                phi_1654_ = (_e849[0] > _e866[0]);
+                                            if (_e827[1] == _e844[1]) {
+                                                phi_1662_ = (_e827[0] > _e844[0]);
                                             } else {
-                                                phi_1654_ = false;
+                                                phi_1662_ = false;
                                             }
-                                            let _e877 = phi_1654_;
-                                            phi_1655_ = _e877;
+                                            let _e855 = phi_1662_;
+                                            phi_1663_ = _e855;
                                         }
-                                        let _e879 = phi_1655_;
-                                        let _e884 = keys.member[_e485.member[0]];
-                                        let _e889 = keys.member[_e485.member[1]];
-                                        let _e891 = function_4(_e884[2], _e889[2]);
-                                        let _e895 = keys.member[_e485.member[2]];
-                                        let _e897 = function_4(_e891, _e895[2]);
-                                        let _e901 = keys.member[_e483.member[0]];
-                                        let _e906 = keys.member[_e483.member[1]];
-                                        let _e908 = function_5(_e901[5], _e906[5]);
-                                        let _e912 = keys.member[_e483.member[2]];
-                                        let _e914 = function_5(_e908, _e912[5]);
-                                        if (_e897[1] > _e914[1]) {
-                                            phi_1749_ = true;
+                                        let _e857 = phi_1663_;
+                                        let _e862 = keys.member[_e507.member[0]];
+                                        let _e867 = keys.member[_e507.member[1]];
+                                        let _e869 = function_4(_e862[2], _e867[2]);
+                                        let _e873 = keys.member[_e507.member[2]];
+                                        let _e875 = function_4(_e869, _e873[2]);
+                                        let _e879 = keys.member[_e505.member[0]];
+                                        let _e884 = keys.member[_e505.member[1]];
+                                        let _e886 = function_5(_e879[5], _e884[5]);
+                                        let _e890 = keys.member[_e505.member[2]];
+                                        let _e892 = function_5(_e886, _e890[5]);
+                                        if (_e875[1] > _e892[1]) {
+                                            phi_1757_ = true;
                                         } else {
-                                            if (_e897[1] == _e914[1]) {
-                                                phi_1748_ = (_e897[0] > _e914[0]);
+                                            if (_e875[1] == _e892[1]) {
+                                                phi_1756_ = (_e875[0] > _e892[0]);
                                             } else {
-                                                phi_1748_ = false;
+                                                phi_1756_ = false;
                                             }
-                                            let _e925 = phi_1748_;
-                                            phi_1749_ = _e925;
+                                            let _e903 = phi_1756_;
+                                            phi_1757_ = _e903;
                                         }
-                                        let _e927 = phi_1749_;
-                                        phi_1753_ = (((!(_e684) && !(_e732)) && (!(_e781) && !(_e829))) && (!(_e879) && !(_e927)));
+                                        let _e905 = phi_1757_;
+                                        phi_1761_ = (((!(_e662) && !(_e710)) && (!(_e759) && !(_e807))) && (!(_e857) && !(_e905)));
                                     }
-                                    let _e932 = phi_1753_;
-                                    phi_1754_ = _e932;
-                                    phi_1755_ = _e637;
+                                    let _e910 = phi_1761_;
+                                    phi_1762_ = _e910;
+                                    phi_1763_ = _e615;
                                 } else {
-                                    phi_1754_ = bool();
-                                    phi_1755_ = true;
+                                    phi_1762_ = bool();
+                                    phi_1763_ = true;
                                 }
-                                let _e934 = phi_1754_;
-                                let _e936 = phi_1755_;
-                                if _e936 {
-                                    phi_1759_ = false;
+                                let _e912 = phi_1762_;
+                                let _e914 = phi_1763_;
+                                if _e914 {
+                                    phi_1767_ = false;
                                 } else {
-                                    phi_1759_ = true;
+                                    phi_1767_ = true;
                                 }
-                                let _e938 = phi_1759_;
-                                phi_1760_ = _e934;
-                                phi_1761_ = _e938;
+                                let _e916 = phi_1767_;
+                                phi_1768_ = _e912;
+                                phi_1769_ = _e916;
                             } else {
-                                phi_1760_ = false;
-                                phi_1761_ = true;
+                                phi_1768_ = false;
+                                phi_1769_ = true;
                             }
-                            let _e940 = phi_1760_;
-                            let _e942 = phi_1761_;
-                            phi_1762_ = _e940;
-                            phi_1763_ = _e942;
+                            let _e918 = phi_1768_;
+                            let _e920 = phi_1769_;
+                            phi_1770_ = _e918;
+                            phi_1771_ = _e920;
                         } else {
-                            phi_1762_ = false;
-                            phi_1763_ = true;
+                            phi_1770_ = false;
+                            phi_1771_ = true;
                         }
-                        let _e944 = phi_1762_;
-                        let _e946 = phi_1763_;
-                        if _e946 {
-                            phi_1767_ = _e944;
+                        let _e922 = phi_1770_;
+                        let _e924 = phi_1771_;
+                        if _e924 {
+                            phi_1775_ = _e922;
                         } else {
-                            phi_1767_ = true;
+                            phi_1775_ = true;
                         }
-                        let _e948 = phi_1767_;
-                        if _e948 {
-                            let _e950 = params.member.member_16;
-                            let _e954 = atomicAdd((&output.member[0u]), 1u);
-                            if ((_e954 + 1u) < _e954) {
-                                let _e958 = atomicAdd((&output.member[2u]), 1u);
+                        let _e926 = phi_1775_;
+                        if _e926 {
+                            let _e929 = params.member.member_1.member_3;
+                            let _e933 = atomicAdd((&output.member[0u]), 1u);
+                            if ((_e933 + 1u) < _e933) {
+                                let _e937 = atomicAdd((&output.member[2u]), 1u);
                             }
-                            if (_e954 < _e950) {
-                                atomicStore((&output.member[(4u + (2u * _e954))]), _e483.member_1);
-                                atomicStore((&output.member[((2u * _e954) + 5u)]), _e485.member_1);
+                            if (_e933 < _e929) {
+                                let _e939 = (2u * _e933);
+                                atomicStore((&output.member[(4u + _e939)]), _e505.member_1);
+                                atomicStore((&output.member[(_e939 + 5u)]), _e507.member_1);
                             }
-                            let _e967 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e967 + 1u) < _e967) {
-                                let _e971 = atomicAdd((&output.member[3u]), 1u);
+                            let _e945 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e945 + 1u) < _e945) {
+                                let _e949 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1830_ = (_e452 & (_e452 - 1u));
-                        phi_1831_ = true;
+                        phi_1837_ = (_e474 & (_e474 - 1u));
+                        phi_1838_ = true;
                     }
-                    let _e973 = phi_1830_;
-                    let _e975 = phi_1831_;
-                    phi_925_ = _e973;
-                    phi_1832_ = _e975;
+                    let _e951 = phi_1837_;
+                    let _e953 = phi_1838_;
+                    phi_947_ = _e951;
+                    phi_1839_ = _e953;
                 } else {
-                    phi_925_ = u32();
-                    phi_1832_ = false;
+                    phi_947_ = u32();
+                    phi_1839_ = false;
                 }
-                let _e977 = phi_925_;
-                let _e979 = phi_1832_;
+                let _e955 = phi_947_;
+                let _e957 = phi_1839_;
                 continue;
                 continuing {
-                    phi_921_ = _e464;
-                    phi_924_ = _e977;
-                    break if !(_e979);
+                    phi_943_ = _e486;
+                    phi_946_ = _e955;
+                    break if !(_e957);
                 }
             }
             workgroupBarrier();
-            let _e982 = atomicLoad((&counters[4u]));
-            if (2048u < _e982) {
-                phi_1839_ = 2048u;
+            let _e960 = atomicLoad((&counters[4u]));
+            if (2048u < _e960) {
+                phi_1846_ = 2048u;
             } else {
-                phi_1839_ = _e982;
+                phi_1846_ = _e960;
             }
-            let _e985 = phi_1839_;
-            phi_1842_ = type_21(0u, 16u);
+            let _e963 = phi_1846_;
+            phi_1849_ = type_9(0u, 16u);
             loop {
-                let _e987 = phi_1842_;
-                if (_e987.member < _e987.member_1) {
-                    phi_1843_ = type_21((_e987.member + 1u), _e987.member_1);
-                    phi_1866_ = type_21(1u, _e987.member);
+                let _e965 = phi_1849_;
+                if (_e965.member < _e965.member_1) {
+                    phi_1850_ = type_9((_e965.member + 1u), _e965.member_1);
+                    phi_1873_ = type_9(1u, _e965.member);
                 } else {
-                    phi_1843_ = _e987;
-                    phi_1866_ = type_21(0u, type_21().member_1);
+                    phi_1850_ = _e965;
+                    phi_1873_ = type_9(0u, type_9().member_1);
                 }
-                let _e999 = phi_1843_;
-                let _e1001 = phi_1866_;
-                if (bitcast<i32>(_e1001.member) != 0i) {
-                    let _e1007 = (_e67 + (_e1001.member_1 * 128u));
-                    if (_e1007 >= _e985) {
-                        phi_7857_ = false;
+                let _e977 = phi_1850_;
+                let _e979 = phi_1873_;
+                if (bitcast<i32>(_e979.member) != 0i) {
+                    let _e985 = (_e67 + (_e979.member_1 * 128u));
+                    if (_e985 >= _e963) {
+                        phi_7868_ = false;
                     } else {
-                        let _e1010 = hits[_e1007];
-                        let _e1013 = ((_e1010 >> bitcast<u32>(10i)) & 3u);
-                        let _e1020 = firsts[(2u * _e1013)];
-                        let _e1021 = (_e1020 + ((_e1010 >> bitcast<u32>(5i)) & 31u));
-                        let _e1025 = firsts[((2u * _e1013) + 1u)];
-                        let _e1026 = (_e1025 + (_e1010 & 31u));
-                        let _e1028 = leaves.member[_e1021];
-                        let _e1030 = leaves.member[_e1026];
-                        let _e1032 = nodes.member[_e1021];
-                        let _e1034 = nodes.member[_e1026];
-                        let _e1036 = params.member.member_1;
-                        if ((_e1036 & 1u) != 0u) {
-                            let _e1040 = params.member.member_8;
-                            if (_e1040 == 0u) {
-                                if (_e1028.member[0] == _e1030.member[0]) {
-                                    phi_1965_ = bool();
-                                    phi_1966_ = true;
-                                } else {
-                                    let _e1083 = (_e1028.member[0] == _e1030.member[1]);
-                                    if _e1083 {
-                                        phi_1964_ = bool();
-                                    } else {
-                                        phi_1964_ = (_e1028.member[0] == _e1030.member[2]);
-                                    }
-                                    let _e1090 = phi_1964_;
-                                    phi_1965_ = _e1090;
-                                    phi_1966_ = _e1083;
-                                }
-                                let _e1092 = phi_1965_;
-                                let _e1094 = phi_1966_;
-                                if _e1094 {
-                                    phi_1970_ = true;
-                                } else {
-                                    phi_1970_ = _e1092;
-                                }
-                                let _e1096 = phi_1970_;
-                                phi_2001_ = _e1096;
+                        let _e988 = hits[_e985];
+                        let _e991 = ((_e988 >> bitcast<u32>(10i)) & 3u);
+                        let _e998 = firsts[(2u * _e991)];
+                        let _e999 = (_e998 + ((_e988 >> bitcast<u32>(5i)) & 31u));
+                        let _e1003 = firsts[((2u * _e991) + 1u)];
+                        let _e1004 = (_e1003 + (_e988 & 31u));
+                        let _e1006 = leaves.member[_e999];
+                        let _e1008 = leaves.member[_e1004];
+                        let _e1010 = nodes.member[_e999];
+                        let _e1012 = nodes.member[_e1004];
+                        let _e1015 = params.member.member.member_1;
+                        if ((_e1015 & 1u) != 0u) {
+                            if (_e1008.member[0] == _e1006.member[0]) {
+                                phi_1963_ = true;
                             } else {
-                                if (_e1028.member[0] == _e1030.member[0]) {
-                                    phi_1995_ = bool();
-                                    phi_1996_ = true;
-                                } else {
-                                    if (_e1028.member[0] == _e1030.member[1]) {
-                                        phi_1993_ = bool();
-                                        phi_1994_ = true;
-                                    } else {
-                                        let _e1056 = (_e1028.member[1] == _e1030.member[0]);
-                                        if _e1056 {
-                                            phi_1992_ = bool();
-                                        } else {
-                                            phi_1992_ = (_e1028.member[1] == _e1030.member[1]);
-                                        }
-                                        let _e1063 = phi_1992_;
-                                        phi_1993_ = _e1063;
-                                        phi_1994_ = _e1056;
-                                    }
-                                    let _e1065 = phi_1993_;
-                                    let _e1067 = phi_1994_;
-                                    phi_1995_ = _e1065;
-                                    phi_1996_ = _e1067;
-                                }
-                                let _e1069 = phi_1995_;
-                                let _e1071 = phi_1996_;
-                                if _e1071 {
-                                    phi_2000_ = true;
-                                } else {
-                                    phi_2000_ = _e1069;
-                                }
-                                let _e1073 = phi_2000_;
-                                phi_2001_ = _e1073;
+                                phi_1963_ = (_e1008.member[0] == _e1006.member[0]);
                             }
-                            let _e1098 = phi_2001_;
-                            if _e1098 {
-                                phi_2005_ = false;
+                            let _e1025 = phi_1963_;
+                            if (_e1008.member[1] == _e1006.member[0]) {
+                                phi_1970_ = true;
                             } else {
-                                phi_2005_ = true;
+                                phi_1970_ = (_e1008.member[1] == _e1006.member[0]);
                             }
-                            let _e1100 = phi_2005_;
-                            phi_2006_ = _e1100;
+                            let _e1030 = phi_1970_;
+                            if (_e1008.member[2] == _e1006.member[0]) {
+                                phi_1978_ = true;
+                            } else {
+                                phi_1978_ = (_e1008.member[2] == _e1006.member[0]);
+                            }
+                            let _e1036 = phi_1978_;
+                            if ((_e1025 || _e1030) || _e1036) {
+                                phi_2001_ = false;
+                            } else {
+                                phi_2001_ = true;
+                            }
+                            let _e1039 = phi_2001_;
+                            phi_2002_ = _e1039;
                         } else {
-                            phi_2006_ = true;
+                            phi_2002_ = true;
                         }
-                        let _e1102 = phi_2006_;
-                        if _e1102 {
-                            let _e1104 = params.member.member_1;
-                            if ((_e1104 & 2u) != 0u) {
-                                let _e1110 = bodies.member[_e1028.member[0]];
-                                let _e1114 = bodies.member[_e1030.member[0]];
-                                if ((_e1110 / 2u) == (_e1114 / 2u)) {
-                                    let _e1119 = params.member.member_1;
-                                    phi_2050_ = !(((_e1119 & 4u) != 0u));
+                        let _e1041 = phi_2002_;
+                        if _e1041 {
+                            let _e1043 = params.member.member.member_1;
+                            if ((_e1043 & 2u) != 0u) {
+                                let _e1047 = params.member.member.member_1;
+                                let _e1053 = bodies.member[_e1006.member[0]];
+                                let _e1057 = bodies.member[_e1008.member[0]];
+                                if ((_e1053 / 2u) != (_e1057 / 2u)) {
+                                    phi_2048_ = true;
                                 } else {
-                                    phi_2050_ = false;
+                                    phi_2048_ = ((_e1047 & 4u) != 0u);
                                 }
-                                let _e1124 = phi_2050_;
-                                if _e1124 {
-                                    phi_2061_ = true;
+                                let _e1062 = phi_2048_;
+                                if _e1062 {
+                                    phi_2055_ = (((_e1053 & _e1057) & 1u) == 0u);
                                 } else {
-                                    if (((_e1110 & _e1114) & 1u) == 0u) {
-                                        phi_2060_ = false;
+                                    phi_2055_ = false;
+                                }
+                                let _e1067 = phi_2055_;
+                                phi_2059_ = _e1067;
+                            } else {
+                                phi_2059_ = true;
+                            }
+                            let _e1069 = phi_2059_;
+                            if _e1069 {
+                                let _e1071 = params.member.member.member_1;
+                                if ((_e1071 & 32u) != 0u) {
+                                    let _e1075 = params.member.member.member_6;
+                                    let _e1116 = (((((_e1010.member_1[0] - _e1012.member[0]) > _e1075) && ((_e1012.member_1[0] - _e1010.member[0]) > _e1075)) && (((_e1010.member_1[1] - _e1012.member[1]) > _e1075) && ((_e1012.member_1[1] - _e1010.member[1]) > _e1075))) && (((_e1010.member_1[2] - _e1012.member[2]) > _e1075) && ((_e1012.member_1[2] - _e1010.member[2]) > _e1075)));
+                                    if _e1116 {
+                                        phi_2673_ = bool();
                                     } else {
-                                        phi_2060_ = true;
+                                        let _e1120 = keys.member[_e1006.member[0]];
+                                        let _e1125 = keys.member[_e1006.member[1]];
+                                        let _e1127 = function_(_e1120[0], _e1125[0]);
+                                        let _e1131 = keys.member[_e1006.member[2]];
+                                        let _e1133 = function_(_e1127, _e1131[0]);
+                                        let _e1137 = keys.member[_e1008.member[0]];
+                                        let _e1142 = keys.member[_e1008.member[1]];
+                                        let _e1144 = function_1(_e1137[3], _e1142[3]);
+                                        let _e1148 = keys.member[_e1008.member[2]];
+                                        let _e1150 = function_1(_e1144, _e1148[3]);
+                                        if (_e1133[1] > _e1150[1]) {
+                                            phi_2196_ = true;
+                                        } else {
+                                            if (_e1133[1] == _e1150[1]) {
+                                                phi_2195_ = (_e1133[0] > _e1150[0]);
+                                            } else {
+                                                phi_2195_ = false;
+                                            }
+                                            let _e1161 = phi_2195_;
+                                            phi_2196_ = _e1161;
+                                        }
+                                        let _e1163 = phi_2196_;
+                                        let _e1168 = keys.member[_e1008.member[0]];
+                                        let _e1173 = keys.member[_e1008.member[1]];
+                                        let _e1175 = function_(_e1168[0], _e1173[0]);
+                                        let _e1179 = keys.member[_e1008.member[2]];
+                                        let _e1181 = function_(_e1175, _e1179[0]);
+                                        let _e1185 = keys.member[_e1006.member[0]];
+                                        let _e1190 = keys.member[_e1006.member[1]];
+                                        let _e1192 = function_1(_e1185[3], _e1190[3]);
+                                        let _e1196 = keys.member[_e1006.member[2]];
+                                        let _e1198 = function_1(_e1192, _e1196[3]);
+                                        if (_e1181[1] > _e1198[1]) {
+                                            phi_2290_ = true;
+                                        } else {
+                                            if (_e1181[1] == _e1198[1]) {
+                                                phi_2289_ = (_e1181[0] > _e1198[0]);
+                                            } else {
+                                                phi_2289_ = false;
+                                            }
+                                            let _e1209 = phi_2289_;
+                                            phi_2290_ = _e1209;
+                                        }
+                                        let _e1211 = phi_2290_;
+                                        let _e1217 = keys.member[_e1006.member[0]];
+                                        let _e1222 = keys.member[_e1006.member[1]];
+                                        let _e1224 = function_2(_e1217[1], _e1222[1]);
+                                        let _e1228 = keys.member[_e1006.member[2]];
+                                        let _e1230 = function_2(_e1224, _e1228[1]);
+                                        let _e1234 = keys.member[_e1008.member[0]];
+                                        let _e1239 = keys.member[_e1008.member[1]];
+                                        let _e1241 = function_3(_e1234[4], _e1239[4]);
+                                        let _e1245 = keys.member[_e1008.member[2]];
+                                        let _e1247 = function_3(_e1241, _e1245[4]);
+                                        if (_e1230[1] > _e1247[1]) {
+                                            phi_2385_ = true;
+                                        } else {
+                                            if (_e1230[1] == _e1247[1]) {
+                                                phi_2384_ = (_e1230[0] > _e1247[0]);
+                                            } else {
+                                                phi_2384_ = false;
+                                            }
+                                            let _e1258 = phi_2384_;
+                                            phi_2385_ = _e1258;
+                                        }
+                                        let _e1260 = phi_2385_;
+                                        let _e1265 = keys.member[_e1008.member[0]];
+                                        let _e1270 = keys.member[_e1008.member[1]];
+                                        let _e1272 = function_2(_e1265[1], _e1270[1]);
+                                        let _e1276 = keys.member[_e1008.member[2]];
+                                        let _e1278 = function_2(_e1272, _e1276[1]);
+                                        let _e1282 = keys.member[_e1006.member[0]];
+                                        let _e1287 = keys.member[_e1006.member[1]];
+                                        let _e1289 = function_3(_e1282[4], _e1287[4]);
+                                        let _e1293 = keys.member[_e1006.member[2]];
+                                        let _e1295 = function_3(_e1289, _e1293[4]);
+                                        if (_e1278[1] > _e1295[1]) {
+                                            phi_2479_ = true;
+                                        } else {
+                                            if (_e1278[1] == _e1295[1]) {
+                                                phi_2478_ = (_e1278[0] > _e1295[0]);
+                                            } else {
+                                                phi_2478_ = false;
+                                            }
+                                            let _e1306 = phi_2478_;
+                                            phi_2479_ = _e1306;
+                                        }
+                                        let _e1308 = phi_2479_;
+                                        let _e1315 = keys.member[_e1006.member[0]];
+                                        let _e1320 = keys.member[_e1006.member[1]];
+                                        let _e1322 = function_4(_e1315[2], _e1320[2]);
+                                        let _e1326 = keys.member[_e1006.member[2]];
+                                        let _e1328 = function_4(_e1322, _e1326[2]);
+                                        let _e1332 = keys.member[_e1008.member[0]];
+                                        let _e1337 = keys.member[_e1008.member[1]];
+                                        let _e1339 = function_5(_e1332[5], _e1337[5]);
+                                        let _e1343 = keys.member[_e1008.member[2]];
+                                        let _e1345 = function_5(_e1339, _e1343[5]);
+                                        if (_e1328[1] > _e1345[1]) {
+                                            phi_2575_ = true;
+                                        } else {
+                                            if (_e1328[1] == _e1345[1]) {
+                                                phi_2574_ = (_e1328[0] > _e1345[0]);
+                                            } else {
+                                                phi_2574_ = false;
+                                            }
+                                            let _e1356 = phi_2574_;
+                                            phi_2575_ = _e1356;
+                                        }
+                                        let _e1358 = phi_2575_;
+                                        let _e1363 = keys.member[_e1008.member[0]];
+                                        let _e1368 = keys.member[_e1008.member[1]];
+                                        let _e1370 = function_4(_e1363[2], _e1368[2]);
+                                        let _e1374 = keys.member[_e1008.member[2]];
+                                        let _e1376 = function_4(_e1370, _e1374[2]);
+                                        let _e1380 = keys.member[_e1006.member[0]];
+                                        let _e1385 = keys.member[_e1006.member[1]];
+                                        let _e1387 = function_5(_e1380[5], _e1385[5]);
+                                        let _e1391 = keys.member[_e1006.member[2]];
+                                        let _e1393 = function_5(_e1387, _e1391[5]);
+                                        if (_e1376[1] > _e1393[1]) {
+                                            phi_2669_ = true;
+                                        } else {
+                                            if (_e1376[1] == _e1393[1]) {
+                                                phi_2668_ = (_e1376[0] > _e1393[0]);
+                                            } else {
+                                                phi_2668_ = false;
+                                            }
+                                            let _e1404 = phi_2668_;
+                                            phi_2669_ = _e1404;
+                                        }
+                                        let _e1406 = phi_2669_;
+                                        phi_2673_ = (((!(_e1163) && !(_e1211)) && (!(_e1260) && !(_e1308))) && (!(_e1358) && !(_e1406)));
                                     }
-                                    let _e1129 = phi_2060_;
-                                    phi_2061_ = _e1129;
-                                }
-                                let _e1131 = phi_2061_;
-                                if _e1131 {
-                                    phi_2065_ = false;
+                                    let _e1411 = phi_2673_;
+                                    phi_2674_ = _e1411;
+                                    phi_2675_ = _e1116;
                                 } else {
-                                    phi_2065_ = true;
+                                    phi_2674_ = bool();
+                                    phi_2675_ = true;
                                 }
-                                let _e1133 = phi_2065_;
-                                phi_2066_ = _e1133;
+                                let _e1413 = phi_2674_;
+                                let _e1415 = phi_2675_;
+                                if _e1415 {
+                                    phi_2679_ = false;
+                                } else {
+                                    phi_2679_ = true;
+                                }
+                                let _e1417 = phi_2679_;
+                                phi_2680_ = _e1413;
+                                phi_2681_ = _e1417;
                             } else {
-                                phi_2066_ = true;
+                                phi_2680_ = false;
+                                phi_2681_ = true;
                             }
-                            let _e1135 = phi_2066_;
-                            if _e1135 {
-                                let _e1137 = params.member.member_1;
-                                if ((_e1137 & 32u) != 0u) {
-                                    let _e1141 = params.member.member_6;
-                                    let _e1182 = (((((((_e1032.member_1[0] - _e1034.member[0]) > _e1141) && ((_e1034.member_1[0] - _e1032.member[0]) > _e1141)) && ((_e1032.member_1[1] - _e1034.member[1]) > _e1141)) && ((_e1034.member_1[1] - _e1032.member[1]) > _e1141)) && ((_e1032.member_1[2] - _e1034.member[2]) > _e1141)) && ((_e1034.member_1[2] - _e1032.member[2]) > _e1141));
-                                    if _e1182 {
-                                        phi_2680_ = bool();
-                                    } else {
-                                        let _e1186 = keys.member[_e1028.member[0]];
-                                        let _e1191 = keys.member[_e1028.member[1]];
-                                        let _e1193 = function_(_e1186[0], _e1191[0]);
-                                        let _e1197 = keys.member[_e1028.member[2]];
-                                        let _e1199 = function_(_e1193, _e1197[0]);
-                                        let _e1203 = keys.member[_e1030.member[0]];
-                                        let _e1208 = keys.member[_e1030.member[1]];
-                                        let _e1210 = function_1(_e1203[3], _e1208[3]);
-                                        let _e1214 = keys.member[_e1030.member[2]];
-                                        let _e1216 = function_1(_e1210, _e1214[3]);
-                                        if (_e1199[1] > _e1216[1]) {
-                                            phi_2203_ = true;
-                                        } else {
-                                            if (_e1199[1] == _e1216[1]) {
-                                                phi_2202_ = (_e1199[0] > _e1216[0]);
-                                            } else {
-                                                phi_2202_ = false;
-                                            }
-                                            let _e1227 = phi_2202_;
-                                            phi_2203_ = _e1227;
-                                        }
-                                        let _e1229 = phi_2203_;
-                                        let _e1234 = keys.member[_e1030.member[0]];
-                                        let _e1239 = keys.member[_e1030.member[1]];
-                                        let _e1241 = function_(_e1234[0], _e1239[0]);
-                                        let _e1245 = keys.member[_e1030.member[2]];
-                                        let _e1247 = function_(_e1241, _e1245[0]);
-                                        let _e1251 = keys.member[_e1028.member[0]];
-                                        let _e1256 = keys.member[_e1028.member[1]];
-                                        let _e1258 = function_1(_e1251[3], _e1256[3]);
-                                        let _e1262 = keys.member[_e1028.member[2]];
-                                        let _e1264 = function_1(_e1258, _e1262[3]);
-                                        if (_e1247[1] > _e1264[1]) {
-                                            phi_2297_ = true;
-                                        } else {
-                                            if (_e1247[1] == _e1264[1]) {
-                                                phi_2296_ = (_e1247[0] > _e1264[0]);
-                                            } else {
-                                                phi_2296_ = false;
-                                            }
-                                            let _e1275 = phi_2296_;
-                                            phi_2297_ = _e1275;
-                                        }
-                                        let _e1277 = phi_2297_;
-                                        let _e1283 = keys.member[_e1028.member[0]];
-                                        let _e1288 = keys.member[_e1028.member[1]];
-                                        let _e1290 = function_2(_e1283[1], _e1288[1]);
-                                        let _e1294 = keys.member[_e1028.member[2]];
-                                        let _e1296 = function_2(_e1290, _e1294[1]);
-                                        let _e1300 = keys.member[_e1030.member[0]];
-                                        let _e1305 = keys.member[_e1030.member[1]];
-                                        let _e1307 = function_3(_e1300[4], _e1305[4]);
-                                        let _e1311 = keys.member[_e1030.member[2]];
-                                        let _e1313 = function_3(_e1307, _e1311[4]);
-                                        if (_e1296[1] > _e1313[1]) {
-                                            phi_2392_ = true;
-                                        } else {
-                                            if (_e1296[1] == _e1313[1]) {
-                                                phi_2391_ = (_e1296[0] > _e1313[0]);
-                                            } else {
-                                                phi_2391_ = false;
-                                            }
-                                            let _e1324 = phi_2391_;
-                                            phi_2392_ = _e1324;
-                                        }
-                                        let _e1326 = phi_2392_;
-                                        let _e1331 = keys.member[_e1030.member[0]];
-                                        let _e1336 = keys.member[_e1030.member[1]];
-                                        let _e1338 = function_2(_e1331[1], _e1336[1]);
-                                        let _e1342 = keys.member[_e1030.member[2]];
-                                        let _e1344 = function_2(_e1338, _e1342[1]);
-                                        let _e1348 = keys.member[_e1028.member[0]];
-                                        let _e1353 = keys.member[_e1028.member[1]];
-                                        let _e1355 = function_3(_e1348[4], _e1353[4]);
-                                        let _e1359 = keys.member[_e1028.member[2]];
-                                        let _e1361 = function_3(_e1355, _e1359[4]);
-                                        if (_e1344[1] > _e1361[1]) {
-                                            phi_2486_ = true;
-                                        } else {
-                                            if (_e1344[1] == _e1361[1]) {
-                                                phi_2485_ = (_e1344[0] > _e1361[0]);
-                                            } else {
-                                                phi_2485_ = false;
-                                            }
-                                            let _e1372 = phi_2485_;
-                                            phi_2486_ = _e1372;
-                                        }
-                                        let _e1374 = phi_2486_;
-                                        let _e1381 = keys.member[_e1028.member[0]];
-                                        let _e1386 = keys.member[_e1028.member[1]];
-                                        let _e1388 = function_4(_e1381[2], _e1386[2]);
-                                        let _e1392 = keys.member[_e1028.member[2]];
-                                        let _e1394 = function_4(_e1388, _e1392[2]);
-                                        let _e1398 = keys.member[_e1030.member[0]];
-                                        let _e1403 = keys.member[_e1030.member[1]];
-                                        let _e1405 = function_5(_e1398[5], _e1403[5]);
-                                        let _e1409 = keys.member[_e1030.member[2]];
-                                        let _e1411 = function_5(_e1405, _e1409[5]);
-                                        if (_e1394[1] > _e1411[1]) {
-                                            phi_2582_ = true;
-                                        } else {
-                                            if (_e1394[1] == _e1411[1]) {
-                                                phi_2581_ = (_e1394[0] > _e1411[0]);
-                                            } else {
-                                                phi_2581_ = false;
-                                            }
-                                            let _e1422 = phi_2581_;
-                                            phi_2582_ = _e1422;
-                                        }
-                                        let _e1424 = phi_2582_;
-                                        let _e1429 = keys.member[_e1030.member[0]];
-                                        let _e1434 = keys.member[_e1030.member[1]];
-                                        let _e1436 = function_4(_e1429[2], _e1434[2]);
-                                        let _e1440 = keys.member[_e1030.member[2]];
-                                        let _e1442 = function_4(_e1436, _e1440[2]);
-                                        let _e1446 = keys.member[_e1028.member[0]];
-                                        let _e1451 = keys.member[_e1028.member[1]];
-                                        let _e1453 = function_5(_e1446[5], _e1451[5]);
-                                        let _e1457 = keys.member[_e1028.member[2]];
-                                        let _e1459 = function_5(_e1453, _e1457[5]);
-                                        if (_e1442[1] > _e1459[1]) {
-                                            phi_2676_ = true;
-                                        } else {
-                                            if (_e1442[1] == _e1459[1]) {
-                                                phi_2675_ = (_e1442[0] > _e1459[0]);
-                                            } else {
-                                                phi_2675_ = false;
-                                            }
-                                            let _e1470 = phi_2675_;
-                                            phi_2676_ = _e1470;
-                                        }
-                                        let _e1472 = phi_2676_;
-                                        phi_2680_ = (((!(_e1229) && !(_e1277)) && (!(_e1326) && !(_e1374))) && (!(_e1424) && !(_e1472)));
-                                    }
-                                    let _e1477 = phi_2680_;
-                                    phi_2681_ = _e1477;
-                                    phi_2682_ = _e1182;
-                                } else {
-                                    phi_2681_ = bool();
-                                    phi_2682_ = true;
-                                }
-                                let _e1479 = phi_2681_;
-                                let _e1481 = phi_2682_;
-                                if _e1481 {
-                                    phi_2686_ = false;
-                                } else {
-                                    phi_2686_ = true;
-                                }
-                                let _e1483 = phi_2686_;
-                                phi_2687_ = _e1479;
-                                phi_2688_ = _e1483;
-                            } else {
-                                phi_2687_ = false;
-                                phi_2688_ = true;
-                            }
-                            let _e1485 = phi_2687_;
-                            let _e1487 = phi_2688_;
-                            phi_2689_ = _e1485;
-                            phi_2690_ = _e1487;
+                            let _e1419 = phi_2680_;
+                            let _e1421 = phi_2681_;
+                            phi_2682_ = _e1419;
+                            phi_2683_ = _e1421;
                         } else {
-                            phi_2689_ = false;
-                            phi_2690_ = true;
+                            phi_2682_ = false;
+                            phi_2683_ = true;
                         }
-                        let _e1489 = phi_2689_;
-                        let _e1491 = phi_2690_;
-                        if _e1491 {
-                            phi_2694_ = _e1489;
+                        let _e1423 = phi_2682_;
+                        let _e1425 = phi_2683_;
+                        if _e1425 {
+                            phi_2687_ = _e1423;
                         } else {
-                            phi_2694_ = true;
+                            phi_2687_ = true;
                         }
-                        let _e1493 = phi_2694_;
-                        if _e1493 {
-                            let _e1495 = atomicAdd((&counters[7u]), 1u);
-                            let _e1497 = params.member.member_4;
-                            let _e1499 = params.member.member_5;
-                            let _e1509 = paths.member[_e1028.member[0]];
-                            let _e1511 = paths.member[_e1030.member[0]];
-                            let _e1517 = paths.member[_e1030.member[1]];
-                            let _e1519 = paths.member[_e1030.member[2]];
-                            local_2 = type_34(array<array<f32, 3>, 2>(array<f32, 3>((_e1509.member[0] - _e1511.member[0]), (_e1509.member[1] - _e1511.member[1]), (_e1509.member[2] - _e1511.member[2])), array<f32, 3>((_e1509.member_1[0] - _e1511.member_1[0]), (_e1509.member_1[1] - _e1511.member_1[1]), (_e1509.member_1[2] - _e1511.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1517.member[0] - _e1511.member[0]), (_e1517.member[1] - _e1511.member[1]), (_e1517.member[2] - _e1511.member[2])), array<f32, 3>((_e1517.member_1[0] - _e1511.member_1[0]), (_e1517.member_1[1] - _e1511.member_1[1]), (_e1517.member_1[2] - _e1511.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1519.member[0] - _e1511.member[0]), (_e1519.member[1] - _e1511.member[1]), (_e1519.member[2] - _e1511.member[2])), array<f32, 3>((_e1519.member_1[0] - _e1511.member_1[0]), (_e1519.member_1[1] - _e1511.member_1[1]), (_e1519.member_1[2] - _e1511.member_1[2]))), (_e1497 + _e1497));
-                            let _e1579 = local_2.member_1[0u];
-                            let _e1585 = local_2.member_2[0u];
-                            let _e1591 = ((_e1579[1] * _e1585[2]) - (_e1579[2] * _e1585[1]));
-                            let _e1594 = ((_e1579[2] * _e1585[0]) - (_e1579[0] * _e1585[2]));
-                            let _e1597 = ((_e1579[0] * _e1585[1]) - (_e1579[1] * _e1585[0]));
-                            let _e1600 = local_2.member_1[1u];
-                            let _e1606 = local_2.member_2[1u];
-                            let _e1612 = ((_e1600[1] * _e1606[2]) - (_e1600[2] * _e1606[1]));
-                            let _e1615 = ((_e1600[2] * _e1606[0]) - (_e1600[0] * _e1606[2]));
-                            let _e1618 = ((_e1600[0] * _e1606[1]) - (_e1600[1] * _e1606[0]));
-                            let _e1621 = local_2.member_1[0u];
-                            let _e1627 = local_2.member_2[1u];
-                            let _e1642 = local_2.member_1[1u];
-                            let _e1648 = local_2.member_2[0u];
-                            let _e1661 = (((_e1621[1] * _e1627[2]) - (_e1621[2] * _e1627[1])) + ((_e1642[1] * _e1648[2]) - (_e1642[2] * _e1648[1])));
-                            let _e1662 = (((_e1621[2] * _e1627[0]) - (_e1621[0] * _e1627[2])) + ((_e1642[2] * _e1648[0]) - (_e1642[0] * _e1648[2])));
-                            let _e1663 = (((_e1621[0] * _e1627[1]) - (_e1621[1] * _e1627[0])) + ((_e1642[0] * _e1648[1]) - (_e1642[1] * _e1648[0])));
-                            let _e1666 = local_2.member[0u];
-                            let _e1677 = local_2.member[1u];
-                            let _e1688 = local_2.member[0u];
-                            let _e1697 = ((((_e1677[0] * _e1591) + (_e1677[1] * _e1594)) + (_e1677[2] * _e1597)) + (((_e1688[0] * _e1661) + (_e1688[1] * _e1662)) + (_e1688[2] * _e1663)));
-                            let _e1700 = local_2.member[0u];
-                            let _e1711 = local_2.member[1u];
-                            let _e1720 = ((((_e1700[0] * _e1612) + (_e1700[1] * _e1615)) + (_e1700[2] * _e1618)) + (((_e1711[0] * _e1661) + (_e1711[1] * _e1662)) + (_e1711[2] * _e1663)));
-                            let _e1723 = local_2.member[1u];
-                            let _e1734 = local_2.member[0u];
-                            if (_e1734[0] < 0f) {
-                                phi_3088_ = -(_e1734[0]);
+                        let _e1427 = phi_2687_;
+                        if _e1427 {
+                            let _e1429 = atomicAdd((&counters[7u]), 1u);
+                            let _e1432 = params.member.member.member_4;
+                            let _e1434 = params.member.member.member_5;
+                            let _e1444 = paths.member[_e1006.member[0]];
+                            let _e1446 = paths.member[_e1008.member[0]];
+                            let _e1452 = paths.member[_e1008.member[1]];
+                            let _e1454 = paths.member[_e1008.member[2]];
+                            local_2 = type_37(array<array<f32, 3>, 2>(array<f32, 3>((_e1444.member[0] - _e1446.member[0]), (_e1444.member[1] - _e1446.member[1]), (_e1444.member[2] - _e1446.member[2])), array<f32, 3>((_e1444.member_1[0] - _e1446.member_1[0]), (_e1444.member_1[1] - _e1446.member_1[1]), (_e1444.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1452.member[0] - _e1446.member[0]), (_e1452.member[1] - _e1446.member[1]), (_e1452.member[2] - _e1446.member[2])), array<f32, 3>((_e1452.member_1[0] - _e1446.member_1[0]), (_e1452.member_1[1] - _e1446.member_1[1]), (_e1452.member_1[2] - _e1446.member_1[2]))), array<array<f32, 3>, 2>(array<f32, 3>((_e1454.member[0] - _e1446.member[0]), (_e1454.member[1] - _e1446.member[1]), (_e1454.member[2] - _e1446.member[2])), array<f32, 3>((_e1454.member_1[0] - _e1446.member_1[0]), (_e1454.member_1[1] - _e1446.member_1[1]), (_e1454.member_1[2] - _e1446.member_1[2]))), (_e1432 + _e1432));
+                            let _e1514 = local_2.member_1[0u];
+                            let _e1520 = local_2.member_2[0u];
+                            let _e1526 = ((_e1514[1] * _e1520[2]) - (_e1514[2] * _e1520[1]));
+                            let _e1529 = ((_e1514[2] * _e1520[0]) - (_e1514[0] * _e1520[2]));
+                            let _e1532 = ((_e1514[0] * _e1520[1]) - (_e1514[1] * _e1520[0]));
+                            let _e1535 = local_2.member_1[1u];
+                            let _e1541 = local_2.member_2[1u];
+                            let _e1547 = ((_e1535[1] * _e1541[2]) - (_e1535[2] * _e1541[1]));
+                            let _e1550 = ((_e1535[2] * _e1541[0]) - (_e1535[0] * _e1541[2]));
+                            let _e1553 = ((_e1535[0] * _e1541[1]) - (_e1535[1] * _e1541[0]));
+                            let _e1556 = local_2.member_1[0u];
+                            let _e1562 = local_2.member_2[1u];
+                            let _e1577 = local_2.member_1[1u];
+                            let _e1583 = local_2.member_2[0u];
+                            let _e1596 = (((_e1556[1] * _e1562[2]) - (_e1556[2] * _e1562[1])) + ((_e1577[1] * _e1583[2]) - (_e1577[2] * _e1583[1])));
+                            let _e1597 = (((_e1556[2] * _e1562[0]) - (_e1556[0] * _e1562[2])) + ((_e1577[2] * _e1583[0]) - (_e1577[0] * _e1583[2])));
+                            let _e1598 = (((_e1556[0] * _e1562[1]) - (_e1556[1] * _e1562[0])) + ((_e1577[0] * _e1583[1]) - (_e1577[1] * _e1583[0])));
+                            let _e1601 = local_2.member[0u];
+                            let _e1612 = local_2.member[1u];
+                            let _e1623 = local_2.member[0u];
+                            let _e1632 = ((((_e1612[0] * _e1526) + (_e1612[1] * _e1529)) + (_e1612[2] * _e1532)) + (((_e1623[0] * _e1596) + (_e1623[1] * _e1597)) + (_e1623[2] * _e1598)));
+                            let _e1635 = local_2.member[0u];
+                            let _e1646 = local_2.member[1u];
+                            let _e1655 = ((((_e1635[0] * _e1547) + (_e1635[1] * _e1550)) + (_e1635[2] * _e1553)) + (((_e1646[0] * _e1596) + (_e1646[1] * _e1597)) + (_e1646[2] * _e1598)));
+                            let _e1658 = local_2.member[1u];
+                            let _e1669 = local_2.member[0u];
+                            if (_e1669[0] < 0f) {
+                                phi_3082_ = -(_e1669[0]);
                             } else {
-                                phi_3088_ = _e1734[0];
+                                phi_3082_ = _e1669[0];
                             }
-                            let _e1741 = phi_3088_;
-                            if (_e1734[1] < 0f) {
-                                phi_3095_ = -(_e1734[1]);
+                            let _e1676 = phi_3082_;
+                            if (_e1669[1] < 0f) {
+                                phi_3089_ = -(_e1669[1]);
                             } else {
-                                phi_3095_ = _e1734[1];
+                                phi_3089_ = _e1669[1];
                             }
-                            let _e1745 = phi_3095_;
-                            if (_e1741 > _e1745) {
-                                phi_3100_ = _e1741;
+                            let _e1680 = phi_3089_;
+                            if (_e1676 > _e1680) {
+                                phi_3094_ = _e1676;
                             } else {
-                                phi_3100_ = _e1745;
+                                phi_3094_ = _e1680;
                             }
-                            let _e1748 = phi_3100_;
-                            if (_e1734[2] < 0f) {
-                                phi_3107_ = -(_e1734[2]);
+                            let _e1683 = phi_3094_;
+                            if (_e1669[2] < 0f) {
+                                phi_3101_ = -(_e1669[2]);
                             } else {
-                                phi_3107_ = _e1734[2];
+                                phi_3101_ = _e1669[2];
                             }
-                            let _e1752 = phi_3107_;
-                            if (_e1748 > _e1752) {
-                                phi_3112_ = _e1748;
+                            let _e1687 = phi_3101_;
+                            if (_e1683 > _e1687) {
+                                phi_3106_ = _e1683;
                             } else {
-                                phi_3112_ = _e1752;
+                                phi_3106_ = _e1687;
                             }
-                            let _e1755 = phi_3112_;
-                            let _e1758 = local_2.member[1u];
-                            if (_e1758[0] < 0f) {
-                                phi_3125_ = -(_e1758[0]);
+                            let _e1690 = phi_3106_;
+                            let _e1693 = local_2.member[1u];
+                            if (_e1693[0] < 0f) {
+                                phi_3119_ = -(_e1693[0]);
                             } else {
-                                phi_3125_ = _e1758[0];
+                                phi_3119_ = _e1693[0];
                             }
-                            let _e1765 = phi_3125_;
-                            if (_e1758[1] < 0f) {
-                                phi_3132_ = -(_e1758[1]);
+                            let _e1700 = phi_3119_;
+                            if (_e1693[1] < 0f) {
+                                phi_3126_ = -(_e1693[1]);
                             } else {
-                                phi_3132_ = _e1758[1];
+                                phi_3126_ = _e1693[1];
                             }
-                            let _e1769 = phi_3132_;
-                            if (_e1765 > _e1769) {
-                                phi_3137_ = _e1765;
+                            let _e1704 = phi_3126_;
+                            if (_e1700 > _e1704) {
+                                phi_3131_ = _e1700;
                             } else {
-                                phi_3137_ = _e1769;
+                                phi_3131_ = _e1704;
                             }
-                            let _e1772 = phi_3137_;
-                            if (_e1758[2] < 0f) {
-                                phi_3144_ = -(_e1758[2]);
+                            let _e1707 = phi_3131_;
+                            if (_e1693[2] < 0f) {
+                                phi_3138_ = -(_e1693[2]);
                             } else {
-                                phi_3144_ = _e1758[2];
+                                phi_3138_ = _e1693[2];
                             }
-                            let _e1776 = phi_3144_;
-                            if (_e1772 > _e1776) {
-                                phi_3149_ = _e1772;
+                            let _e1711 = phi_3138_;
+                            if (_e1707 > _e1711) {
+                                phi_3143_ = _e1707;
                             } else {
-                                phi_3149_ = _e1776;
+                                phi_3143_ = _e1711;
                             }
-                            let _e1779 = phi_3149_;
-                            if (_e1755 > _e1779) {
-                                phi_3154_ = _e1755;
+                            let _e1714 = phi_3143_;
+                            if (_e1690 > _e1714) {
+                                phi_3148_ = _e1690;
                             } else {
-                                phi_3154_ = _e1779;
+                                phi_3148_ = _e1714;
                             }
-                            let _e1782 = phi_3154_;
-                            let _e1784 = local_2.member_3;
-                            let _e1785 = (_e1782 + _e1784);
-                            let _e1788 = local_2.member_1[0u];
-                            if (_e1788[0] < 0f) {
-                                phi_3171_ = -(_e1788[0]);
+                            let _e1717 = phi_3148_;
+                            let _e1719 = local_2.member_3;
+                            let _e1720 = (_e1717 + _e1719);
+                            let _e1723 = local_2.member_1[0u];
+                            if (_e1723[0] < 0f) {
+                                phi_3165_ = -(_e1723[0]);
                             } else {
-                                phi_3171_ = _e1788[0];
+                                phi_3165_ = _e1723[0];
                             }
-                            let _e1795 = phi_3171_;
-                            if (_e1788[1] < 0f) {
-                                phi_3178_ = -(_e1788[1]);
+                            let _e1730 = phi_3165_;
+                            if (_e1723[1] < 0f) {
+                                phi_3172_ = -(_e1723[1]);
                             } else {
-                                phi_3178_ = _e1788[1];
+                                phi_3172_ = _e1723[1];
                             }
-                            let _e1799 = phi_3178_;
-                            if (_e1795 > _e1799) {
-                                phi_3183_ = _e1795;
+                            let _e1734 = phi_3172_;
+                            if (_e1730 > _e1734) {
+                                phi_3177_ = _e1730;
                             } else {
-                                phi_3183_ = _e1799;
+                                phi_3177_ = _e1734;
                             }
-                            let _e1802 = phi_3183_;
-                            if (_e1788[2] < 0f) {
-                                phi_3190_ = -(_e1788[2]);
+                            let _e1737 = phi_3177_;
+                            if (_e1723[2] < 0f) {
+                                phi_3184_ = -(_e1723[2]);
                             } else {
-                                phi_3190_ = _e1788[2];
+                                phi_3184_ = _e1723[2];
                             }
-                            let _e1806 = phi_3190_;
-                            if (_e1802 > _e1806) {
-                                phi_3195_ = _e1802;
+                            let _e1741 = phi_3184_;
+                            if (_e1737 > _e1741) {
+                                phi_3189_ = _e1737;
                             } else {
-                                phi_3195_ = _e1806;
+                                phi_3189_ = _e1741;
                             }
-                            let _e1809 = phi_3195_;
-                            let _e1812 = local_2.member_1[1u];
-                            if (_e1812[0] < 0f) {
-                                phi_3209_ = -(_e1812[0]);
+                            let _e1744 = phi_3189_;
+                            let _e1747 = local_2.member_1[1u];
+                            if (_e1747[0] < 0f) {
+                                phi_3203_ = -(_e1747[0]);
                             } else {
-                                phi_3209_ = _e1812[0];
+                                phi_3203_ = _e1747[0];
                             }
-                            let _e1819 = phi_3209_;
-                            if (_e1812[1] < 0f) {
-                                phi_3216_ = -(_e1812[1]);
+                            let _e1754 = phi_3203_;
+                            if (_e1747[1] < 0f) {
+                                phi_3210_ = -(_e1747[1]);
                             } else {
-                                phi_3216_ = _e1812[1];
+                                phi_3210_ = _e1747[1];
                             }
-                            let _e1823 = phi_3216_;
-                            if (_e1819 > _e1823) {
-                                phi_3221_ = _e1819;
+                            let _e1758 = phi_3210_;
+                            if (_e1754 > _e1758) {
+                                phi_3215_ = _e1754;
                             } else {
-                                phi_3221_ = _e1823;
+                                phi_3215_ = _e1758;
                             }
-                            let _e1826 = phi_3221_;
-                            if (_e1812[2] < 0f) {
-                                phi_3228_ = -(_e1812[2]);
+                            let _e1761 = phi_3215_;
+                            if (_e1747[2] < 0f) {
+                                phi_3222_ = -(_e1747[2]);
                             } else {
-                                phi_3228_ = _e1812[2];
+                                phi_3222_ = _e1747[2];
                             }
-                            let _e1830 = phi_3228_;
-                            if (_e1826 > _e1830) {
-                                phi_3233_ = _e1826;
+                            let _e1765 = phi_3222_;
+                            if (_e1761 > _e1765) {
+                                phi_3227_ = _e1761;
                             } else {
-                                phi_3233_ = _e1830;
+                                phi_3227_ = _e1765;
                             }
-                            let _e1833 = phi_3233_;
-                            if (_e1809 > _e1833) {
-                                phi_3238_ = _e1809;
+                            let _e1768 = phi_3227_;
+                            if (_e1744 > _e1768) {
+                                phi_3232_ = _e1744;
                             } else {
-                                phi_3238_ = _e1833;
+                                phi_3232_ = _e1768;
                             }
-                            let _e1836 = phi_3238_;
-                            let _e1838 = local_2.member_3;
-                            let _e1839 = (_e1836 + _e1838);
-                            let _e1842 = local_2.member_2[0u];
-                            if (_e1842[0] < 0f) {
-                                phi_3255_ = -(_e1842[0]);
+                            let _e1771 = phi_3232_;
+                            let _e1773 = local_2.member_3;
+                            let _e1774 = (_e1771 + _e1773);
+                            let _e1777 = local_2.member_2[0u];
+                            if (_e1777[0] < 0f) {
+                                phi_3249_ = -(_e1777[0]);
                             } else {
-                                phi_3255_ = _e1842[0];
+                                phi_3249_ = _e1777[0];
                             }
-                            let _e1849 = phi_3255_;
-                            if (_e1842[1] < 0f) {
-                                phi_3262_ = -(_e1842[1]);
+                            let _e1784 = phi_3249_;
+                            if (_e1777[1] < 0f) {
+                                phi_3256_ = -(_e1777[1]);
                             } else {
-                                phi_3262_ = _e1842[1];
+                                phi_3256_ = _e1777[1];
                             }
-                            let _e1853 = phi_3262_;
-                            if (_e1849 > _e1853) {
-                                phi_3267_ = _e1849;
+                            let _e1788 = phi_3256_;
+                            if (_e1784 > _e1788) {
+                                phi_3261_ = _e1784;
                             } else {
-                                phi_3267_ = _e1853;
+                                phi_3261_ = _e1788;
                             }
-                            let _e1856 = phi_3267_;
-                            if (_e1842[2] < 0f) {
-                                phi_3274_ = -(_e1842[2]);
+                            let _e1791 = phi_3261_;
+                            if (_e1777[2] < 0f) {
+                                phi_3268_ = -(_e1777[2]);
                             } else {
-                                phi_3274_ = _e1842[2];
+                                phi_3268_ = _e1777[2];
                             }
-                            let _e1860 = phi_3274_;
-                            if (_e1856 > _e1860) {
-                                phi_3279_ = _e1856;
+                            let _e1795 = phi_3268_;
+                            if (_e1791 > _e1795) {
+                                phi_3273_ = _e1791;
                             } else {
-                                phi_3279_ = _e1860;
+                                phi_3273_ = _e1795;
                             }
-                            let _e1863 = phi_3279_;
-                            let _e1866 = local_2.member_2[1u];
-                            if (_e1866[0] < 0f) {
-                                phi_3293_ = -(_e1866[0]);
+                            let _e1798 = phi_3273_;
+                            let _e1801 = local_2.member_2[1u];
+                            if (_e1801[0] < 0f) {
+                                phi_3287_ = -(_e1801[0]);
                             } else {
-                                phi_3293_ = _e1866[0];
+                                phi_3287_ = _e1801[0];
                             }
-                            let _e1873 = phi_3293_;
-                            if (_e1866[1] < 0f) {
-                                phi_3300_ = -(_e1866[1]);
+                            let _e1808 = phi_3287_;
+                            if (_e1801[1] < 0f) {
+                                phi_3294_ = -(_e1801[1]);
                             } else {
-                                phi_3300_ = _e1866[1];
+                                phi_3294_ = _e1801[1];
                             }
-                            let _e1877 = phi_3300_;
-                            if (_e1873 > _e1877) {
-                                phi_3305_ = _e1873;
+                            let _e1812 = phi_3294_;
+                            if (_e1808 > _e1812) {
+                                phi_3299_ = _e1808;
                             } else {
-                                phi_3305_ = _e1877;
+                                phi_3299_ = _e1812;
                             }
-                            let _e1880 = phi_3305_;
-                            if (_e1866[2] < 0f) {
-                                phi_3312_ = -(_e1866[2]);
+                            let _e1815 = phi_3299_;
+                            if (_e1801[2] < 0f) {
+                                phi_3306_ = -(_e1801[2]);
                             } else {
-                                phi_3312_ = _e1866[2];
+                                phi_3306_ = _e1801[2];
                             }
-                            let _e1884 = phi_3312_;
-                            if (_e1880 > _e1884) {
-                                phi_3317_ = _e1880;
+                            let _e1819 = phi_3306_;
+                            if (_e1815 > _e1819) {
+                                phi_3311_ = _e1815;
                             } else {
-                                phi_3317_ = _e1884;
+                                phi_3311_ = _e1819;
                             }
-                            let _e1887 = phi_3317_;
-                            if (_e1863 > _e1887) {
-                                phi_3322_ = _e1863;
+                            let _e1822 = phi_3311_;
+                            if (_e1798 > _e1822) {
+                                phi_3316_ = _e1798;
                             } else {
-                                phi_3322_ = _e1887;
+                                phi_3316_ = _e1822;
                             }
-                            let _e1890 = phi_3322_;
-                            let _e1892 = local_2.member_3;
-                            let _e1893 = (_e1890 + _e1892);
-                            let _e1895 = ((_e1839 * 8f) * _e1893);
-                            let _e1902 = local_2.member_3;
-                            if (_e1591 < 0f) {
-                                phi_3353_ = -(_e1591);
+                            let _e1825 = phi_3316_;
+                            let _e1827 = local_2.member_3;
+                            let _e1828 = (_e1825 + _e1827);
+                            let _e1830 = ((_e1774 * 8f) * _e1828);
+                            let _e1837 = local_2.member_3;
+                            if (_e1526 < 0f) {
+                                phi_3347_ = -(_e1526);
                             } else {
-                                phi_3353_ = _e1591;
+                                phi_3347_ = _e1526;
                             }
-                            let _e1919 = phi_3353_;
-                            if (_e1594 < 0f) {
-                                phi_3359_ = -(_e1594);
+                            let _e1854 = phi_3347_;
+                            if (_e1529 < 0f) {
+                                phi_3353_ = -(_e1529);
                             } else {
-                                phi_3359_ = _e1594;
+                                phi_3353_ = _e1529;
                             }
-                            let _e1923 = phi_3359_;
+                            let _e1858 = phi_3353_;
+                            if (_e1532 < 0f) {
+                                phi_3360_ = -(_e1532);
+                            } else {
+                                phi_3360_ = _e1532;
+                            }
+                            let _e1863 = phi_3360_;
+                            let _e1864 = ((_e1854 + _e1858) + _e1863);
+                            if (_e1547 < 0f) {
+                                phi_3367_ = -(_e1547);
+                            } else {
+                                phi_3367_ = _e1547;
+                            }
+                            let _e1868 = phi_3367_;
+                            if (_e1550 < 0f) {
+                                phi_3373_ = -(_e1550);
+                            } else {
+                                phi_3373_ = _e1550;
+                            }
+                            let _e1872 = phi_3373_;
+                            if (_e1553 < 0f) {
+                                phi_3380_ = -(_e1553);
+                            } else {
+                                phi_3380_ = _e1553;
+                            }
+                            let _e1877 = phi_3380_;
+                            let _e1878 = ((_e1868 + _e1872) + _e1877);
+                            if (_e1864 > _e1878) {
+                                phi_3386_ = _e1864;
+                            } else {
+                                phi_3386_ = _e1878;
+                            }
+                            let _e1881 = phi_3386_;
+                            if (_e1596 < 0f) {
+                                phi_3392_ = -(_e1596);
+                            } else {
+                                phi_3392_ = _e1596;
+                            }
+                            let _e1885 = phi_3392_;
                             if (_e1597 < 0f) {
-                                phi_3366_ = -(_e1597);
+                                phi_3398_ = -(_e1597);
                             } else {
-                                phi_3366_ = _e1597;
+                                phi_3398_ = _e1597;
                             }
-                            let _e1928 = phi_3366_;
-                            let _e1929 = ((_e1919 + _e1923) + _e1928);
-                            if (_e1612 < 0f) {
-                                phi_3373_ = -(_e1612);
+                            let _e1889 = phi_3398_;
+                            if (_e1598 < 0f) {
+                                phi_3405_ = -(_e1598);
                             } else {
-                                phi_3373_ = _e1612;
+                                phi_3405_ = _e1598;
                             }
-                            let _e1933 = phi_3373_;
-                            if (_e1615 < 0f) {
-                                phi_3379_ = -(_e1615);
+                            let _e1894 = phi_3405_;
+                            let _e1896 = (((_e1885 + _e1889) + _e1894) * 0.5f);
+                            if (_e1881 > _e1896) {
+                                phi_3412_ = _e1881;
                             } else {
-                                phi_3379_ = _e1615;
+                                phi_3412_ = _e1896;
                             }
-                            let _e1937 = phi_3379_;
-                            if (_e1618 < 0f) {
-                                phi_3386_ = -(_e1618);
+                            let _e1899 = phi_3412_;
+                            let _e1904 = local_2.member_3;
+                            let _e1917 = ((((_e1601[0] * _e1526) + (_e1601[1] * _e1529)) + (_e1601[2] * _e1532)) * 3f);
+                            let _e1918 = ((((_e1658[0] * _e1547) + (_e1658[1] * _e1550)) + (_e1658[2] * _e1553)) * 3f);
+                            if (_e1917 < _e1918) {
+                                phi_3436_ = _e1917;
                             } else {
-                                phi_3386_ = _e1618;
+                                phi_3436_ = _e1918;
                             }
-                            let _e1942 = phi_3386_;
-                            let _e1943 = ((_e1933 + _e1937) + _e1942);
-                            if (_e1929 > _e1943) {
-                                phi_3392_ = _e1929;
+                            let _e1921 = phi_3436_;
+                            if (_e1632 < _e1655) {
+                                phi_3441_ = _e1632;
                             } else {
-                                phi_3392_ = _e1943;
+                                phi_3441_ = _e1655;
                             }
-                            let _e1946 = phi_3392_;
-                            if (_e1661 < 0f) {
-                                phi_3398_ = -(_e1661);
+                            let _e1924 = phi_3441_;
+                            if (_e1921 < _e1924) {
+                                phi_3446_ = _e1921;
                             } else {
-                                phi_3398_ = _e1661;
+                                phi_3446_ = _e1924;
                             }
-                            let _e1950 = phi_3398_;
-                            if (_e1662 < 0f) {
-                                phi_3404_ = -(_e1662);
+                            let _e1927 = phi_3446_;
+                            if (_e1917 > _e1918) {
+                                phi_3451_ = _e1917;
                             } else {
-                                phi_3404_ = _e1662;
+                                phi_3451_ = _e1918;
                             }
-                            let _e1954 = phi_3404_;
-                            if (_e1663 < 0f) {
-                                phi_3411_ = -(_e1663);
+                            let _e1930 = phi_3451_;
+                            if (_e1632 > _e1655) {
+                                phi_3456_ = _e1632;
                             } else {
-                                phi_3411_ = _e1663;
+                                phi_3456_ = _e1655;
                             }
-                            let _e1959 = phi_3411_;
-                            let _e1961 = (((_e1950 + _e1954) + _e1959) * 0.5f);
-                            if (_e1946 > _e1961) {
-                                phi_3418_ = _e1946;
+                            let _e1933 = phi_3456_;
+                            if (_e1930 > _e1933) {
+                                phi_3461_ = _e1930;
                             } else {
-                                phi_3418_ = _e1961;
+                                phi_3461_ = _e1933;
                             }
-                            let _e1964 = phi_3418_;
-                            let _e1969 = local_2.member_3;
-                            let _e1982 = ((((_e1666[0] * _e1591) + (_e1666[1] * _e1594)) + (_e1666[2] * _e1597)) * 3f);
-                            let _e1983 = ((((_e1723[0] * _e1612) + (_e1723[1] * _e1615)) + (_e1723[2] * _e1618)) * 3f);
-                            if (_e1982 < _e1983) {
-                                phi_3442_ = _e1982;
+                            let _e1936 = phi_3461_;
+                            let _e1941 = -(_e1936);
+                            if (_e1927 > _e1941) {
+                                phi_3471_ = _e1927;
                             } else {
-                                phi_3442_ = _e1983;
+                                phi_3471_ = _e1941;
                             }
-                            let _e1986 = phi_3442_;
-                            if (_e1697 < _e1720) {
-                                phi_3447_ = _e1697;
+                            let _e1944 = phi_3471_;
+                            let _e1946 = ((_e1944 - ((((((_e1720 * 8f) * _e1830) * (0.000000059604645f * (524f / 64f))) + ((_e1837 * 19f) * ((_e1720 * (_e1774 + _e1828)) + (_e1774 * _e1828)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1720) * ((1f + _e1774) * (1f + _e1828))))) + ((_e1434 * (((_e1899 + (_e1830 * (0.000000059604645f * 8f))) + ((_e1904 * 6f) * (_e1774 + _e1828))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1774) * (1f + _e1828))))) * (3f * 1.0001f)))) > 0f);
+                            if _e1946 {
+                                phi_4440_ = _e1946;
                             } else {
-                                phi_3447_ = _e1720;
+                                let _e1949 = local_2.member_1[0u];
+                                let _e1955 = local_2.member_1[1u];
+                                let _e1959 = (_e1949[0] + _e1955[0]);
+                                let _e1960 = (_e1949[1] + _e1955[1]);
+                                let _e1961 = (_e1949[2] + _e1955[2]);
+                                let _e1964 = local_2.member_2[0u];
+                                let _e1970 = local_2.member_2[1u];
+                                let _e1974 = (_e1964[0] + _e1970[0]);
+                                let _e1975 = (_e1964[1] + _e1970[1]);
+                                let _e1976 = (_e1964[2] + _e1970[2]);
+                                let _e1979 = ((_e1960 * _e1976) - (_e1961 * _e1975));
+                                let _e1982 = ((_e1961 * _e1974) - (_e1959 * _e1976));
+                                let _e1985 = ((_e1959 * _e1975) - (_e1960 * _e1974));
+                                let _e1988 = local_2.member[0u];
+                                let _e1994 = local_2.member_1[0u];
+                                let _e2000 = local_2.member_2[0u];
+                                let _e2004 = (_e1988[0] - _e1994[0]);
+                                let _e2005 = (_e1988[1] - _e1994[1]);
+                                let _e2006 = (_e1988[2] - _e1994[2]);
+                                let _e2007 = (_e1988[0] - _e2000[0]);
+                                let _e2008 = (_e1988[1] - _e2000[1]);
+                                let _e2009 = (_e1988[2] - _e2000[2]);
+                                let _e2012 = local_2.member[1u];
+                                let _e2018 = local_2.member_1[1u];
+                                let _e2024 = local_2.member_2[1u];
+                                let _e2028 = (_e2012[0] - _e2018[0]);
+                                let _e2029 = (_e2012[1] - _e2018[1]);
+                                let _e2030 = (_e2012[2] - _e2018[2]);
+                                let _e2031 = (_e2012[0] - _e2024[0]);
+                                let _e2032 = (_e2012[1] - _e2024[1]);
+                                let _e2033 = (_e2012[2] - _e2024[2]);
+                                let _e2036 = local_2.member[0u];
+                                if (_e2036[0] < 0f) {
+                                    phi_3674_ = -(_e2036[0]);
+                                } else {
+                                    phi_3674_ = _e2036[0];
+                                }
+                                let _e2043 = phi_3674_;
+                                if (_e2036[1] < 0f) {
+                                    phi_3681_ = -(_e2036[1]);
+                                } else {
+                                    phi_3681_ = _e2036[1];
+                                }
+                                let _e2047 = phi_3681_;
+                                if (_e2043 > _e2047) {
+                                    phi_3686_ = _e2043;
+                                } else {
+                                    phi_3686_ = _e2047;
+                                }
+                                let _e2050 = phi_3686_;
+                                if (_e2036[2] < 0f) {
+                                    phi_3693_ = -(_e2036[2]);
+                                } else {
+                                    phi_3693_ = _e2036[2];
+                                }
+                                let _e2054 = phi_3693_;
+                                if (_e2050 > _e2054) {
+                                    phi_3698_ = _e2050;
+                                } else {
+                                    phi_3698_ = _e2054;
+                                }
+                                let _e2057 = phi_3698_;
+                                let _e2060 = local_2.member[1u];
+                                if (_e2060[0] < 0f) {
+                                    phi_3711_ = -(_e2060[0]);
+                                } else {
+                                    phi_3711_ = _e2060[0];
+                                }
+                                let _e2067 = phi_3711_;
+                                if (_e2060[1] < 0f) {
+                                    phi_3718_ = -(_e2060[1]);
+                                } else {
+                                    phi_3718_ = _e2060[1];
+                                }
+                                let _e2071 = phi_3718_;
+                                if (_e2067 > _e2071) {
+                                    phi_3723_ = _e2067;
+                                } else {
+                                    phi_3723_ = _e2071;
+                                }
+                                let _e2074 = phi_3723_;
+                                if (_e2060[2] < 0f) {
+                                    phi_3730_ = -(_e2060[2]);
+                                } else {
+                                    phi_3730_ = _e2060[2];
+                                }
+                                let _e2078 = phi_3730_;
+                                if (_e2074 > _e2078) {
+                                    phi_3735_ = _e2074;
+                                } else {
+                                    phi_3735_ = _e2078;
+                                }
+                                let _e2081 = phi_3735_;
+                                if (_e2057 > _e2081) {
+                                    phi_3740_ = _e2057;
+                                } else {
+                                    phi_3740_ = _e2081;
+                                }
+                                let _e2084 = phi_3740_;
+                                let _e2086 = local_2.member_3;
+                                let _e2090 = local_2.member_1[0u];
+                                if (_e2090[0] < 0f) {
+                                    phi_3757_ = -(_e2090[0]);
+                                } else {
+                                    phi_3757_ = _e2090[0];
+                                }
+                                let _e2097 = phi_3757_;
+                                if (_e2090[1] < 0f) {
+                                    phi_3764_ = -(_e2090[1]);
+                                } else {
+                                    phi_3764_ = _e2090[1];
+                                }
+                                let _e2101 = phi_3764_;
+                                if (_e2097 > _e2101) {
+                                    phi_3769_ = _e2097;
+                                } else {
+                                    phi_3769_ = _e2101;
+                                }
+                                let _e2104 = phi_3769_;
+                                if (_e2090[2] < 0f) {
+                                    phi_3776_ = -(_e2090[2]);
+                                } else {
+                                    phi_3776_ = _e2090[2];
+                                }
+                                let _e2108 = phi_3776_;
+                                if (_e2104 > _e2108) {
+                                    phi_3781_ = _e2104;
+                                } else {
+                                    phi_3781_ = _e2108;
+                                }
+                                let _e2111 = phi_3781_;
+                                let _e2114 = local_2.member_1[1u];
+                                if (_e2114[0] < 0f) {
+                                    phi_3795_ = -(_e2114[0]);
+                                } else {
+                                    phi_3795_ = _e2114[0];
+                                }
+                                let _e2121 = phi_3795_;
+                                if (_e2114[1] < 0f) {
+                                    phi_3802_ = -(_e2114[1]);
+                                } else {
+                                    phi_3802_ = _e2114[1];
+                                }
+                                let _e2125 = phi_3802_;
+                                if (_e2121 > _e2125) {
+                                    phi_3807_ = _e2121;
+                                } else {
+                                    phi_3807_ = _e2125;
+                                }
+                                let _e2128 = phi_3807_;
+                                if (_e2114[2] < 0f) {
+                                    phi_3814_ = -(_e2114[2]);
+                                } else {
+                                    phi_3814_ = _e2114[2];
+                                }
+                                let _e2132 = phi_3814_;
+                                if (_e2128 > _e2132) {
+                                    phi_3819_ = _e2128;
+                                } else {
+                                    phi_3819_ = _e2132;
+                                }
+                                let _e2135 = phi_3819_;
+                                if (_e2111 > _e2135) {
+                                    phi_3824_ = _e2111;
+                                } else {
+                                    phi_3824_ = _e2135;
+                                }
+                                let _e2138 = phi_3824_;
+                                let _e2140 = local_2.member_3;
+                                let _e2144 = local_2.member_2[0u];
+                                if (_e2144[0] < 0f) {
+                                    phi_3841_ = -(_e2144[0]);
+                                } else {
+                                    phi_3841_ = _e2144[0];
+                                }
+                                let _e2151 = phi_3841_;
+                                if (_e2144[1] < 0f) {
+                                    phi_3848_ = -(_e2144[1]);
+                                } else {
+                                    phi_3848_ = _e2144[1];
+                                }
+                                let _e2155 = phi_3848_;
+                                if (_e2151 > _e2155) {
+                                    phi_3853_ = _e2151;
+                                } else {
+                                    phi_3853_ = _e2155;
+                                }
+                                let _e2158 = phi_3853_;
+                                if (_e2144[2] < 0f) {
+                                    phi_3860_ = -(_e2144[2]);
+                                } else {
+                                    phi_3860_ = _e2144[2];
+                                }
+                                let _e2162 = phi_3860_;
+                                if (_e2158 > _e2162) {
+                                    phi_3865_ = _e2158;
+                                } else {
+                                    phi_3865_ = _e2162;
+                                }
+                                let _e2165 = phi_3865_;
+                                let _e2168 = local_2.member_2[1u];
+                                if (_e2168[0] < 0f) {
+                                    phi_3879_ = -(_e2168[0]);
+                                } else {
+                                    phi_3879_ = _e2168[0];
+                                }
+                                let _e2175 = phi_3879_;
+                                if (_e2168[1] < 0f) {
+                                    phi_3886_ = -(_e2168[1]);
+                                } else {
+                                    phi_3886_ = _e2168[1];
+                                }
+                                let _e2179 = phi_3886_;
+                                if (_e2175 > _e2179) {
+                                    phi_3891_ = _e2175;
+                                } else {
+                                    phi_3891_ = _e2179;
+                                }
+                                let _e2182 = phi_3891_;
+                                if (_e2168[2] < 0f) {
+                                    phi_3898_ = -(_e2168[2]);
+                                } else {
+                                    phi_3898_ = _e2168[2];
+                                }
+                                let _e2186 = phi_3898_;
+                                if (_e2182 > _e2186) {
+                                    phi_3903_ = _e2182;
+                                } else {
+                                    phi_3903_ = _e2186;
+                                }
+                                let _e2189 = phi_3903_;
+                                if (_e2165 > _e2189) {
+                                    phi_3908_ = _e2165;
+                                } else {
+                                    phi_3908_ = _e2189;
+                                }
+                                let _e2192 = phi_3908_;
+                                let _e2194 = local_2.member_3;
+                                let _e2198 = ((((_e2084 + _e2086) + (_e2138 + _e2140)) + (_e2192 + _e2194)) * 2f);
+                                let _e2201 = local_2.member_3;
+                                let _e2205 = (((_e1434 * 1.0001f) + (_e2201 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                let _e2208 = ((_e1982 * _e1961) - (_e1985 * _e1960));
+                                let _e2211 = ((_e1985 * _e1959) - (_e1979 * _e1961));
+                                let _e2214 = ((_e1979 * _e1960) - (_e1982 * _e1959));
+                                let _e2219 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
+                                let _e2224 = (((_e2208 * _e2004) + (_e2211 * _e2005)) + (_e2214 * _e2006));
+                                let _e2229 = (((_e2208 * _e2007) + (_e2211 * _e2008)) + (_e2214 * _e2009));
+                                let _e2234 = (((_e2208 * _e1988[0]) + (_e2211 * _e1988[1])) + (_e2214 * _e1988[2]));
+                                let _e2239 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
+                                let _e2244 = (((_e2208 * _e2028) + (_e2211 * _e2029)) + (_e2214 * _e2030));
+                                let _e2249 = (((_e2208 * _e2031) + (_e2211 * _e2032)) + (_e2214 * _e2033));
+                                let _e2254 = (((_e2208 * _e2012[0]) + (_e2211 * _e2012[1])) + (_e2214 * _e2012[2]));
+                                if (_e2219 < _e2224) {
+                                    phi_3987_ = _e2219;
+                                } else {
+                                    phi_3987_ = _e2224;
+                                }
+                                let _e2257 = phi_3987_;
+                                if (_e2229 < _e2234) {
+                                    phi_3992_ = _e2229;
+                                } else {
+                                    phi_3992_ = _e2234;
+                                }
+                                let _e2260 = phi_3992_;
+                                if (_e2257 < _e2260) {
+                                    phi_3997_ = _e2257;
+                                } else {
+                                    phi_3997_ = _e2260;
+                                }
+                                let _e2263 = phi_3997_;
+                                if (_e2239 < _e2244) {
+                                    phi_4002_ = _e2239;
+                                } else {
+                                    phi_4002_ = _e2244;
+                                }
+                                let _e2266 = phi_4002_;
+                                if (_e2249 < _e2254) {
+                                    phi_4007_ = _e2249;
+                                } else {
+                                    phi_4007_ = _e2254;
+                                }
+                                let _e2269 = phi_4007_;
+                                if (_e2266 < _e2269) {
+                                    phi_4012_ = _e2266;
+                                } else {
+                                    phi_4012_ = _e2269;
+                                }
+                                let _e2272 = phi_4012_;
+                                if (_e2263 < _e2272) {
+                                    phi_4017_ = _e2263;
+                                } else {
+                                    phi_4017_ = _e2272;
+                                }
+                                let _e2275 = phi_4017_;
+                                if (_e2219 > _e2224) {
+                                    phi_4022_ = _e2219;
+                                } else {
+                                    phi_4022_ = _e2224;
+                                }
+                                let _e2278 = phi_4022_;
+                                if (_e2229 > _e2234) {
+                                    phi_4027_ = _e2229;
+                                } else {
+                                    phi_4027_ = _e2234;
+                                }
+                                let _e2281 = phi_4027_;
+                                if (_e2278 > _e2281) {
+                                    phi_4032_ = _e2278;
+                                } else {
+                                    phi_4032_ = _e2281;
+                                }
+                                let _e2284 = phi_4032_;
+                                if (_e2239 > _e2244) {
+                                    phi_4037_ = _e2239;
+                                } else {
+                                    phi_4037_ = _e2244;
+                                }
+                                let _e2287 = phi_4037_;
+                                if (_e2249 > _e2254) {
+                                    phi_4042_ = _e2249;
+                                } else {
+                                    phi_4042_ = _e2254;
+                                }
+                                let _e2290 = phi_4042_;
+                                if (_e2287 > _e2290) {
+                                    phi_4047_ = _e2287;
+                                } else {
+                                    phi_4047_ = _e2290;
+                                }
+                                let _e2293 = phi_4047_;
+                                if (_e2284 > _e2293) {
+                                    phi_4052_ = _e2284;
+                                } else {
+                                    phi_4052_ = _e2293;
+                                }
+                                let _e2296 = phi_4052_;
+                                if (_e2208 < 0f) {
+                                    phi_4058_ = -(_e2208);
+                                } else {
+                                    phi_4058_ = _e2208;
+                                }
+                                let _e2300 = phi_4058_;
+                                if (_e2211 < 0f) {
+                                    phi_4064_ = -(_e2211);
+                                } else {
+                                    phi_4064_ = _e2211;
+                                }
+                                let _e2304 = phi_4064_;
+                                if (_e2214 < 0f) {
+                                    phi_4071_ = -(_e2214);
+                                } else {
+                                    phi_4071_ = _e2214;
+                                }
+                                let _e2309 = phi_4071_;
+                                let _e2310 = ((_e2300 + _e2304) + _e2309);
+                                let _e2315 = -(_e2296);
+                                if (_e2275 > _e2315) {
+                                    phi_4082_ = _e2275;
+                                } else {
+                                    phi_4082_ = _e2315;
+                                }
+                                let _e2318 = phi_4082_;
+                                let _e2323 = (((_e2318 - ((_e2310 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2310 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                let _e2326 = ((_e1982 * _e1976) - (_e1985 * _e1975));
+                                let _e2329 = ((_e1985 * _e1974) - (_e1979 * _e1976));
+                                let _e2332 = ((_e1979 * _e1975) - (_e1982 * _e1974));
+                                let _e2337 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
+                                let _e2342 = (((_e2326 * _e2004) + (_e2329 * _e2005)) + (_e2332 * _e2006));
+                                let _e2347 = (((_e2326 * _e2007) + (_e2329 * _e2008)) + (_e2332 * _e2009));
+                                let _e2352 = (((_e2326 * _e1988[0]) + (_e2329 * _e1988[1])) + (_e2332 * _e1988[2]));
+                                let _e2357 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
+                                let _e2362 = (((_e2326 * _e2028) + (_e2329 * _e2029)) + (_e2332 * _e2030));
+                                let _e2367 = (((_e2326 * _e2031) + (_e2329 * _e2032)) + (_e2332 * _e2033));
+                                let _e2372 = (((_e2326 * _e2012[0]) + (_e2329 * _e2012[1])) + (_e2332 * _e2012[2]));
+                                if (_e2337 < _e2342) {
+                                    phi_4153_ = _e2337;
+                                } else {
+                                    phi_4153_ = _e2342;
+                                }
+                                let _e2375 = phi_4153_;
+                                if (_e2347 < _e2352) {
+                                    phi_4158_ = _e2347;
+                                } else {
+                                    phi_4158_ = _e2352;
+                                }
+                                let _e2378 = phi_4158_;
+                                if (_e2375 < _e2378) {
+                                    phi_4163_ = _e2375;
+                                } else {
+                                    phi_4163_ = _e2378;
+                                }
+                                let _e2381 = phi_4163_;
+                                if (_e2357 < _e2362) {
+                                    phi_4168_ = _e2357;
+                                } else {
+                                    phi_4168_ = _e2362;
+                                }
+                                let _e2384 = phi_4168_;
+                                if (_e2367 < _e2372) {
+                                    phi_4173_ = _e2367;
+                                } else {
+                                    phi_4173_ = _e2372;
+                                }
+                                let _e2387 = phi_4173_;
+                                if (_e2384 < _e2387) {
+                                    phi_4178_ = _e2384;
+                                } else {
+                                    phi_4178_ = _e2387;
+                                }
+                                let _e2390 = phi_4178_;
+                                if (_e2381 < _e2390) {
+                                    phi_4183_ = _e2381;
+                                } else {
+                                    phi_4183_ = _e2390;
+                                }
+                                let _e2393 = phi_4183_;
+                                if (_e2337 > _e2342) {
+                                    phi_4188_ = _e2337;
+                                } else {
+                                    phi_4188_ = _e2342;
+                                }
+                                let _e2396 = phi_4188_;
+                                if (_e2347 > _e2352) {
+                                    phi_4193_ = _e2347;
+                                } else {
+                                    phi_4193_ = _e2352;
+                                }
+                                let _e2399 = phi_4193_;
+                                if (_e2396 > _e2399) {
+                                    phi_4198_ = _e2396;
+                                } else {
+                                    phi_4198_ = _e2399;
+                                }
+                                let _e2402 = phi_4198_;
+                                if (_e2357 > _e2362) {
+                                    phi_4203_ = _e2357;
+                                } else {
+                                    phi_4203_ = _e2362;
+                                }
+                                let _e2405 = phi_4203_;
+                                if (_e2367 > _e2372) {
+                                    phi_4208_ = _e2367;
+                                } else {
+                                    phi_4208_ = _e2372;
+                                }
+                                let _e2408 = phi_4208_;
+                                if (_e2405 > _e2408) {
+                                    phi_4213_ = _e2405;
+                                } else {
+                                    phi_4213_ = _e2408;
+                                }
+                                let _e2411 = phi_4213_;
+                                if (_e2402 > _e2411) {
+                                    phi_4218_ = _e2402;
+                                } else {
+                                    phi_4218_ = _e2411;
+                                }
+                                let _e2414 = phi_4218_;
+                                if (_e2326 < 0f) {
+                                    phi_4224_ = -(_e2326);
+                                } else {
+                                    phi_4224_ = _e2326;
+                                }
+                                let _e2418 = phi_4224_;
+                                if (_e2329 < 0f) {
+                                    phi_4230_ = -(_e2329);
+                                } else {
+                                    phi_4230_ = _e2329;
+                                }
+                                let _e2422 = phi_4230_;
+                                if (_e2332 < 0f) {
+                                    phi_4237_ = -(_e2332);
+                                } else {
+                                    phi_4237_ = _e2332;
+                                }
+                                let _e2427 = phi_4237_;
+                                let _e2428 = ((_e2418 + _e2422) + _e2427);
+                                let _e2433 = -(_e2414);
+                                if (_e2393 > _e2433) {
+                                    phi_4248_ = _e2393;
+                                } else {
+                                    phi_4248_ = _e2433;
+                                }
+                                let _e2436 = phi_4248_;
+                                let _e2441 = (((_e2436 - ((_e2428 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2428 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2323 > _e2441) {
+                                    phi_4258_ = _e2323;
+                                } else {
+                                    phi_4258_ = _e2441;
+                                }
+                                let _e2444 = phi_4258_;
+                                let _e2445 = (_e1974 - _e1959);
+                                let _e2446 = (_e1975 - _e1960);
+                                let _e2447 = (_e1976 - _e1961);
+                                let _e2450 = ((_e1982 * _e2447) - (_e1985 * _e2446));
+                                let _e2453 = ((_e1985 * _e2445) - (_e1979 * _e2447));
+                                let _e2456 = ((_e1979 * _e2446) - (_e1982 * _e2445));
+                                let _e2461 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
+                                let _e2466 = (((_e2450 * _e2004) + (_e2453 * _e2005)) + (_e2456 * _e2006));
+                                let _e2471 = (((_e2450 * _e2007) + (_e2453 * _e2008)) + (_e2456 * _e2009));
+                                let _e2476 = (((_e2450 * _e1988[0]) + (_e2453 * _e1988[1])) + (_e2456 * _e1988[2]));
+                                let _e2481 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
+                                let _e2486 = (((_e2450 * _e2028) + (_e2453 * _e2029)) + (_e2456 * _e2030));
+                                let _e2491 = (((_e2450 * _e2031) + (_e2453 * _e2032)) + (_e2456 * _e2033));
+                                let _e2496 = (((_e2450 * _e2012[0]) + (_e2453 * _e2012[1])) + (_e2456 * _e2012[2]));
+                                if (_e2461 < _e2466) {
+                                    phi_4331_ = _e2461;
+                                } else {
+                                    phi_4331_ = _e2466;
+                                }
+                                let _e2499 = phi_4331_;
+                                if (_e2471 < _e2476) {
+                                    phi_4336_ = _e2471;
+                                } else {
+                                    phi_4336_ = _e2476;
+                                }
+                                let _e2502 = phi_4336_;
+                                if (_e2499 < _e2502) {
+                                    phi_4341_ = _e2499;
+                                } else {
+                                    phi_4341_ = _e2502;
+                                }
+                                let _e2505 = phi_4341_;
+                                if (_e2481 < _e2486) {
+                                    phi_4346_ = _e2481;
+                                } else {
+                                    phi_4346_ = _e2486;
+                                }
+                                let _e2508 = phi_4346_;
+                                if (_e2491 < _e2496) {
+                                    phi_4351_ = _e2491;
+                                } else {
+                                    phi_4351_ = _e2496;
+                                }
+                                let _e2511 = phi_4351_;
+                                if (_e2508 < _e2511) {
+                                    phi_4356_ = _e2508;
+                                } else {
+                                    phi_4356_ = _e2511;
+                                }
+                                let _e2514 = phi_4356_;
+                                if (_e2505 < _e2514) {
+                                    phi_4361_ = _e2505;
+                                } else {
+                                    phi_4361_ = _e2514;
+                                }
+                                let _e2517 = phi_4361_;
+                                if (_e2461 > _e2466) {
+                                    phi_4366_ = _e2461;
+                                } else {
+                                    phi_4366_ = _e2466;
+                                }
+                                let _e2520 = phi_4366_;
+                                if (_e2471 > _e2476) {
+                                    phi_4371_ = _e2471;
+                                } else {
+                                    phi_4371_ = _e2476;
+                                }
+                                let _e2523 = phi_4371_;
+                                if (_e2520 > _e2523) {
+                                    phi_4376_ = _e2520;
+                                } else {
+                                    phi_4376_ = _e2523;
+                                }
+                                let _e2526 = phi_4376_;
+                                if (_e2481 > _e2486) {
+                                    phi_4381_ = _e2481;
+                                } else {
+                                    phi_4381_ = _e2486;
+                                }
+                                let _e2529 = phi_4381_;
+                                if (_e2491 > _e2496) {
+                                    phi_4386_ = _e2491;
+                                } else {
+                                    phi_4386_ = _e2496;
+                                }
+                                let _e2532 = phi_4386_;
+                                if (_e2529 > _e2532) {
+                                    phi_4391_ = _e2529;
+                                } else {
+                                    phi_4391_ = _e2532;
+                                }
+                                let _e2535 = phi_4391_;
+                                if (_e2526 > _e2535) {
+                                    phi_4396_ = _e2526;
+                                } else {
+                                    phi_4396_ = _e2535;
+                                }
+                                let _e2538 = phi_4396_;
+                                if (_e2450 < 0f) {
+                                    phi_4402_ = -(_e2450);
+                                } else {
+                                    phi_4402_ = _e2450;
+                                }
+                                let _e2542 = phi_4402_;
+                                if (_e2453 < 0f) {
+                                    phi_4408_ = -(_e2453);
+                                } else {
+                                    phi_4408_ = _e2453;
+                                }
+                                let _e2546 = phi_4408_;
+                                if (_e2456 < 0f) {
+                                    phi_4415_ = -(_e2456);
+                                } else {
+                                    phi_4415_ = _e2456;
+                                }
+                                let _e2551 = phi_4415_;
+                                let _e2552 = ((_e2542 + _e2546) + _e2551);
+                                let _e2557 = -(_e2538);
+                                if (_e2517 > _e2557) {
+                                    phi_4426_ = _e2517;
+                                } else {
+                                    phi_4426_ = _e2557;
+                                }
+                                let _e2560 = phi_4426_;
+                                let _e2565 = (((_e2560 - ((_e2552 * _e2198) * (0.000000059604645f * (17f / 2f)))) - (_e2552 * _e2205)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                if (_e2444 > _e2565) {
+                                    phi_4436_ = _e2444;
+                                } else {
+                                    phi_4436_ = _e2565;
+                                }
+                                let _e2568 = phi_4436_;
+                                phi_4440_ = (_e1946 || (_e2568 > 0f));
                             }
-                            let _e1989 = phi_3447_;
-                            if (_e1986 < _e1989) {
-                                phi_3452_ = _e1986;
+                            let _e2572 = phi_4440_;
+                            if _e2572 {
+                                phi_7857_ = _e2572;
                             } else {
-                                phi_3452_ = _e1989;
+                                let _e2575 = local_2.member[0u];
+                                let _e2581 = local_2.member[1u];
+                                let _e2588 = ((_e2575[0] + _e2581[0]) * 0.5f);
+                                let _e2589 = ((_e2575[1] + _e2581[1]) * 0.5f);
+                                let _e2590 = ((_e2575[2] + _e2581[2]) * 0.5f);
+                                let _e2593 = local_2.member_1[0u];
+                                let _e2599 = local_2.member_1[1u];
+                                let _e2606 = ((_e2593[0] + _e2599[0]) * 0.5f);
+                                let _e2607 = ((_e2593[1] + _e2599[1]) * 0.5f);
+                                let _e2608 = ((_e2593[2] + _e2599[2]) * 0.5f);
+                                let _e2611 = local_2.member_2[0u];
+                                let _e2617 = local_2.member_2[1u];
+                                let _e2624 = ((_e2611[0] + _e2617[0]) * 0.5f);
+                                let _e2625 = ((_e2611[1] + _e2617[1]) * 0.5f);
+                                let _e2626 = ((_e2611[2] + _e2617[2]) * 0.5f);
+                                let _e2629 = local_2.member[0u];
+                                let _e2632 = local_2.member_1[0u];
+                                let _e2635 = local_2.member_2[0u];
+                                let _e2637 = local_2.member_3;
+                                let _e2640 = local_2.member[1u];
+                                let _e2643 = local_2.member_1[1u];
+                                let _e2646 = local_2.member_2[1u];
+                                let _e2648 = local_2.member_3;
+                                local = type_37(array<array<f32, 3>, 2>(_e2629, array<f32, 3>(_e2588, _e2589, _e2590)), array<array<f32, 3>, 2>(_e2632, array<f32, 3>(_e2606, _e2607, _e2608)), array<array<f32, 3>, 2>(_e2635, array<f32, 3>(_e2624, _e2625, _e2626)), _e2637);
+                                local_1 = type_37(array<array<f32, 3>, 2>(array<f32, 3>(_e2588, _e2589, _e2590), _e2640), array<array<f32, 3>, 2>(array<f32, 3>(_e2606, _e2607, _e2608), _e2643), array<array<f32, 3>, 2>(array<f32, 3>(_e2624, _e2625, _e2626), _e2646), _e2648);
+                                let _e2665 = local.member_1[0u];
+                                let _e2671 = local.member_2[0u];
+                                let _e2677 = ((_e2665[1] * _e2671[2]) - (_e2665[2] * _e2671[1]));
+                                let _e2680 = ((_e2665[2] * _e2671[0]) - (_e2665[0] * _e2671[2]));
+                                let _e2683 = ((_e2665[0] * _e2671[1]) - (_e2665[1] * _e2671[0]));
+                                let _e2686 = local.member_1[1u];
+                                let _e2692 = local.member_2[1u];
+                                let _e2698 = ((_e2686[1] * _e2692[2]) - (_e2686[2] * _e2692[1]));
+                                let _e2701 = ((_e2686[2] * _e2692[0]) - (_e2686[0] * _e2692[2]));
+                                let _e2704 = ((_e2686[0] * _e2692[1]) - (_e2686[1] * _e2692[0]));
+                                let _e2707 = local.member_1[0u];
+                                let _e2713 = local.member_2[1u];
+                                let _e2728 = local.member_1[1u];
+                                let _e2734 = local.member_2[0u];
+                                let _e2747 = (((_e2707[1] * _e2713[2]) - (_e2707[2] * _e2713[1])) + ((_e2728[1] * _e2734[2]) - (_e2728[2] * _e2734[1])));
+                                let _e2748 = (((_e2707[2] * _e2713[0]) - (_e2707[0] * _e2713[2])) + ((_e2728[2] * _e2734[0]) - (_e2728[0] * _e2734[2])));
+                                let _e2749 = (((_e2707[0] * _e2713[1]) - (_e2707[1] * _e2713[0])) + ((_e2728[0] * _e2734[1]) - (_e2728[1] * _e2734[0])));
+                                let _e2752 = local.member[0u];
+                                let _e2763 = local.member[1u];
+                                let _e2774 = local.member[0u];
+                                let _e2783 = ((((_e2763[0] * _e2677) + (_e2763[1] * _e2680)) + (_e2763[2] * _e2683)) + (((_e2774[0] * _e2747) + (_e2774[1] * _e2748)) + (_e2774[2] * _e2749)));
+                                let _e2786 = local.member[0u];
+                                let _e2797 = local.member[1u];
+                                let _e2806 = ((((_e2786[0] * _e2698) + (_e2786[1] * _e2701)) + (_e2786[2] * _e2704)) + (((_e2797[0] * _e2747) + (_e2797[1] * _e2748)) + (_e2797[2] * _e2749)));
+                                let _e2809 = local.member[1u];
+                                let _e2820 = local.member[0u];
+                                if (_e2820[0] < 0f) {
+                                    phi_4892_ = -(_e2820[0]);
+                                } else {
+                                    phi_4892_ = _e2820[0];
+                                }
+                                let _e2827 = phi_4892_;
+                                if (_e2820[1] < 0f) {
+                                    phi_4899_ = -(_e2820[1]);
+                                } else {
+                                    phi_4899_ = _e2820[1];
+                                }
+                                let _e2831 = phi_4899_;
+                                if (_e2827 > _e2831) {
+                                    phi_4904_ = _e2827;
+                                } else {
+                                    phi_4904_ = _e2831;
+                                }
+                                let _e2834 = phi_4904_;
+                                if (_e2820[2] < 0f) {
+                                    phi_4911_ = -(_e2820[2]);
+                                } else {
+                                    phi_4911_ = _e2820[2];
+                                }
+                                let _e2838 = phi_4911_;
+                                if (_e2834 > _e2838) {
+                                    phi_4916_ = _e2834;
+                                } else {
+                                    phi_4916_ = _e2838;
+                                }
+                                let _e2841 = phi_4916_;
+                                let _e2844 = local.member[1u];
+                                if (_e2844[0] < 0f) {
+                                    phi_4929_ = -(_e2844[0]);
+                                } else {
+                                    phi_4929_ = _e2844[0];
+                                }
+                                let _e2851 = phi_4929_;
+                                if (_e2844[1] < 0f) {
+                                    phi_4936_ = -(_e2844[1]);
+                                } else {
+                                    phi_4936_ = _e2844[1];
+                                }
+                                let _e2855 = phi_4936_;
+                                if (_e2851 > _e2855) {
+                                    phi_4941_ = _e2851;
+                                } else {
+                                    phi_4941_ = _e2855;
+                                }
+                                let _e2858 = phi_4941_;
+                                if (_e2844[2] < 0f) {
+                                    phi_4948_ = -(_e2844[2]);
+                                } else {
+                                    phi_4948_ = _e2844[2];
+                                }
+                                let _e2862 = phi_4948_;
+                                if (_e2858 > _e2862) {
+                                    phi_4953_ = _e2858;
+                                } else {
+                                    phi_4953_ = _e2862;
+                                }
+                                let _e2865 = phi_4953_;
+                                if (_e2841 > _e2865) {
+                                    phi_4958_ = _e2841;
+                                } else {
+                                    phi_4958_ = _e2865;
+                                }
+                                let _e2868 = phi_4958_;
+                                let _e2870 = local.member_3;
+                                let _e2871 = (_e2868 + _e2870);
+                                let _e2874 = local.member_1[0u];
+                                if (_e2874[0] < 0f) {
+                                    phi_4975_ = -(_e2874[0]);
+                                } else {
+                                    phi_4975_ = _e2874[0];
+                                }
+                                let _e2881 = phi_4975_;
+                                if (_e2874[1] < 0f) {
+                                    phi_4982_ = -(_e2874[1]);
+                                } else {
+                                    phi_4982_ = _e2874[1];
+                                }
+                                let _e2885 = phi_4982_;
+                                if (_e2881 > _e2885) {
+                                    phi_4987_ = _e2881;
+                                } else {
+                                    phi_4987_ = _e2885;
+                                }
+                                let _e2888 = phi_4987_;
+                                if (_e2874[2] < 0f) {
+                                    phi_4994_ = -(_e2874[2]);
+                                } else {
+                                    phi_4994_ = _e2874[2];
+                                }
+                                let _e2892 = phi_4994_;
+                                if (_e2888 > _e2892) {
+                                    phi_4999_ = _e2888;
+                                } else {
+                                    phi_4999_ = _e2892;
+                                }
+                                let _e2895 = phi_4999_;
+                                let _e2898 = local.member_1[1u];
+                                if (_e2898[0] < 0f) {
+                                    phi_5013_ = -(_e2898[0]);
+                                } else {
+                                    phi_5013_ = _e2898[0];
+                                }
+                                let _e2905 = phi_5013_;
+                                if (_e2898[1] < 0f) {
+                                    phi_5020_ = -(_e2898[1]);
+                                } else {
+                                    phi_5020_ = _e2898[1];
+                                }
+                                let _e2909 = phi_5020_;
+                                if (_e2905 > _e2909) {
+                                    phi_5025_ = _e2905;
+                                } else {
+                                    phi_5025_ = _e2909;
+                                }
+                                let _e2912 = phi_5025_;
+                                if (_e2898[2] < 0f) {
+                                    phi_5032_ = -(_e2898[2]);
+                                } else {
+                                    phi_5032_ = _e2898[2];
+                                }
+                                let _e2916 = phi_5032_;
+                                if (_e2912 > _e2916) {
+                                    phi_5037_ = _e2912;
+                                } else {
+                                    phi_5037_ = _e2916;
+                                }
+                                let _e2919 = phi_5037_;
+                                if (_e2895 > _e2919) {
+                                    phi_5042_ = _e2895;
+                                } else {
+                                    phi_5042_ = _e2919;
+                                }
+                                let _e2922 = phi_5042_;
+                                let _e2924 = local.member_3;
+                                let _e2925 = (_e2922 + _e2924);
+                                let _e2928 = local.member_2[0u];
+                                if (_e2928[0] < 0f) {
+                                    phi_5059_ = -(_e2928[0]);
+                                } else {
+                                    phi_5059_ = _e2928[0];
+                                }
+                                let _e2935 = phi_5059_;
+                                if (_e2928[1] < 0f) {
+                                    phi_5066_ = -(_e2928[1]);
+                                } else {
+                                    phi_5066_ = _e2928[1];
+                                }
+                                let _e2939 = phi_5066_;
+                                if (_e2935 > _e2939) {
+                                    phi_5071_ = _e2935;
+                                } else {
+                                    phi_5071_ = _e2939;
+                                }
+                                let _e2942 = phi_5071_;
+                                if (_e2928[2] < 0f) {
+                                    phi_5078_ = -(_e2928[2]);
+                                } else {
+                                    phi_5078_ = _e2928[2];
+                                }
+                                let _e2946 = phi_5078_;
+                                if (_e2942 > _e2946) {
+                                    phi_5083_ = _e2942;
+                                } else {
+                                    phi_5083_ = _e2946;
+                                }
+                                let _e2949 = phi_5083_;
+                                let _e2952 = local.member_2[1u];
+                                if (_e2952[0] < 0f) {
+                                    phi_5097_ = -(_e2952[0]);
+                                } else {
+                                    phi_5097_ = _e2952[0];
+                                }
+                                let _e2959 = phi_5097_;
+                                if (_e2952[1] < 0f) {
+                                    phi_5104_ = -(_e2952[1]);
+                                } else {
+                                    phi_5104_ = _e2952[1];
+                                }
+                                let _e2963 = phi_5104_;
+                                if (_e2959 > _e2963) {
+                                    phi_5109_ = _e2959;
+                                } else {
+                                    phi_5109_ = _e2963;
+                                }
+                                let _e2966 = phi_5109_;
+                                if (_e2952[2] < 0f) {
+                                    phi_5116_ = -(_e2952[2]);
+                                } else {
+                                    phi_5116_ = _e2952[2];
+                                }
+                                let _e2970 = phi_5116_;
+                                if (_e2966 > _e2970) {
+                                    phi_5121_ = _e2966;
+                                } else {
+                                    phi_5121_ = _e2970;
+                                }
+                                let _e2973 = phi_5121_;
+                                if (_e2949 > _e2973) {
+                                    phi_5126_ = _e2949;
+                                } else {
+                                    phi_5126_ = _e2973;
+                                }
+                                let _e2976 = phi_5126_;
+                                let _e2978 = local.member_3;
+                                let _e2979 = (_e2976 + _e2978);
+                                let _e2981 = ((_e2925 * 8f) * _e2979);
+                                let _e2988 = local.member_3;
+                                if (_e2677 < 0f) {
+                                    phi_5157_ = -(_e2677);
+                                } else {
+                                    phi_5157_ = _e2677;
+                                }
+                                let _e3005 = phi_5157_;
+                                if (_e2680 < 0f) {
+                                    phi_5163_ = -(_e2680);
+                                } else {
+                                    phi_5163_ = _e2680;
+                                }
+                                let _e3009 = phi_5163_;
+                                if (_e2683 < 0f) {
+                                    phi_5170_ = -(_e2683);
+                                } else {
+                                    phi_5170_ = _e2683;
+                                }
+                                let _e3014 = phi_5170_;
+                                let _e3015 = ((_e3005 + _e3009) + _e3014);
+                                if (_e2698 < 0f) {
+                                    phi_5177_ = -(_e2698);
+                                } else {
+                                    phi_5177_ = _e2698;
+                                }
+                                let _e3019 = phi_5177_;
+                                if (_e2701 < 0f) {
+                                    phi_5183_ = -(_e2701);
+                                } else {
+                                    phi_5183_ = _e2701;
+                                }
+                                let _e3023 = phi_5183_;
+                                if (_e2704 < 0f) {
+                                    phi_5190_ = -(_e2704);
+                                } else {
+                                    phi_5190_ = _e2704;
+                                }
+                                let _e3028 = phi_5190_;
+                                let _e3029 = ((_e3019 + _e3023) + _e3028);
+                                if (_e3015 > _e3029) {
+                                    phi_5196_ = _e3015;
+                                } else {
+                                    phi_5196_ = _e3029;
+                                }
+                                let _e3032 = phi_5196_;
+                                if (_e2747 < 0f) {
+                                    phi_5202_ = -(_e2747);
+                                } else {
+                                    phi_5202_ = _e2747;
+                                }
+                                let _e3036 = phi_5202_;
+                                if (_e2748 < 0f) {
+                                    phi_5208_ = -(_e2748);
+                                } else {
+                                    phi_5208_ = _e2748;
+                                }
+                                let _e3040 = phi_5208_;
+                                if (_e2749 < 0f) {
+                                    phi_5215_ = -(_e2749);
+                                } else {
+                                    phi_5215_ = _e2749;
+                                }
+                                let _e3045 = phi_5215_;
+                                let _e3047 = (((_e3036 + _e3040) + _e3045) * 0.5f);
+                                if (_e3032 > _e3047) {
+                                    phi_5222_ = _e3032;
+                                } else {
+                                    phi_5222_ = _e3047;
+                                }
+                                let _e3050 = phi_5222_;
+                                let _e3055 = local.member_3;
+                                let _e3068 = ((((_e2752[0] * _e2677) + (_e2752[1] * _e2680)) + (_e2752[2] * _e2683)) * 3f);
+                                let _e3069 = ((((_e2809[0] * _e2698) + (_e2809[1] * _e2701)) + (_e2809[2] * _e2704)) * 3f);
+                                if (_e3068 < _e3069) {
+                                    phi_5246_ = _e3068;
+                                } else {
+                                    phi_5246_ = _e3069;
+                                }
+                                let _e3072 = phi_5246_;
+                                if (_e2783 < _e2806) {
+                                    phi_5251_ = _e2783;
+                                } else {
+                                    phi_5251_ = _e2806;
+                                }
+                                let _e3075 = phi_5251_;
+                                if (_e3072 < _e3075) {
+                                    phi_5256_ = _e3072;
+                                } else {
+                                    phi_5256_ = _e3075;
+                                }
+                                let _e3078 = phi_5256_;
+                                if (_e3068 > _e3069) {
+                                    phi_5261_ = _e3068;
+                                } else {
+                                    phi_5261_ = _e3069;
+                                }
+                                let _e3081 = phi_5261_;
+                                if (_e2783 > _e2806) {
+                                    phi_5266_ = _e2783;
+                                } else {
+                                    phi_5266_ = _e2806;
+                                }
+                                let _e3084 = phi_5266_;
+                                if (_e3081 > _e3084) {
+                                    phi_5271_ = _e3081;
+                                } else {
+                                    phi_5271_ = _e3084;
+                                }
+                                let _e3087 = phi_5271_;
+                                let _e3092 = -(_e3087);
+                                if (_e3078 > _e3092) {
+                                    phi_5281_ = _e3078;
+                                } else {
+                                    phi_5281_ = _e3092;
+                                }
+                                let _e3095 = phi_5281_;
+                                let _e3097 = ((_e3095 - ((((((_e2871 * 8f) * _e2981) * (0.000000059604645f * (524f / 64f))) + ((_e2988 * 19f) * ((_e2871 * (_e2925 + _e2979)) + (_e2925 * _e2979)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2871) * ((1f + _e2925) * (1f + _e2979))))) + ((_e1434 * (((_e3050 + (_e2981 * (0.000000059604645f * 8f))) + ((_e3055 * 6f) * (_e2925 + _e2979))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2925) * (1f + _e2979))))) * (3f * 1.0001f)))) > 0f);
+                                if _e3097 {
+                                    phi_6250_ = _e3097;
+                                } else {
+                                    let _e3100 = local.member_1[0u];
+                                    let _e3106 = local.member_1[1u];
+                                    let _e3110 = (_e3100[0] + _e3106[0]);
+                                    let _e3111 = (_e3100[1] + _e3106[1]);
+                                    let _e3112 = (_e3100[2] + _e3106[2]);
+                                    let _e3115 = local.member_2[0u];
+                                    let _e3121 = local.member_2[1u];
+                                    let _e3125 = (_e3115[0] + _e3121[0]);
+                                    let _e3126 = (_e3115[1] + _e3121[1]);
+                                    let _e3127 = (_e3115[2] + _e3121[2]);
+                                    let _e3130 = ((_e3111 * _e3127) - (_e3112 * _e3126));
+                                    let _e3133 = ((_e3112 * _e3125) - (_e3110 * _e3127));
+                                    let _e3136 = ((_e3110 * _e3126) - (_e3111 * _e3125));
+                                    let _e3139 = local.member[0u];
+                                    let _e3145 = local.member_1[0u];
+                                    let _e3151 = local.member_2[0u];
+                                    let _e3155 = (_e3139[0] - _e3145[0]);
+                                    let _e3156 = (_e3139[1] - _e3145[1]);
+                                    let _e3157 = (_e3139[2] - _e3145[2]);
+                                    let _e3158 = (_e3139[0] - _e3151[0]);
+                                    let _e3159 = (_e3139[1] - _e3151[1]);
+                                    let _e3160 = (_e3139[2] - _e3151[2]);
+                                    let _e3163 = local.member[1u];
+                                    let _e3169 = local.member_1[1u];
+                                    let _e3175 = local.member_2[1u];
+                                    let _e3179 = (_e3163[0] - _e3169[0]);
+                                    let _e3180 = (_e3163[1] - _e3169[1]);
+                                    let _e3181 = (_e3163[2] - _e3169[2]);
+                                    let _e3182 = (_e3163[0] - _e3175[0]);
+                                    let _e3183 = (_e3163[1] - _e3175[1]);
+                                    let _e3184 = (_e3163[2] - _e3175[2]);
+                                    let _e3187 = local.member[0u];
+                                    if (_e3187[0] < 0f) {
+                                        phi_5484_ = -(_e3187[0]);
+                                    } else {
+                                        phi_5484_ = _e3187[0];
+                                    }
+                                    let _e3194 = phi_5484_;
+                                    if (_e3187[1] < 0f) {
+                                        phi_5491_ = -(_e3187[1]);
+                                    } else {
+                                        phi_5491_ = _e3187[1];
+                                    }
+                                    let _e3198 = phi_5491_;
+                                    if (_e3194 > _e3198) {
+                                        phi_5496_ = _e3194;
+                                    } else {
+                                        phi_5496_ = _e3198;
+                                    }
+                                    let _e3201 = phi_5496_;
+                                    if (_e3187[2] < 0f) {
+                                        phi_5503_ = -(_e3187[2]);
+                                    } else {
+                                        phi_5503_ = _e3187[2];
+                                    }
+                                    let _e3205 = phi_5503_;
+                                    if (_e3201 > _e3205) {
+                                        phi_5508_ = _e3201;
+                                    } else {
+                                        phi_5508_ = _e3205;
+                                    }
+                                    let _e3208 = phi_5508_;
+                                    let _e3211 = local.member[1u];
+                                    if (_e3211[0] < 0f) {
+                                        phi_5521_ = -(_e3211[0]);
+                                    } else {
+                                        phi_5521_ = _e3211[0];
+                                    }
+                                    let _e3218 = phi_5521_;
+                                    if (_e3211[1] < 0f) {
+                                        phi_5528_ = -(_e3211[1]);
+                                    } else {
+                                        phi_5528_ = _e3211[1];
+                                    }
+                                    let _e3222 = phi_5528_;
+                                    if (_e3218 > _e3222) {
+                                        phi_5533_ = _e3218;
+                                    } else {
+                                        phi_5533_ = _e3222;
+                                    }
+                                    let _e3225 = phi_5533_;
+                                    if (_e3211[2] < 0f) {
+                                        phi_5540_ = -(_e3211[2]);
+                                    } else {
+                                        phi_5540_ = _e3211[2];
+                                    }
+                                    let _e3229 = phi_5540_;
+                                    if (_e3225 > _e3229) {
+                                        phi_5545_ = _e3225;
+                                    } else {
+                                        phi_5545_ = _e3229;
+                                    }
+                                    let _e3232 = phi_5545_;
+                                    if (_e3208 > _e3232) {
+                                        phi_5550_ = _e3208;
+                                    } else {
+                                        phi_5550_ = _e3232;
+                                    }
+                                    let _e3235 = phi_5550_;
+                                    let _e3237 = local.member_3;
+                                    let _e3241 = local.member_1[0u];
+                                    if (_e3241[0] < 0f) {
+                                        phi_5567_ = -(_e3241[0]);
+                                    } else {
+                                        phi_5567_ = _e3241[0];
+                                    }
+                                    let _e3248 = phi_5567_;
+                                    if (_e3241[1] < 0f) {
+                                        phi_5574_ = -(_e3241[1]);
+                                    } else {
+                                        phi_5574_ = _e3241[1];
+                                    }
+                                    let _e3252 = phi_5574_;
+                                    if (_e3248 > _e3252) {
+                                        phi_5579_ = _e3248;
+                                    } else {
+                                        phi_5579_ = _e3252;
+                                    }
+                                    let _e3255 = phi_5579_;
+                                    if (_e3241[2] < 0f) {
+                                        phi_5586_ = -(_e3241[2]);
+                                    } else {
+                                        phi_5586_ = _e3241[2];
+                                    }
+                                    let _e3259 = phi_5586_;
+                                    if (_e3255 > _e3259) {
+                                        phi_5591_ = _e3255;
+                                    } else {
+                                        phi_5591_ = _e3259;
+                                    }
+                                    let _e3262 = phi_5591_;
+                                    let _e3265 = local.member_1[1u];
+                                    if (_e3265[0] < 0f) {
+                                        phi_5605_ = -(_e3265[0]);
+                                    } else {
+                                        phi_5605_ = _e3265[0];
+                                    }
+                                    let _e3272 = phi_5605_;
+                                    if (_e3265[1] < 0f) {
+                                        phi_5612_ = -(_e3265[1]);
+                                    } else {
+                                        phi_5612_ = _e3265[1];
+                                    }
+                                    let _e3276 = phi_5612_;
+                                    if (_e3272 > _e3276) {
+                                        phi_5617_ = _e3272;
+                                    } else {
+                                        phi_5617_ = _e3276;
+                                    }
+                                    let _e3279 = phi_5617_;
+                                    if (_e3265[2] < 0f) {
+                                        phi_5624_ = -(_e3265[2]);
+                                    } else {
+                                        phi_5624_ = _e3265[2];
+                                    }
+                                    let _e3283 = phi_5624_;
+                                    if (_e3279 > _e3283) {
+                                        phi_5629_ = _e3279;
+                                    } else {
+                                        phi_5629_ = _e3283;
+                                    }
+                                    let _e3286 = phi_5629_;
+                                    if (_e3262 > _e3286) {
+                                        phi_5634_ = _e3262;
+                                    } else {
+                                        phi_5634_ = _e3286;
+                                    }
+                                    let _e3289 = phi_5634_;
+                                    let _e3291 = local.member_3;
+                                    let _e3295 = local.member_2[0u];
+                                    if (_e3295[0] < 0f) {
+                                        phi_5651_ = -(_e3295[0]);
+                                    } else {
+                                        phi_5651_ = _e3295[0];
+                                    }
+                                    let _e3302 = phi_5651_;
+                                    if (_e3295[1] < 0f) {
+                                        phi_5658_ = -(_e3295[1]);
+                                    } else {
+                                        phi_5658_ = _e3295[1];
+                                    }
+                                    let _e3306 = phi_5658_;
+                                    if (_e3302 > _e3306) {
+                                        phi_5663_ = _e3302;
+                                    } else {
+                                        phi_5663_ = _e3306;
+                                    }
+                                    let _e3309 = phi_5663_;
+                                    if (_e3295[2] < 0f) {
+                                        phi_5670_ = -(_e3295[2]);
+                                    } else {
+                                        phi_5670_ = _e3295[2];
+                                    }
+                                    let _e3313 = phi_5670_;
+                                    if (_e3309 > _e3313) {
+                                        phi_5675_ = _e3309;
+                                    } else {
+                                        phi_5675_ = _e3313;
+                                    }
+                                    let _e3316 = phi_5675_;
+                                    let _e3319 = local.member_2[1u];
+                                    if (_e3319[0] < 0f) {
+                                        phi_5689_ = -(_e3319[0]);
+                                    } else {
+                                        phi_5689_ = _e3319[0];
+                                    }
+                                    let _e3326 = phi_5689_;
+                                    if (_e3319[1] < 0f) {
+                                        phi_5696_ = -(_e3319[1]);
+                                    } else {
+                                        phi_5696_ = _e3319[1];
+                                    }
+                                    let _e3330 = phi_5696_;
+                                    if (_e3326 > _e3330) {
+                                        phi_5701_ = _e3326;
+                                    } else {
+                                        phi_5701_ = _e3330;
+                                    }
+                                    let _e3333 = phi_5701_;
+                                    if (_e3319[2] < 0f) {
+                                        phi_5708_ = -(_e3319[2]);
+                                    } else {
+                                        phi_5708_ = _e3319[2];
+                                    }
+                                    let _e3337 = phi_5708_;
+                                    if (_e3333 > _e3337) {
+                                        phi_5713_ = _e3333;
+                                    } else {
+                                        phi_5713_ = _e3337;
+                                    }
+                                    let _e3340 = phi_5713_;
+                                    if (_e3316 > _e3340) {
+                                        phi_5718_ = _e3316;
+                                    } else {
+                                        phi_5718_ = _e3340;
+                                    }
+                                    let _e3343 = phi_5718_;
+                                    let _e3345 = local.member_3;
+                                    let _e3349 = ((((_e3235 + _e3237) + (_e3289 + _e3291)) + (_e3343 + _e3345)) * 2f);
+                                    let _e3352 = local.member_3;
+                                    let _e3356 = (((_e1434 * 1.0001f) + (_e3352 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                    let _e3359 = ((_e3133 * _e3112) - (_e3136 * _e3111));
+                                    let _e3362 = ((_e3136 * _e3110) - (_e3130 * _e3112));
+                                    let _e3365 = ((_e3130 * _e3111) - (_e3133 * _e3110));
+                                    let _e3370 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
+                                    let _e3375 = (((_e3359 * _e3155) + (_e3362 * _e3156)) + (_e3365 * _e3157));
+                                    let _e3380 = (((_e3359 * _e3158) + (_e3362 * _e3159)) + (_e3365 * _e3160));
+                                    let _e3385 = (((_e3359 * _e3139[0]) + (_e3362 * _e3139[1])) + (_e3365 * _e3139[2]));
+                                    let _e3390 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
+                                    let _e3395 = (((_e3359 * _e3179) + (_e3362 * _e3180)) + (_e3365 * _e3181));
+                                    let _e3400 = (((_e3359 * _e3182) + (_e3362 * _e3183)) + (_e3365 * _e3184));
+                                    let _e3405 = (((_e3359 * _e3163[0]) + (_e3362 * _e3163[1])) + (_e3365 * _e3163[2]));
+                                    if (_e3370 < _e3375) {
+                                        phi_5797_ = _e3370;
+                                    } else {
+                                        phi_5797_ = _e3375;
+                                    }
+                                    let _e3408 = phi_5797_;
+                                    if (_e3380 < _e3385) {
+                                        phi_5802_ = _e3380;
+                                    } else {
+                                        phi_5802_ = _e3385;
+                                    }
+                                    let _e3411 = phi_5802_;
+                                    if (_e3408 < _e3411) {
+                                        phi_5807_ = _e3408;
+                                    } else {
+                                        phi_5807_ = _e3411;
+                                    }
+                                    let _e3414 = phi_5807_;
+                                    if (_e3390 < _e3395) {
+                                        phi_5812_ = _e3390;
+                                    } else {
+                                        phi_5812_ = _e3395;
+                                    }
+                                    let _e3417 = phi_5812_;
+                                    if (_e3400 < _e3405) {
+                                        phi_5817_ = _e3400;
+                                    } else {
+                                        phi_5817_ = _e3405;
+                                    }
+                                    let _e3420 = phi_5817_;
+                                    if (_e3417 < _e3420) {
+                                        phi_5822_ = _e3417;
+                                    } else {
+                                        phi_5822_ = _e3420;
+                                    }
+                                    let _e3423 = phi_5822_;
+                                    if (_e3414 < _e3423) {
+                                        phi_5827_ = _e3414;
+                                    } else {
+                                        phi_5827_ = _e3423;
+                                    }
+                                    let _e3426 = phi_5827_;
+                                    if (_e3370 > _e3375) {
+                                        phi_5832_ = _e3370;
+                                    } else {
+                                        phi_5832_ = _e3375;
+                                    }
+                                    let _e3429 = phi_5832_;
+                                    if (_e3380 > _e3385) {
+                                        phi_5837_ = _e3380;
+                                    } else {
+                                        phi_5837_ = _e3385;
+                                    }
+                                    let _e3432 = phi_5837_;
+                                    if (_e3429 > _e3432) {
+                                        phi_5842_ = _e3429;
+                                    } else {
+                                        phi_5842_ = _e3432;
+                                    }
+                                    let _e3435 = phi_5842_;
+                                    if (_e3390 > _e3395) {
+                                        phi_5847_ = _e3390;
+                                    } else {
+                                        phi_5847_ = _e3395;
+                                    }
+                                    let _e3438 = phi_5847_;
+                                    if (_e3400 > _e3405) {
+                                        phi_5852_ = _e3400;
+                                    } else {
+                                        phi_5852_ = _e3405;
+                                    }
+                                    let _e3441 = phi_5852_;
+                                    if (_e3438 > _e3441) {
+                                        phi_5857_ = _e3438;
+                                    } else {
+                                        phi_5857_ = _e3441;
+                                    }
+                                    let _e3444 = phi_5857_;
+                                    if (_e3435 > _e3444) {
+                                        phi_5862_ = _e3435;
+                                    } else {
+                                        phi_5862_ = _e3444;
+                                    }
+                                    let _e3447 = phi_5862_;
+                                    if (_e3359 < 0f) {
+                                        phi_5868_ = -(_e3359);
+                                    } else {
+                                        phi_5868_ = _e3359;
+                                    }
+                                    let _e3451 = phi_5868_;
+                                    if (_e3362 < 0f) {
+                                        phi_5874_ = -(_e3362);
+                                    } else {
+                                        phi_5874_ = _e3362;
+                                    }
+                                    let _e3455 = phi_5874_;
+                                    if (_e3365 < 0f) {
+                                        phi_5881_ = -(_e3365);
+                                    } else {
+                                        phi_5881_ = _e3365;
+                                    }
+                                    let _e3460 = phi_5881_;
+                                    let _e3461 = ((_e3451 + _e3455) + _e3460);
+                                    let _e3466 = -(_e3447);
+                                    if (_e3426 > _e3466) {
+                                        phi_5892_ = _e3426;
+                                    } else {
+                                        phi_5892_ = _e3466;
+                                    }
+                                    let _e3469 = phi_5892_;
+                                    let _e3474 = (((_e3469 - ((_e3461 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3461 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    let _e3477 = ((_e3133 * _e3127) - (_e3136 * _e3126));
+                                    let _e3480 = ((_e3136 * _e3125) - (_e3130 * _e3127));
+                                    let _e3483 = ((_e3130 * _e3126) - (_e3133 * _e3125));
+                                    let _e3488 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
+                                    let _e3493 = (((_e3477 * _e3155) + (_e3480 * _e3156)) + (_e3483 * _e3157));
+                                    let _e3498 = (((_e3477 * _e3158) + (_e3480 * _e3159)) + (_e3483 * _e3160));
+                                    let _e3503 = (((_e3477 * _e3139[0]) + (_e3480 * _e3139[1])) + (_e3483 * _e3139[2]));
+                                    let _e3508 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
+                                    let _e3513 = (((_e3477 * _e3179) + (_e3480 * _e3180)) + (_e3483 * _e3181));
+                                    let _e3518 = (((_e3477 * _e3182) + (_e3480 * _e3183)) + (_e3483 * _e3184));
+                                    let _e3523 = (((_e3477 * _e3163[0]) + (_e3480 * _e3163[1])) + (_e3483 * _e3163[2]));
+                                    if (_e3488 < _e3493) {
+                                        phi_5963_ = _e3488;
+                                    } else {
+                                        phi_5963_ = _e3493;
+                                    }
+                                    let _e3526 = phi_5963_;
+                                    if (_e3498 < _e3503) {
+                                        phi_5968_ = _e3498;
+                                    } else {
+                                        phi_5968_ = _e3503;
+                                    }
+                                    let _e3529 = phi_5968_;
+                                    if (_e3526 < _e3529) {
+                                        phi_5973_ = _e3526;
+                                    } else {
+                                        phi_5973_ = _e3529;
+                                    }
+                                    let _e3532 = phi_5973_;
+                                    if (_e3508 < _e3513) {
+                                        phi_5978_ = _e3508;
+                                    } else {
+                                        phi_5978_ = _e3513;
+                                    }
+                                    let _e3535 = phi_5978_;
+                                    if (_e3518 < _e3523) {
+                                        phi_5983_ = _e3518;
+                                    } else {
+                                        phi_5983_ = _e3523;
+                                    }
+                                    let _e3538 = phi_5983_;
+                                    if (_e3535 < _e3538) {
+                                        phi_5988_ = _e3535;
+                                    } else {
+                                        phi_5988_ = _e3538;
+                                    }
+                                    let _e3541 = phi_5988_;
+                                    if (_e3532 < _e3541) {
+                                        phi_5993_ = _e3532;
+                                    } else {
+                                        phi_5993_ = _e3541;
+                                    }
+                                    let _e3544 = phi_5993_;
+                                    if (_e3488 > _e3493) {
+                                        phi_5998_ = _e3488;
+                                    } else {
+                                        phi_5998_ = _e3493;
+                                    }
+                                    let _e3547 = phi_5998_;
+                                    if (_e3498 > _e3503) {
+                                        phi_6003_ = _e3498;
+                                    } else {
+                                        phi_6003_ = _e3503;
+                                    }
+                                    let _e3550 = phi_6003_;
+                                    if (_e3547 > _e3550) {
+                                        phi_6008_ = _e3547;
+                                    } else {
+                                        phi_6008_ = _e3550;
+                                    }
+                                    let _e3553 = phi_6008_;
+                                    if (_e3508 > _e3513) {
+                                        phi_6013_ = _e3508;
+                                    } else {
+                                        phi_6013_ = _e3513;
+                                    }
+                                    let _e3556 = phi_6013_;
+                                    if (_e3518 > _e3523) {
+                                        phi_6018_ = _e3518;
+                                    } else {
+                                        phi_6018_ = _e3523;
+                                    }
+                                    let _e3559 = phi_6018_;
+                                    if (_e3556 > _e3559) {
+                                        phi_6023_ = _e3556;
+                                    } else {
+                                        phi_6023_ = _e3559;
+                                    }
+                                    let _e3562 = phi_6023_;
+                                    if (_e3553 > _e3562) {
+                                        phi_6028_ = _e3553;
+                                    } else {
+                                        phi_6028_ = _e3562;
+                                    }
+                                    let _e3565 = phi_6028_;
+                                    if (_e3477 < 0f) {
+                                        phi_6034_ = -(_e3477);
+                                    } else {
+                                        phi_6034_ = _e3477;
+                                    }
+                                    let _e3569 = phi_6034_;
+                                    if (_e3480 < 0f) {
+                                        phi_6040_ = -(_e3480);
+                                    } else {
+                                        phi_6040_ = _e3480;
+                                    }
+                                    let _e3573 = phi_6040_;
+                                    if (_e3483 < 0f) {
+                                        phi_6047_ = -(_e3483);
+                                    } else {
+                                        phi_6047_ = _e3483;
+                                    }
+                                    let _e3578 = phi_6047_;
+                                    let _e3579 = ((_e3569 + _e3573) + _e3578);
+                                    let _e3584 = -(_e3565);
+                                    if (_e3544 > _e3584) {
+                                        phi_6058_ = _e3544;
+                                    } else {
+                                        phi_6058_ = _e3584;
+                                    }
+                                    let _e3587 = phi_6058_;
+                                    let _e3592 = (((_e3587 - ((_e3579 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3579 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3474 > _e3592) {
+                                        phi_6068_ = _e3474;
+                                    } else {
+                                        phi_6068_ = _e3592;
+                                    }
+                                    let _e3595 = phi_6068_;
+                                    let _e3596 = (_e3125 - _e3110);
+                                    let _e3597 = (_e3126 - _e3111);
+                                    let _e3598 = (_e3127 - _e3112);
+                                    let _e3601 = ((_e3133 * _e3598) - (_e3136 * _e3597));
+                                    let _e3604 = ((_e3136 * _e3596) - (_e3130 * _e3598));
+                                    let _e3607 = ((_e3130 * _e3597) - (_e3133 * _e3596));
+                                    let _e3612 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
+                                    let _e3617 = (((_e3601 * _e3155) + (_e3604 * _e3156)) + (_e3607 * _e3157));
+                                    let _e3622 = (((_e3601 * _e3158) + (_e3604 * _e3159)) + (_e3607 * _e3160));
+                                    let _e3627 = (((_e3601 * _e3139[0]) + (_e3604 * _e3139[1])) + (_e3607 * _e3139[2]));
+                                    let _e3632 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
+                                    let _e3637 = (((_e3601 * _e3179) + (_e3604 * _e3180)) + (_e3607 * _e3181));
+                                    let _e3642 = (((_e3601 * _e3182) + (_e3604 * _e3183)) + (_e3607 * _e3184));
+                                    let _e3647 = (((_e3601 * _e3163[0]) + (_e3604 * _e3163[1])) + (_e3607 * _e3163[2]));
+                                    if (_e3612 < _e3617) {
+                                        phi_6141_ = _e3612;
+                                    } else {
+                                        phi_6141_ = _e3617;
+                                    }
+                                    let _e3650 = phi_6141_;
+                                    if (_e3622 < _e3627) {
+                                        phi_6146_ = _e3622;
+                                    } else {
+                                        phi_6146_ = _e3627;
+                                    }
+                                    let _e3653 = phi_6146_;
+                                    if (_e3650 < _e3653) {
+                                        phi_6151_ = _e3650;
+                                    } else {
+                                        phi_6151_ = _e3653;
+                                    }
+                                    let _e3656 = phi_6151_;
+                                    if (_e3632 < _e3637) {
+                                        phi_6156_ = _e3632;
+                                    } else {
+                                        phi_6156_ = _e3637;
+                                    }
+                                    let _e3659 = phi_6156_;
+                                    if (_e3642 < _e3647) {
+                                        phi_6161_ = _e3642;
+                                    } else {
+                                        phi_6161_ = _e3647;
+                                    }
+                                    let _e3662 = phi_6161_;
+                                    if (_e3659 < _e3662) {
+                                        phi_6166_ = _e3659;
+                                    } else {
+                                        phi_6166_ = _e3662;
+                                    }
+                                    let _e3665 = phi_6166_;
+                                    if (_e3656 < _e3665) {
+                                        phi_6171_ = _e3656;
+                                    } else {
+                                        phi_6171_ = _e3665;
+                                    }
+                                    let _e3668 = phi_6171_;
+                                    if (_e3612 > _e3617) {
+                                        phi_6176_ = _e3612;
+                                    } else {
+                                        phi_6176_ = _e3617;
+                                    }
+                                    let _e3671 = phi_6176_;
+                                    if (_e3622 > _e3627) {
+                                        phi_6181_ = _e3622;
+                                    } else {
+                                        phi_6181_ = _e3627;
+                                    }
+                                    let _e3674 = phi_6181_;
+                                    if (_e3671 > _e3674) {
+                                        phi_6186_ = _e3671;
+                                    } else {
+                                        phi_6186_ = _e3674;
+                                    }
+                                    let _e3677 = phi_6186_;
+                                    if (_e3632 > _e3637) {
+                                        phi_6191_ = _e3632;
+                                    } else {
+                                        phi_6191_ = _e3637;
+                                    }
+                                    let _e3680 = phi_6191_;
+                                    if (_e3642 > _e3647) {
+                                        phi_6196_ = _e3642;
+                                    } else {
+                                        phi_6196_ = _e3647;
+                                    }
+                                    let _e3683 = phi_6196_;
+                                    if (_e3680 > _e3683) {
+                                        phi_6201_ = _e3680;
+                                    } else {
+                                        phi_6201_ = _e3683;
+                                    }
+                                    let _e3686 = phi_6201_;
+                                    if (_e3677 > _e3686) {
+                                        phi_6206_ = _e3677;
+                                    } else {
+                                        phi_6206_ = _e3686;
+                                    }
+                                    let _e3689 = phi_6206_;
+                                    if (_e3601 < 0f) {
+                                        phi_6212_ = -(_e3601);
+                                    } else {
+                                        phi_6212_ = _e3601;
+                                    }
+                                    let _e3693 = phi_6212_;
+                                    if (_e3604 < 0f) {
+                                        phi_6218_ = -(_e3604);
+                                    } else {
+                                        phi_6218_ = _e3604;
+                                    }
+                                    let _e3697 = phi_6218_;
+                                    if (_e3607 < 0f) {
+                                        phi_6225_ = -(_e3607);
+                                    } else {
+                                        phi_6225_ = _e3607;
+                                    }
+                                    let _e3702 = phi_6225_;
+                                    let _e3703 = ((_e3693 + _e3697) + _e3702);
+                                    let _e3708 = -(_e3689);
+                                    if (_e3668 > _e3708) {
+                                        phi_6236_ = _e3668;
+                                    } else {
+                                        phi_6236_ = _e3708;
+                                    }
+                                    let _e3711 = phi_6236_;
+                                    let _e3716 = (((_e3711 - ((_e3703 * _e3349) * (0.000000059604645f * (17f / 2f)))) - (_e3703 * _e3356)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                    if (_e3595 > _e3716) {
+                                        phi_6246_ = _e3595;
+                                    } else {
+                                        phi_6246_ = _e3716;
+                                    }
+                                    let _e3719 = phi_6246_;
+                                    phi_6250_ = (_e3097 || (_e3719 > 0f));
+                                }
+                                let _e3723 = phi_6250_;
+                                if _e3723 {
+                                    let _e3726 = local_1.member_1[0u];
+                                    let _e3732 = local_1.member_2[0u];
+                                    let _e3738 = ((_e3726[1] * _e3732[2]) - (_e3726[2] * _e3732[1]));
+                                    let _e3741 = ((_e3726[2] * _e3732[0]) - (_e3726[0] * _e3732[2]));
+                                    let _e3744 = ((_e3726[0] * _e3732[1]) - (_e3726[1] * _e3732[0]));
+                                    let _e3747 = local_1.member_1[1u];
+                                    let _e3753 = local_1.member_2[1u];
+                                    let _e3759 = ((_e3747[1] * _e3753[2]) - (_e3747[2] * _e3753[1]));
+                                    let _e3762 = ((_e3747[2] * _e3753[0]) - (_e3747[0] * _e3753[2]));
+                                    let _e3765 = ((_e3747[0] * _e3753[1]) - (_e3747[1] * _e3753[0]));
+                                    let _e3768 = local_1.member_1[0u];
+                                    let _e3774 = local_1.member_2[1u];
+                                    let _e3789 = local_1.member_1[1u];
+                                    let _e3795 = local_1.member_2[0u];
+                                    let _e3808 = (((_e3768[1] * _e3774[2]) - (_e3768[2] * _e3774[1])) + ((_e3789[1] * _e3795[2]) - (_e3789[2] * _e3795[1])));
+                                    let _e3809 = (((_e3768[2] * _e3774[0]) - (_e3768[0] * _e3774[2])) + ((_e3789[2] * _e3795[0]) - (_e3789[0] * _e3795[2])));
+                                    let _e3810 = (((_e3768[0] * _e3774[1]) - (_e3768[1] * _e3774[0])) + ((_e3789[0] * _e3795[1]) - (_e3789[1] * _e3795[0])));
+                                    let _e3813 = local_1.member[0u];
+                                    let _e3824 = local_1.member[1u];
+                                    let _e3835 = local_1.member[0u];
+                                    let _e3844 = ((((_e3824[0] * _e3738) + (_e3824[1] * _e3741)) + (_e3824[2] * _e3744)) + (((_e3835[0] * _e3808) + (_e3835[1] * _e3809)) + (_e3835[2] * _e3810)));
+                                    let _e3847 = local_1.member[0u];
+                                    let _e3858 = local_1.member[1u];
+                                    let _e3867 = ((((_e3847[0] * _e3759) + (_e3847[1] * _e3762)) + (_e3847[2] * _e3765)) + (((_e3858[0] * _e3808) + (_e3858[1] * _e3809)) + (_e3858[2] * _e3810)));
+                                    let _e3870 = local_1.member[1u];
+                                    let _e3881 = local_1.member[0u];
+                                    if (_e3881[0] < 0f) {
+                                        phi_6495_ = -(_e3881[0]);
+                                    } else {
+                                        phi_6495_ = _e3881[0];
+                                    }
+                                    let _e3888 = phi_6495_;
+                                    if (_e3881[1] < 0f) {
+                                        phi_6502_ = -(_e3881[1]);
+                                    } else {
+                                        phi_6502_ = _e3881[1];
+                                    }
+                                    let _e3892 = phi_6502_;
+                                    if (_e3888 > _e3892) {
+                                        phi_6507_ = _e3888;
+                                    } else {
+                                        phi_6507_ = _e3892;
+                                    }
+                                    let _e3895 = phi_6507_;
+                                    if (_e3881[2] < 0f) {
+                                        phi_6514_ = -(_e3881[2]);
+                                    } else {
+                                        phi_6514_ = _e3881[2];
+                                    }
+                                    let _e3899 = phi_6514_;
+                                    if (_e3895 > _e3899) {
+                                        phi_6519_ = _e3895;
+                                    } else {
+                                        phi_6519_ = _e3899;
+                                    }
+                                    let _e3902 = phi_6519_;
+                                    let _e3905 = local_1.member[1u];
+                                    if (_e3905[0] < 0f) {
+                                        phi_6532_ = -(_e3905[0]);
+                                    } else {
+                                        phi_6532_ = _e3905[0];
+                                    }
+                                    let _e3912 = phi_6532_;
+                                    if (_e3905[1] < 0f) {
+                                        phi_6539_ = -(_e3905[1]);
+                                    } else {
+                                        phi_6539_ = _e3905[1];
+                                    }
+                                    let _e3916 = phi_6539_;
+                                    if (_e3912 > _e3916) {
+                                        phi_6544_ = _e3912;
+                                    } else {
+                                        phi_6544_ = _e3916;
+                                    }
+                                    let _e3919 = phi_6544_;
+                                    if (_e3905[2] < 0f) {
+                                        phi_6551_ = -(_e3905[2]);
+                                    } else {
+                                        phi_6551_ = _e3905[2];
+                                    }
+                                    let _e3923 = phi_6551_;
+                                    if (_e3919 > _e3923) {
+                                        phi_6556_ = _e3919;
+                                    } else {
+                                        phi_6556_ = _e3923;
+                                    }
+                                    let _e3926 = phi_6556_;
+                                    if (_e3902 > _e3926) {
+                                        phi_6561_ = _e3902;
+                                    } else {
+                                        phi_6561_ = _e3926;
+                                    }
+                                    let _e3929 = phi_6561_;
+                                    let _e3931 = local_1.member_3;
+                                    let _e3932 = (_e3929 + _e3931);
+                                    let _e3935 = local_1.member_1[0u];
+                                    if (_e3935[0] < 0f) {
+                                        phi_6578_ = -(_e3935[0]);
+                                    } else {
+                                        phi_6578_ = _e3935[0];
+                                    }
+                                    let _e3942 = phi_6578_;
+                                    if (_e3935[1] < 0f) {
+                                        phi_6585_ = -(_e3935[1]);
+                                    } else {
+                                        phi_6585_ = _e3935[1];
+                                    }
+                                    let _e3946 = phi_6585_;
+                                    if (_e3942 > _e3946) {
+                                        phi_6590_ = _e3942;
+                                    } else {
+                                        phi_6590_ = _e3946;
+                                    }
+                                    let _e3949 = phi_6590_;
+                                    if (_e3935[2] < 0f) {
+                                        phi_6597_ = -(_e3935[2]);
+                                    } else {
+                                        phi_6597_ = _e3935[2];
+                                    }
+                                    let _e3953 = phi_6597_;
+                                    if (_e3949 > _e3953) {
+                                        phi_6602_ = _e3949;
+                                    } else {
+                                        phi_6602_ = _e3953;
+                                    }
+                                    let _e3956 = phi_6602_;
+                                    let _e3959 = local_1.member_1[1u];
+                                    if (_e3959[0] < 0f) {
+                                        phi_6616_ = -(_e3959[0]);
+                                    } else {
+                                        phi_6616_ = _e3959[0];
+                                    }
+                                    let _e3966 = phi_6616_;
+                                    if (_e3959[1] < 0f) {
+                                        phi_6623_ = -(_e3959[1]);
+                                    } else {
+                                        phi_6623_ = _e3959[1];
+                                    }
+                                    let _e3970 = phi_6623_;
+                                    if (_e3966 > _e3970) {
+                                        phi_6628_ = _e3966;
+                                    } else {
+                                        phi_6628_ = _e3970;
+                                    }
+                                    let _e3973 = phi_6628_;
+                                    if (_e3959[2] < 0f) {
+                                        phi_6635_ = -(_e3959[2]);
+                                    } else {
+                                        phi_6635_ = _e3959[2];
+                                    }
+                                    let _e3977 = phi_6635_;
+                                    if (_e3973 > _e3977) {
+                                        phi_6640_ = _e3973;
+                                    } else {
+                                        phi_6640_ = _e3977;
+                                    }
+                                    let _e3980 = phi_6640_;
+                                    if (_e3956 > _e3980) {
+                                        phi_6645_ = _e3956;
+                                    } else {
+                                        phi_6645_ = _e3980;
+                                    }
+                                    let _e3983 = phi_6645_;
+                                    let _e3985 = local_1.member_3;
+                                    let _e3986 = (_e3983 + _e3985);
+                                    let _e3989 = local_1.member_2[0u];
+                                    if (_e3989[0] < 0f) {
+                                        phi_6662_ = -(_e3989[0]);
+                                    } else {
+                                        phi_6662_ = _e3989[0];
+                                    }
+                                    let _e3996 = phi_6662_;
+                                    if (_e3989[1] < 0f) {
+                                        phi_6669_ = -(_e3989[1]);
+                                    } else {
+                                        phi_6669_ = _e3989[1];
+                                    }
+                                    let _e4000 = phi_6669_;
+                                    if (_e3996 > _e4000) {
+                                        phi_6674_ = _e3996;
+                                    } else {
+                                        phi_6674_ = _e4000;
+                                    }
+                                    let _e4003 = phi_6674_;
+                                    if (_e3989[2] < 0f) {
+                                        phi_6681_ = -(_e3989[2]);
+                                    } else {
+                                        phi_6681_ = _e3989[2];
+                                    }
+                                    let _e4007 = phi_6681_;
+                                    if (_e4003 > _e4007) {
+                                        phi_6686_ = _e4003;
+                                    } else {
+                                        phi_6686_ = _e4007;
+                                    }
+                                    let _e4010 = phi_6686_;
+                                    let _e4013 = local_1.member_2[1u];
+                                    if (_e4013[0] < 0f) {
+                                        phi_6700_ = -(_e4013[0]);
+                                    } else {
+                                        phi_6700_ = _e4013[0];
+                                    }
+                                    let _e4020 = phi_6700_;
+                                    if (_e4013[1] < 0f) {
+                                        phi_6707_ = -(_e4013[1]);
+                                    } else {
+                                        phi_6707_ = _e4013[1];
+                                    }
+                                    let _e4024 = phi_6707_;
+                                    if (_e4020 > _e4024) {
+                                        phi_6712_ = _e4020;
+                                    } else {
+                                        phi_6712_ = _e4024;
+                                    }
+                                    let _e4027 = phi_6712_;
+                                    if (_e4013[2] < 0f) {
+                                        phi_6719_ = -(_e4013[2]);
+                                    } else {
+                                        phi_6719_ = _e4013[2];
+                                    }
+                                    let _e4031 = phi_6719_;
+                                    if (_e4027 > _e4031) {
+                                        phi_6724_ = _e4027;
+                                    } else {
+                                        phi_6724_ = _e4031;
+                                    }
+                                    let _e4034 = phi_6724_;
+                                    if (_e4010 > _e4034) {
+                                        phi_6729_ = _e4010;
+                                    } else {
+                                        phi_6729_ = _e4034;
+                                    }
+                                    let _e4037 = phi_6729_;
+                                    let _e4039 = local_1.member_3;
+                                    let _e4040 = (_e4037 + _e4039);
+                                    let _e4042 = ((_e3986 * 8f) * _e4040);
+                                    let _e4049 = local_1.member_3;
+                                    if (_e3738 < 0f) {
+                                        phi_6760_ = -(_e3738);
+                                    } else {
+                                        phi_6760_ = _e3738;
+                                    }
+                                    let _e4066 = phi_6760_;
+                                    if (_e3741 < 0f) {
+                                        phi_6766_ = -(_e3741);
+                                    } else {
+                                        phi_6766_ = _e3741;
+                                    }
+                                    let _e4070 = phi_6766_;
+                                    if (_e3744 < 0f) {
+                                        phi_6773_ = -(_e3744);
+                                    } else {
+                                        phi_6773_ = _e3744;
+                                    }
+                                    let _e4075 = phi_6773_;
+                                    let _e4076 = ((_e4066 + _e4070) + _e4075);
+                                    if (_e3759 < 0f) {
+                                        phi_6780_ = -(_e3759);
+                                    } else {
+                                        phi_6780_ = _e3759;
+                                    }
+                                    let _e4080 = phi_6780_;
+                                    if (_e3762 < 0f) {
+                                        phi_6786_ = -(_e3762);
+                                    } else {
+                                        phi_6786_ = _e3762;
+                                    }
+                                    let _e4084 = phi_6786_;
+                                    if (_e3765 < 0f) {
+                                        phi_6793_ = -(_e3765);
+                                    } else {
+                                        phi_6793_ = _e3765;
+                                    }
+                                    let _e4089 = phi_6793_;
+                                    let _e4090 = ((_e4080 + _e4084) + _e4089);
+                                    if (_e4076 > _e4090) {
+                                        phi_6799_ = _e4076;
+                                    } else {
+                                        phi_6799_ = _e4090;
+                                    }
+                                    let _e4093 = phi_6799_;
+                                    if (_e3808 < 0f) {
+                                        phi_6805_ = -(_e3808);
+                                    } else {
+                                        phi_6805_ = _e3808;
+                                    }
+                                    let _e4097 = phi_6805_;
+                                    if (_e3809 < 0f) {
+                                        phi_6811_ = -(_e3809);
+                                    } else {
+                                        phi_6811_ = _e3809;
+                                    }
+                                    let _e4101 = phi_6811_;
+                                    if (_e3810 < 0f) {
+                                        phi_6818_ = -(_e3810);
+                                    } else {
+                                        phi_6818_ = _e3810;
+                                    }
+                                    let _e4106 = phi_6818_;
+                                    let _e4108 = (((_e4097 + _e4101) + _e4106) * 0.5f);
+                                    if (_e4093 > _e4108) {
+                                        phi_6825_ = _e4093;
+                                    } else {
+                                        phi_6825_ = _e4108;
+                                    }
+                                    let _e4111 = phi_6825_;
+                                    let _e4116 = local_1.member_3;
+                                    let _e4129 = ((((_e3813[0] * _e3738) + (_e3813[1] * _e3741)) + (_e3813[2] * _e3744)) * 3f);
+                                    let _e4130 = ((((_e3870[0] * _e3759) + (_e3870[1] * _e3762)) + (_e3870[2] * _e3765)) * 3f);
+                                    if (_e4129 < _e4130) {
+                                        phi_6849_ = _e4129;
+                                    } else {
+                                        phi_6849_ = _e4130;
+                                    }
+                                    let _e4133 = phi_6849_;
+                                    if (_e3844 < _e3867) {
+                                        phi_6854_ = _e3844;
+                                    } else {
+                                        phi_6854_ = _e3867;
+                                    }
+                                    let _e4136 = phi_6854_;
+                                    if (_e4133 < _e4136) {
+                                        phi_6859_ = _e4133;
+                                    } else {
+                                        phi_6859_ = _e4136;
+                                    }
+                                    let _e4139 = phi_6859_;
+                                    if (_e4129 > _e4130) {
+                                        phi_6864_ = _e4129;
+                                    } else {
+                                        phi_6864_ = _e4130;
+                                    }
+                                    let _e4142 = phi_6864_;
+                                    if (_e3844 > _e3867) {
+                                        phi_6869_ = _e3844;
+                                    } else {
+                                        phi_6869_ = _e3867;
+                                    }
+                                    let _e4145 = phi_6869_;
+                                    if (_e4142 > _e4145) {
+                                        phi_6874_ = _e4142;
+                                    } else {
+                                        phi_6874_ = _e4145;
+                                    }
+                                    let _e4148 = phi_6874_;
+                                    let _e4153 = -(_e4148);
+                                    if (_e4139 > _e4153) {
+                                        phi_6884_ = _e4139;
+                                    } else {
+                                        phi_6884_ = _e4153;
+                                    }
+                                    let _e4156 = phi_6884_;
+                                    let _e4158 = ((_e4156 - ((((((_e3932 * 8f) * _e4042) * (0.000000059604645f * (524f / 64f))) + ((_e4049 * 19f) * ((_e3932 * (_e3986 + _e4040)) + (_e3986 * _e4040)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3932) * ((1f + _e3986) * (1f + _e4040))))) + ((_e1434 * (((_e4111 + (_e4042 * (0.000000059604645f * 8f))) + ((_e4116 * 6f) * (_e3986 + _e4040))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3986) * (1f + _e4040))))) * (3f * 1.0001f)))) > 0f);
+                                    if _e4158 {
+                                        phi_7853_ = _e4158;
+                                    } else {
+                                        let _e4161 = local_1.member_1[0u];
+                                        let _e4167 = local_1.member_1[1u];
+                                        let _e4171 = (_e4161[0] + _e4167[0]);
+                                        let _e4172 = (_e4161[1] + _e4167[1]);
+                                        let _e4173 = (_e4161[2] + _e4167[2]);
+                                        let _e4176 = local_1.member_2[0u];
+                                        let _e4182 = local_1.member_2[1u];
+                                        let _e4186 = (_e4176[0] + _e4182[0]);
+                                        let _e4187 = (_e4176[1] + _e4182[1]);
+                                        let _e4188 = (_e4176[2] + _e4182[2]);
+                                        let _e4191 = ((_e4172 * _e4188) - (_e4173 * _e4187));
+                                        let _e4194 = ((_e4173 * _e4186) - (_e4171 * _e4188));
+                                        let _e4197 = ((_e4171 * _e4187) - (_e4172 * _e4186));
+                                        let _e4200 = local_1.member[0u];
+                                        let _e4206 = local_1.member_1[0u];
+                                        let _e4212 = local_1.member_2[0u];
+                                        let _e4216 = (_e4200[0] - _e4206[0]);
+                                        let _e4217 = (_e4200[1] - _e4206[1]);
+                                        let _e4218 = (_e4200[2] - _e4206[2]);
+                                        let _e4219 = (_e4200[0] - _e4212[0]);
+                                        let _e4220 = (_e4200[1] - _e4212[1]);
+                                        let _e4221 = (_e4200[2] - _e4212[2]);
+                                        let _e4224 = local_1.member[1u];
+                                        let _e4230 = local_1.member_1[1u];
+                                        let _e4236 = local_1.member_2[1u];
+                                        let _e4240 = (_e4224[0] - _e4230[0]);
+                                        let _e4241 = (_e4224[1] - _e4230[1]);
+                                        let _e4242 = (_e4224[2] - _e4230[2]);
+                                        let _e4243 = (_e4224[0] - _e4236[0]);
+                                        let _e4244 = (_e4224[1] - _e4236[1]);
+                                        let _e4245 = (_e4224[2] - _e4236[2]);
+                                        let _e4248 = local_1.member[0u];
+                                        if (_e4248[0] < 0f) {
+                                            phi_7087_ = -(_e4248[0]);
+                                        } else {
+                                            phi_7087_ = _e4248[0];
+                                        }
+                                        let _e4255 = phi_7087_;
+                                        if (_e4248[1] < 0f) {
+                                            phi_7094_ = -(_e4248[1]);
+                                        } else {
+                                            phi_7094_ = _e4248[1];
+                                        }
+                                        let _e4259 = phi_7094_;
+                                        if (_e4255 > _e4259) {
+                                            phi_7099_ = _e4255;
+                                        } else {
+                                            phi_7099_ = _e4259;
+                                        }
+                                        let _e4262 = phi_7099_;
+                                        if (_e4248[2] < 0f) {
+                                            phi_7106_ = -(_e4248[2]);
+                                        } else {
+                                            phi_7106_ = _e4248[2];
+                                        }
+                                        let _e4266 = phi_7106_;
+                                        if (_e4262 > _e4266) {
+                                            phi_7111_ = _e4262;
+                                        } else {
+                                            phi_7111_ = _e4266;
+                                        }
+                                        let _e4269 = phi_7111_;
+                                        let _e4272 = local_1.member[1u];
+                                        if (_e4272[0] < 0f) {
+                                            phi_7124_ = -(_e4272[0]);
+                                        } else {
+                                            phi_7124_ = _e4272[0];
+                                        }
+                                        let _e4279 = phi_7124_;
+                                        if (_e4272[1] < 0f) {
+                                            phi_7131_ = -(_e4272[1]);
+                                        } else {
+                                            phi_7131_ = _e4272[1];
+                                        }
+                                        let _e4283 = phi_7131_;
+                                        if (_e4279 > _e4283) {
+                                            phi_7136_ = _e4279;
+                                        } else {
+                                            phi_7136_ = _e4283;
+                                        }
+                                        let _e4286 = phi_7136_;
+                                        if (_e4272[2] < 0f) {
+                                            phi_7143_ = -(_e4272[2]);
+                                        } else {
+                                            phi_7143_ = _e4272[2];
+                                        }
+                                        let _e4290 = phi_7143_;
+                                        if (_e4286 > _e4290) {
+                                            phi_7148_ = _e4286;
+                                        } else {
+                                            phi_7148_ = _e4290;
+                                        }
+                                        let _e4293 = phi_7148_;
+                                        if (_e4269 > _e4293) {
+                                            phi_7153_ = _e4269;
+                                        } else {
+                                            phi_7153_ = _e4293;
+                                        }
+                                        let _e4296 = phi_7153_;
+                                        let _e4298 = local_1.member_3;
+                                        let _e4302 = local_1.member_1[0u];
+                                        if (_e4302[0] < 0f) {
+                                            phi_7170_ = -(_e4302[0]);
+                                        } else {
+                                            phi_7170_ = _e4302[0];
+                                        }
+                                        let _e4309 = phi_7170_;
+                                        if (_e4302[1] < 0f) {
+                                            phi_7177_ = -(_e4302[1]);
+                                        } else {
+                                            phi_7177_ = _e4302[1];
+                                        }
+                                        let _e4313 = phi_7177_;
+                                        if (_e4309 > _e4313) {
+                                            phi_7182_ = _e4309;
+                                        } else {
+                                            phi_7182_ = _e4313;
+                                        }
+                                        let _e4316 = phi_7182_;
+                                        if (_e4302[2] < 0f) {
+                                            phi_7189_ = -(_e4302[2]);
+                                        } else {
+                                            phi_7189_ = _e4302[2];
+                                        }
+                                        let _e4320 = phi_7189_;
+                                        if (_e4316 > _e4320) {
+                                            phi_7194_ = _e4316;
+                                        } else {
+                                            phi_7194_ = _e4320;
+                                        }
+                                        let _e4323 = phi_7194_;
+                                        let _e4326 = local_1.member_1[1u];
+                                        if (_e4326[0] < 0f) {
+                                            phi_7208_ = -(_e4326[0]);
+                                        } else {
+                                            phi_7208_ = _e4326[0];
+                                        }
+                                        let _e4333 = phi_7208_;
+                                        if (_e4326[1] < 0f) {
+                                            phi_7215_ = -(_e4326[1]);
+                                        } else {
+                                            phi_7215_ = _e4326[1];
+                                        }
+                                        let _e4337 = phi_7215_;
+                                        if (_e4333 > _e4337) {
+                                            phi_7220_ = _e4333;
+                                        } else {
+                                            phi_7220_ = _e4337;
+                                        }
+                                        let _e4340 = phi_7220_;
+                                        if (_e4326[2] < 0f) {
+                                            phi_7227_ = -(_e4326[2]);
+                                        } else {
+                                            phi_7227_ = _e4326[2];
+                                        }
+                                        let _e4344 = phi_7227_;
+                                        if (_e4340 > _e4344) {
+                                            phi_7232_ = _e4340;
+                                        } else {
+                                            phi_7232_ = _e4344;
+                                        }
+                                        let _e4347 = phi_7232_;
+                                        if (_e4323 > _e4347) {
+                                            phi_7237_ = _e4323;
+                                        } else {
+                                            phi_7237_ = _e4347;
+                                        }
+                                        let _e4350 = phi_7237_;
+                                        let _e4352 = local_1.member_3;
+                                        let _e4356 = local_1.member_2[0u];
+                                        if (_e4356[0] < 0f) {
+                                            phi_7254_ = -(_e4356[0]);
+                                        } else {
+                                            phi_7254_ = _e4356[0];
+                                        }
+                                        let _e4363 = phi_7254_;
+                                        if (_e4356[1] < 0f) {
+                                            phi_7261_ = -(_e4356[1]);
+                                        } else {
+                                            phi_7261_ = _e4356[1];
+                                        }
+                                        let _e4367 = phi_7261_;
+                                        if (_e4363 > _e4367) {
+                                            phi_7266_ = _e4363;
+                                        } else {
+                                            phi_7266_ = _e4367;
+                                        }
+                                        let _e4370 = phi_7266_;
+                                        if (_e4356[2] < 0f) {
+                                            phi_7273_ = -(_e4356[2]);
+                                        } else {
+                                            phi_7273_ = _e4356[2];
+                                        }
+                                        let _e4374 = phi_7273_;
+                                        if (_e4370 > _e4374) {
+                                            phi_7278_ = _e4370;
+                                        } else {
+                                            phi_7278_ = _e4374;
+                                        }
+                                        let _e4377 = phi_7278_;
+                                        let _e4380 = local_1.member_2[1u];
+                                        if (_e4380[0] < 0f) {
+                                            phi_7292_ = -(_e4380[0]);
+                                        } else {
+                                            phi_7292_ = _e4380[0];
+                                        }
+                                        let _e4387 = phi_7292_;
+                                        if (_e4380[1] < 0f) {
+                                            phi_7299_ = -(_e4380[1]);
+                                        } else {
+                                            phi_7299_ = _e4380[1];
+                                        }
+                                        let _e4391 = phi_7299_;
+                                        if (_e4387 > _e4391) {
+                                            phi_7304_ = _e4387;
+                                        } else {
+                                            phi_7304_ = _e4391;
+                                        }
+                                        let _e4394 = phi_7304_;
+                                        if (_e4380[2] < 0f) {
+                                            phi_7311_ = -(_e4380[2]);
+                                        } else {
+                                            phi_7311_ = _e4380[2];
+                                        }
+                                        let _e4398 = phi_7311_;
+                                        if (_e4394 > _e4398) {
+                                            phi_7316_ = _e4394;
+                                        } else {
+                                            phi_7316_ = _e4398;
+                                        }
+                                        let _e4401 = phi_7316_;
+                                        if (_e4377 > _e4401) {
+                                            phi_7321_ = _e4377;
+                                        } else {
+                                            phi_7321_ = _e4401;
+                                        }
+                                        let _e4404 = phi_7321_;
+                                        let _e4406 = local_1.member_3;
+                                        let _e4410 = ((((_e4296 + _e4298) + (_e4350 + _e4352)) + (_e4404 + _e4406)) * 2f);
+                                        let _e4413 = local_1.member_3;
+                                        let _e4417 = (((_e1434 * 1.0001f) + (_e4413 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
+                                        let _e4420 = ((_e4194 * _e4173) - (_e4197 * _e4172));
+                                        let _e4423 = ((_e4197 * _e4171) - (_e4191 * _e4173));
+                                        let _e4426 = ((_e4191 * _e4172) - (_e4194 * _e4171));
+                                        let _e4431 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
+                                        let _e4436 = (((_e4420 * _e4216) + (_e4423 * _e4217)) + (_e4426 * _e4218));
+                                        let _e4441 = (((_e4420 * _e4219) + (_e4423 * _e4220)) + (_e4426 * _e4221));
+                                        let _e4446 = (((_e4420 * _e4200[0]) + (_e4423 * _e4200[1])) + (_e4426 * _e4200[2]));
+                                        let _e4451 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
+                                        let _e4456 = (((_e4420 * _e4240) + (_e4423 * _e4241)) + (_e4426 * _e4242));
+                                        let _e4461 = (((_e4420 * _e4243) + (_e4423 * _e4244)) + (_e4426 * _e4245));
+                                        let _e4466 = (((_e4420 * _e4224[0]) + (_e4423 * _e4224[1])) + (_e4426 * _e4224[2]));
+                                        if (_e4431 < _e4436) {
+                                            phi_7400_ = _e4431;
+                                        } else {
+                                            phi_7400_ = _e4436;
+                                        }
+                                        let _e4469 = phi_7400_;
+                                        if (_e4441 < _e4446) {
+                                            phi_7405_ = _e4441;
+                                        } else {
+                                            phi_7405_ = _e4446;
+                                        }
+                                        let _e4472 = phi_7405_;
+                                        if (_e4469 < _e4472) {
+                                            phi_7410_ = _e4469;
+                                        } else {
+                                            phi_7410_ = _e4472;
+                                        }
+                                        let _e4475 = phi_7410_;
+                                        if (_e4451 < _e4456) {
+                                            phi_7415_ = _e4451;
+                                        } else {
+                                            phi_7415_ = _e4456;
+                                        }
+                                        let _e4478 = phi_7415_;
+                                        if (_e4461 < _e4466) {
+                                            phi_7420_ = _e4461;
+                                        } else {
+                                            phi_7420_ = _e4466;
+                                        }
+                                        let _e4481 = phi_7420_;
+                                        if (_e4478 < _e4481) {
+                                            phi_7425_ = _e4478;
+                                        } else {
+                                            phi_7425_ = _e4481;
+                                        }
+                                        let _e4484 = phi_7425_;
+                                        if (_e4475 < _e4484) {
+                                            phi_7430_ = _e4475;
+                                        } else {
+                                            phi_7430_ = _e4484;
+                                        }
+                                        let _e4487 = phi_7430_;
+                                        if (_e4431 > _e4436) {
+                                            phi_7435_ = _e4431;
+                                        } else {
+                                            phi_7435_ = _e4436;
+                                        }
+                                        let _e4490 = phi_7435_;
+                                        if (_e4441 > _e4446) {
+                                            phi_7440_ = _e4441;
+                                        } else {
+                                            phi_7440_ = _e4446;
+                                        }
+                                        let _e4493 = phi_7440_;
+                                        if (_e4490 > _e4493) {
+                                            phi_7445_ = _e4490;
+                                        } else {
+                                            phi_7445_ = _e4493;
+                                        }
+                                        let _e4496 = phi_7445_;
+                                        if (_e4451 > _e4456) {
+                                            phi_7450_ = _e4451;
+                                        } else {
+                                            phi_7450_ = _e4456;
+                                        }
+                                        let _e4499 = phi_7450_;
+                                        if (_e4461 > _e4466) {
+                                            phi_7455_ = _e4461;
+                                        } else {
+                                            phi_7455_ = _e4466;
+                                        }
+                                        let _e4502 = phi_7455_;
+                                        if (_e4499 > _e4502) {
+                                            phi_7460_ = _e4499;
+                                        } else {
+                                            phi_7460_ = _e4502;
+                                        }
+                                        let _e4505 = phi_7460_;
+                                        if (_e4496 > _e4505) {
+                                            phi_7465_ = _e4496;
+                                        } else {
+                                            phi_7465_ = _e4505;
+                                        }
+                                        let _e4508 = phi_7465_;
+                                        if (_e4420 < 0f) {
+                                            phi_7471_ = -(_e4420);
+                                        } else {
+                                            phi_7471_ = _e4420;
+                                        }
+                                        let _e4512 = phi_7471_;
+                                        if (_e4423 < 0f) {
+                                            phi_7477_ = -(_e4423);
+                                        } else {
+                                            phi_7477_ = _e4423;
+                                        }
+                                        let _e4516 = phi_7477_;
+                                        if (_e4426 < 0f) {
+                                            phi_7484_ = -(_e4426);
+                                        } else {
+                                            phi_7484_ = _e4426;
+                                        }
+                                        let _e4521 = phi_7484_;
+                                        let _e4522 = ((_e4512 + _e4516) + _e4521);
+                                        let _e4527 = -(_e4508);
+                                        if (_e4487 > _e4527) {
+                                            phi_7495_ = _e4487;
+                                        } else {
+                                            phi_7495_ = _e4527;
+                                        }
+                                        let _e4530 = phi_7495_;
+                                        let _e4535 = (((_e4530 - ((_e4522 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4522 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        let _e4538 = ((_e4194 * _e4188) - (_e4197 * _e4187));
+                                        let _e4541 = ((_e4197 * _e4186) - (_e4191 * _e4188));
+                                        let _e4544 = ((_e4191 * _e4187) - (_e4194 * _e4186));
+                                        let _e4549 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
+                                        let _e4554 = (((_e4538 * _e4216) + (_e4541 * _e4217)) + (_e4544 * _e4218));
+                                        let _e4559 = (((_e4538 * _e4219) + (_e4541 * _e4220)) + (_e4544 * _e4221));
+                                        let _e4564 = (((_e4538 * _e4200[0]) + (_e4541 * _e4200[1])) + (_e4544 * _e4200[2]));
+                                        let _e4569 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
+                                        let _e4574 = (((_e4538 * _e4240) + (_e4541 * _e4241)) + (_e4544 * _e4242));
+                                        let _e4579 = (((_e4538 * _e4243) + (_e4541 * _e4244)) + (_e4544 * _e4245));
+                                        let _e4584 = (((_e4538 * _e4224[0]) + (_e4541 * _e4224[1])) + (_e4544 * _e4224[2]));
+                                        if (_e4549 < _e4554) {
+                                            phi_7566_ = _e4549;
+                                        } else {
+                                            phi_7566_ = _e4554;
+                                        }
+                                        let _e4587 = phi_7566_;
+                                        if (_e4559 < _e4564) {
+                                            phi_7571_ = _e4559;
+                                        } else {
+                                            phi_7571_ = _e4564;
+                                        }
+                                        let _e4590 = phi_7571_;
+                                        if (_e4587 < _e4590) {
+                                            phi_7576_ = _e4587;
+                                        } else {
+                                            phi_7576_ = _e4590;
+                                        }
+                                        let _e4593 = phi_7576_;
+                                        if (_e4569 < _e4574) {
+                                            phi_7581_ = _e4569;
+                                        } else {
+                                            phi_7581_ = _e4574;
+                                        }
+                                        let _e4596 = phi_7581_;
+                                        if (_e4579 < _e4584) {
+                                            phi_7586_ = _e4579;
+                                        } else {
+                                            phi_7586_ = _e4584;
+                                        }
+                                        let _e4599 = phi_7586_;
+                                        if (_e4596 < _e4599) {
+                                            phi_7591_ = _e4596;
+                                        } else {
+                                            phi_7591_ = _e4599;
+                                        }
+                                        let _e4602 = phi_7591_;
+                                        if (_e4593 < _e4602) {
+                                            phi_7596_ = _e4593;
+                                        } else {
+                                            phi_7596_ = _e4602;
+                                        }
+                                        let _e4605 = phi_7596_;
+                                        if (_e4549 > _e4554) {
+                                            phi_7601_ = _e4549;
+                                        } else {
+                                            phi_7601_ = _e4554;
+                                        }
+                                        let _e4608 = phi_7601_;
+                                        if (_e4559 > _e4564) {
+                                            phi_7606_ = _e4559;
+                                        } else {
+                                            phi_7606_ = _e4564;
+                                        }
+                                        let _e4611 = phi_7606_;
+                                        if (_e4608 > _e4611) {
+                                            phi_7611_ = _e4608;
+                                        } else {
+                                            phi_7611_ = _e4611;
+                                        }
+                                        let _e4614 = phi_7611_;
+                                        if (_e4569 > _e4574) {
+                                            phi_7616_ = _e4569;
+                                        } else {
+                                            phi_7616_ = _e4574;
+                                        }
+                                        let _e4617 = phi_7616_;
+                                        if (_e4579 > _e4584) {
+                                            phi_7621_ = _e4579;
+                                        } else {
+                                            phi_7621_ = _e4584;
+                                        }
+                                        let _e4620 = phi_7621_;
+                                        if (_e4617 > _e4620) {
+                                            phi_7626_ = _e4617;
+                                        } else {
+                                            phi_7626_ = _e4620;
+                                        }
+                                        let _e4623 = phi_7626_;
+                                        if (_e4614 > _e4623) {
+                                            phi_7631_ = _e4614;
+                                        } else {
+                                            phi_7631_ = _e4623;
+                                        }
+                                        let _e4626 = phi_7631_;
+                                        if (_e4538 < 0f) {
+                                            phi_7637_ = -(_e4538);
+                                        } else {
+                                            phi_7637_ = _e4538;
+                                        }
+                                        let _e4630 = phi_7637_;
+                                        if (_e4541 < 0f) {
+                                            phi_7643_ = -(_e4541);
+                                        } else {
+                                            phi_7643_ = _e4541;
+                                        }
+                                        let _e4634 = phi_7643_;
+                                        if (_e4544 < 0f) {
+                                            phi_7650_ = -(_e4544);
+                                        } else {
+                                            phi_7650_ = _e4544;
+                                        }
+                                        let _e4639 = phi_7650_;
+                                        let _e4640 = ((_e4630 + _e4634) + _e4639);
+                                        let _e4645 = -(_e4626);
+                                        if (_e4605 > _e4645) {
+                                            phi_7661_ = _e4605;
+                                        } else {
+                                            phi_7661_ = _e4645;
+                                        }
+                                        let _e4648 = phi_7661_;
+                                        let _e4653 = (((_e4648 - ((_e4640 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4640 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4535 > _e4653) {
+                                            phi_7671_ = _e4535;
+                                        } else {
+                                            phi_7671_ = _e4653;
+                                        }
+                                        let _e4656 = phi_7671_;
+                                        let _e4657 = (_e4186 - _e4171);
+                                        let _e4658 = (_e4187 - _e4172);
+                                        let _e4659 = (_e4188 - _e4173);
+                                        let _e4662 = ((_e4194 * _e4659) - (_e4197 * _e4658));
+                                        let _e4665 = ((_e4197 * _e4657) - (_e4191 * _e4659));
+                                        let _e4668 = ((_e4191 * _e4658) - (_e4194 * _e4657));
+                                        let _e4673 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
+                                        let _e4678 = (((_e4662 * _e4216) + (_e4665 * _e4217)) + (_e4668 * _e4218));
+                                        let _e4683 = (((_e4662 * _e4219) + (_e4665 * _e4220)) + (_e4668 * _e4221));
+                                        let _e4688 = (((_e4662 * _e4200[0]) + (_e4665 * _e4200[1])) + (_e4668 * _e4200[2]));
+                                        let _e4693 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
+                                        let _e4698 = (((_e4662 * _e4240) + (_e4665 * _e4241)) + (_e4668 * _e4242));
+                                        let _e4703 = (((_e4662 * _e4243) + (_e4665 * _e4244)) + (_e4668 * _e4245));
+                                        let _e4708 = (((_e4662 * _e4224[0]) + (_e4665 * _e4224[1])) + (_e4668 * _e4224[2]));
+                                        if (_e4673 < _e4678) {
+                                            phi_7744_ = _e4673;
+                                        } else {
+                                            phi_7744_ = _e4678;
+                                        }
+                                        let _e4711 = phi_7744_;
+                                        if (_e4683 < _e4688) {
+                                            phi_7749_ = _e4683;
+                                        } else {
+                                            phi_7749_ = _e4688;
+                                        }
+                                        let _e4714 = phi_7749_;
+                                        if (_e4711 < _e4714) {
+                                            phi_7754_ = _e4711;
+                                        } else {
+                                            phi_7754_ = _e4714;
+                                        }
+                                        let _e4717 = phi_7754_;
+                                        if (_e4693 < _e4698) {
+                                            phi_7759_ = _e4693;
+                                        } else {
+                                            phi_7759_ = _e4698;
+                                        }
+                                        let _e4720 = phi_7759_;
+                                        if (_e4703 < _e4708) {
+                                            phi_7764_ = _e4703;
+                                        } else {
+                                            phi_7764_ = _e4708;
+                                        }
+                                        let _e4723 = phi_7764_;
+                                        if (_e4720 < _e4723) {
+                                            phi_7769_ = _e4720;
+                                        } else {
+                                            phi_7769_ = _e4723;
+                                        }
+                                        let _e4726 = phi_7769_;
+                                        if (_e4717 < _e4726) {
+                                            phi_7774_ = _e4717;
+                                        } else {
+                                            phi_7774_ = _e4726;
+                                        }
+                                        let _e4729 = phi_7774_;
+                                        if (_e4673 > _e4678) {
+                                            phi_7779_ = _e4673;
+                                        } else {
+                                            phi_7779_ = _e4678;
+                                        }
+                                        let _e4732 = phi_7779_;
+                                        if (_e4683 > _e4688) {
+                                            phi_7784_ = _e4683;
+                                        } else {
+                                            phi_7784_ = _e4688;
+                                        }
+                                        let _e4735 = phi_7784_;
+                                        if (_e4732 > _e4735) {
+                                            phi_7789_ = _e4732;
+                                        } else {
+                                            phi_7789_ = _e4735;
+                                        }
+                                        let _e4738 = phi_7789_;
+                                        if (_e4693 > _e4698) {
+                                            phi_7794_ = _e4693;
+                                        } else {
+                                            phi_7794_ = _e4698;
+                                        }
+                                        let _e4741 = phi_7794_;
+                                        if (_e4703 > _e4708) {
+                                            phi_7799_ = _e4703;
+                                        } else {
+                                            phi_7799_ = _e4708;
+                                        }
+                                        let _e4744 = phi_7799_;
+                                        if (_e4741 > _e4744) {
+                                            phi_7804_ = _e4741;
+                                        } else {
+                                            phi_7804_ = _e4744;
+                                        }
+                                        let _e4747 = phi_7804_;
+                                        if (_e4738 > _e4747) {
+                                            phi_7809_ = _e4738;
+                                        } else {
+                                            phi_7809_ = _e4747;
+                                        }
+                                        let _e4750 = phi_7809_;
+                                        if (_e4662 < 0f) {
+                                            phi_7815_ = -(_e4662);
+                                        } else {
+                                            phi_7815_ = _e4662;
+                                        }
+                                        let _e4754 = phi_7815_;
+                                        if (_e4665 < 0f) {
+                                            phi_7821_ = -(_e4665);
+                                        } else {
+                                            phi_7821_ = _e4665;
+                                        }
+                                        let _e4758 = phi_7821_;
+                                        if (_e4668 < 0f) {
+                                            phi_7828_ = -(_e4668);
+                                        } else {
+                                            phi_7828_ = _e4668;
+                                        }
+                                        let _e4763 = phi_7828_;
+                                        let _e4764 = ((_e4754 + _e4758) + _e4763);
+                                        let _e4769 = -(_e4750);
+                                        if (_e4729 > _e4769) {
+                                            phi_7839_ = _e4729;
+                                        } else {
+                                            phi_7839_ = _e4769;
+                                        }
+                                        let _e4772 = phi_7839_;
+                                        let _e4777 = (((_e4772 - ((_e4764 * _e4410) * (0.000000059604645f * (17f / 2f)))) - (_e4764 * _e4417)) - (0.000000000000000000000000000000000000011754944f * 64f));
+                                        if (_e4656 > _e4777) {
+                                            phi_7849_ = _e4656;
+                                        } else {
+                                            phi_7849_ = _e4777;
+                                        }
+                                        let _e4780 = phi_7849_;
+                                        phi_7853_ = (_e4158 || (_e4780 > 0f));
+                                    }
+                                    let _e4784 = phi_7853_;
+                                    phi_7855_ = (_e3723 && _e4784);
+                                } else {
+                                    phi_7855_ = _e3723;
+                                }
+                                let _e4787 = phi_7855_;
+                                phi_7857_ = (_e2572 || _e4787);
                             }
-                            let _e1992 = phi_3452_;
-                            if (_e1982 > _e1983) {
-                                phi_3457_ = _e1982;
-                            } else {
-                                phi_3457_ = _e1983;
-                            }
-                            let _e1995 = phi_3457_;
-                            if (_e1697 > _e1720) {
-                                phi_3462_ = _e1697;
-                            } else {
-                                phi_3462_ = _e1720;
-                            }
-                            let _e1998 = phi_3462_;
-                            if (_e1995 > _e1998) {
-                                phi_3467_ = _e1995;
-                            } else {
-                                phi_3467_ = _e1998;
-                            }
-                            let _e2001 = phi_3467_;
-                            let _e2006 = -(_e2001);
-                            if (_e1992 > _e2006) {
-                                phi_3477_ = _e1992;
-                            } else {
-                                phi_3477_ = _e2006;
-                            }
-                            let _e2009 = phi_3477_;
-                            if ((_e2009 - ((((((_e1785 * 8f) * _e1895) * (0.000000059604645f * (490f / 64f))) + ((_e1902 * 19f) * ((_e1785 * (_e1839 + _e1893)) + (_e1839 * _e1893)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1785) * ((1f + _e1839) * (1f + _e1893))))) + ((_e1499 * (((_e1964 + (_e1895 * (0.000000059604645f * 4f))) + ((_e1969 * 6f) * (_e1839 + _e1893))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1839) * (1f + _e1893))))) * (3f * 1.0001f)))) > 0f) {
-                                phi_4441_ = true;
-                            } else {
-                                let _e2014 = local_2.member_1[0u];
-                                let _e2020 = local_2.member_1[1u];
-                                let _e2024 = (_e2014[0] + _e2020[0]);
-                                let _e2025 = (_e2014[1] + _e2020[1]);
-                                let _e2026 = (_e2014[2] + _e2020[2]);
-                                let _e2029 = local_2.member_2[0u];
-                                let _e2035 = local_2.member_2[1u];
-                                let _e2039 = (_e2029[0] + _e2035[0]);
-                                let _e2040 = (_e2029[1] + _e2035[1]);
-                                let _e2041 = (_e2029[2] + _e2035[2]);
-                                let _e2044 = ((_e2025 * _e2041) - (_e2026 * _e2040));
-                                let _e2047 = ((_e2026 * _e2039) - (_e2024 * _e2041));
-                                let _e2050 = ((_e2024 * _e2040) - (_e2025 * _e2039));
-                                let _e2053 = local_2.member[0u];
-                                let _e2059 = local_2.member_1[0u];
-                                let _e2065 = local_2.member_2[0u];
-                                let _e2069 = (_e2053[0] - _e2059[0]);
-                                let _e2070 = (_e2053[1] - _e2059[1]);
-                                let _e2071 = (_e2053[2] - _e2059[2]);
-                                let _e2072 = (_e2053[0] - _e2065[0]);
-                                let _e2073 = (_e2053[1] - _e2065[1]);
-                                let _e2074 = (_e2053[2] - _e2065[2]);
-                                let _e2077 = local_2.member[1u];
-                                let _e2083 = local_2.member_1[1u];
-                                let _e2089 = local_2.member_2[1u];
-                                let _e2093 = (_e2077[0] - _e2083[0]);
-                                let _e2094 = (_e2077[1] - _e2083[1]);
-                                let _e2095 = (_e2077[2] - _e2083[2]);
-                                let _e2096 = (_e2077[0] - _e2089[0]);
-                                let _e2097 = (_e2077[1] - _e2089[1]);
-                                let _e2098 = (_e2077[2] - _e2089[2]);
-                                let _e2101 = local_2.member[0u];
-                                if (_e2101[0] < 0f) {
-                                    phi_3680_ = -(_e2101[0]);
-                                } else {
-                                    phi_3680_ = _e2101[0];
-                                }
-                                let _e2108 = phi_3680_;
-                                if (_e2101[1] < 0f) {
-                                    phi_3687_ = -(_e2101[1]);
-                                } else {
-                                    phi_3687_ = _e2101[1];
-                                }
-                                let _e2112 = phi_3687_;
-                                if (_e2108 > _e2112) {
-                                    phi_3692_ = _e2108;
-                                } else {
-                                    phi_3692_ = _e2112;
-                                }
-                                let _e2115 = phi_3692_;
-                                if (_e2101[2] < 0f) {
-                                    phi_3699_ = -(_e2101[2]);
-                                } else {
-                                    phi_3699_ = _e2101[2];
-                                }
-                                let _e2119 = phi_3699_;
-                                if (_e2115 > _e2119) {
-                                    phi_3704_ = _e2115;
-                                } else {
-                                    phi_3704_ = _e2119;
-                                }
-                                let _e2122 = phi_3704_;
-                                let _e2125 = local_2.member[1u];
-                                if (_e2125[0] < 0f) {
-                                    phi_3717_ = -(_e2125[0]);
-                                } else {
-                                    phi_3717_ = _e2125[0];
-                                }
-                                let _e2132 = phi_3717_;
-                                if (_e2125[1] < 0f) {
-                                    phi_3724_ = -(_e2125[1]);
-                                } else {
-                                    phi_3724_ = _e2125[1];
-                                }
-                                let _e2136 = phi_3724_;
-                                if (_e2132 > _e2136) {
-                                    phi_3729_ = _e2132;
-                                } else {
-                                    phi_3729_ = _e2136;
-                                }
-                                let _e2139 = phi_3729_;
-                                if (_e2125[2] < 0f) {
-                                    phi_3736_ = -(_e2125[2]);
-                                } else {
-                                    phi_3736_ = _e2125[2];
-                                }
-                                let _e2143 = phi_3736_;
-                                if (_e2139 > _e2143) {
-                                    phi_3741_ = _e2139;
-                                } else {
-                                    phi_3741_ = _e2143;
-                                }
-                                let _e2146 = phi_3741_;
-                                if (_e2122 > _e2146) {
-                                    phi_3746_ = _e2122;
-                                } else {
-                                    phi_3746_ = _e2146;
-                                }
-                                let _e2149 = phi_3746_;
-                                let _e2151 = local_2.member_3;
-                                let _e2155 = local_2.member_1[0u];
-                                if (_e2155[0] < 0f) {
-                                    phi_3763_ = -(_e2155[0]);
-                                } else {
-                                    phi_3763_ = _e2155[0];
-                                }
-                                let _e2162 = phi_3763_;
-                                if (_e2155[1] < 0f) {
-                                    phi_3770_ = -(_e2155[1]);
-                                } else {
-                                    phi_3770_ = _e2155[1];
-                                }
-                                let _e2166 = phi_3770_;
-                                if (_e2162 > _e2166) {
-                                    phi_3775_ = _e2162;
-                                } else {
-                                    phi_3775_ = _e2166;
-                                }
-                                let _e2169 = phi_3775_;
-                                if (_e2155[2] < 0f) {
-                                    phi_3782_ = -(_e2155[2]);
-                                } else {
-                                    phi_3782_ = _e2155[2];
-                                }
-                                let _e2173 = phi_3782_;
-                                if (_e2169 > _e2173) {
-                                    phi_3787_ = _e2169;
-                                } else {
-                                    phi_3787_ = _e2173;
-                                }
-                                let _e2176 = phi_3787_;
-                                let _e2179 = local_2.member_1[1u];
-                                if (_e2179[0] < 0f) {
-                                    phi_3801_ = -(_e2179[0]);
-                                } else {
-                                    phi_3801_ = _e2179[0];
-                                }
-                                let _e2186 = phi_3801_;
-                                if (_e2179[1] < 0f) {
-                                    phi_3808_ = -(_e2179[1]);
-                                } else {
-                                    phi_3808_ = _e2179[1];
-                                }
-                                let _e2190 = phi_3808_;
-                                if (_e2186 > _e2190) {
-                                    phi_3813_ = _e2186;
-                                } else {
-                                    phi_3813_ = _e2190;
-                                }
-                                let _e2193 = phi_3813_;
-                                if (_e2179[2] < 0f) {
-                                    phi_3820_ = -(_e2179[2]);
-                                } else {
-                                    phi_3820_ = _e2179[2];
-                                }
-                                let _e2197 = phi_3820_;
-                                if (_e2193 > _e2197) {
-                                    phi_3825_ = _e2193;
-                                } else {
-                                    phi_3825_ = _e2197;
-                                }
-                                let _e2200 = phi_3825_;
-                                if (_e2176 > _e2200) {
-                                    phi_3830_ = _e2176;
-                                } else {
-                                    phi_3830_ = _e2200;
-                                }
-                                let _e2203 = phi_3830_;
-                                let _e2205 = local_2.member_3;
-                                let _e2209 = local_2.member_2[0u];
-                                if (_e2209[0] < 0f) {
-                                    phi_3847_ = -(_e2209[0]);
-                                } else {
-                                    phi_3847_ = _e2209[0];
-                                }
-                                let _e2216 = phi_3847_;
-                                if (_e2209[1] < 0f) {
-                                    phi_3854_ = -(_e2209[1]);
-                                } else {
-                                    phi_3854_ = _e2209[1];
-                                }
-                                let _e2220 = phi_3854_;
-                                if (_e2216 > _e2220) {
-                                    phi_3859_ = _e2216;
-                                } else {
-                                    phi_3859_ = _e2220;
-                                }
-                                let _e2223 = phi_3859_;
-                                if (_e2209[2] < 0f) {
-                                    phi_3866_ = -(_e2209[2]);
-                                } else {
-                                    phi_3866_ = _e2209[2];
-                                }
-                                let _e2227 = phi_3866_;
-                                if (_e2223 > _e2227) {
-                                    phi_3871_ = _e2223;
-                                } else {
-                                    phi_3871_ = _e2227;
-                                }
-                                let _e2230 = phi_3871_;
-                                let _e2233 = local_2.member_2[1u];
-                                if (_e2233[0] < 0f) {
-                                    phi_3885_ = -(_e2233[0]);
-                                } else {
-                                    phi_3885_ = _e2233[0];
-                                }
-                                let _e2240 = phi_3885_;
-                                if (_e2233[1] < 0f) {
-                                    phi_3892_ = -(_e2233[1]);
-                                } else {
-                                    phi_3892_ = _e2233[1];
-                                }
-                                let _e2244 = phi_3892_;
-                                if (_e2240 > _e2244) {
-                                    phi_3897_ = _e2240;
-                                } else {
-                                    phi_3897_ = _e2244;
-                                }
-                                let _e2247 = phi_3897_;
-                                if (_e2233[2] < 0f) {
-                                    phi_3904_ = -(_e2233[2]);
-                                } else {
-                                    phi_3904_ = _e2233[2];
-                                }
-                                let _e2251 = phi_3904_;
-                                if (_e2247 > _e2251) {
-                                    phi_3909_ = _e2247;
-                                } else {
-                                    phi_3909_ = _e2251;
-                                }
-                                let _e2254 = phi_3909_;
-                                if (_e2230 > _e2254) {
-                                    phi_3914_ = _e2230;
-                                } else {
-                                    phi_3914_ = _e2254;
-                                }
-                                let _e2257 = phi_3914_;
-                                let _e2259 = local_2.member_3;
-                                let _e2262 = (((_e2149 + _e2151) + (_e2203 + _e2205)) + (_e2257 + _e2259));
-                                let _e2265 = local_2.member_3;
-                                let _e2269 = (((_e1499 * 1.0001f) + (_e2265 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                let _e2272 = ((_e2047 * _e2026) - (_e2050 * _e2025));
-                                let _e2275 = ((_e2050 * _e2024) - (_e2044 * _e2026));
-                                let _e2278 = ((_e2044 * _e2025) - (_e2047 * _e2024));
-                                let _e2283 = (((_e2272 * _e2053[0]) + (_e2275 * _e2053[1])) + (_e2278 * _e2053[2]));
-                                let _e2288 = (((_e2272 * _e2069) + (_e2275 * _e2070)) + (_e2278 * _e2071));
-                                let _e2293 = (((_e2272 * _e2072) + (_e2275 * _e2073)) + (_e2278 * _e2074));
-                                let _e2298 = (((_e2272 * _e2053[0]) + (_e2275 * _e2053[1])) + (_e2278 * _e2053[2]));
-                                let _e2303 = (((_e2272 * _e2077[0]) + (_e2275 * _e2077[1])) + (_e2278 * _e2077[2]));
-                                let _e2308 = (((_e2272 * _e2093) + (_e2275 * _e2094)) + (_e2278 * _e2095));
-                                let _e2313 = (((_e2272 * _e2096) + (_e2275 * _e2097)) + (_e2278 * _e2098));
-                                let _e2318 = (((_e2272 * _e2077[0]) + (_e2275 * _e2077[1])) + (_e2278 * _e2077[2]));
-                                if (_e2283 < _e2288) {
-                                    phi_3992_ = _e2283;
-                                } else {
-                                    phi_3992_ = _e2288;
-                                }
-                                let _e2321 = phi_3992_;
-                                if (_e2293 < _e2298) {
-                                    phi_3997_ = _e2293;
-                                } else {
-                                    phi_3997_ = _e2298;
-                                }
-                                let _e2324 = phi_3997_;
-                                if (_e2321 < _e2324) {
-                                    phi_4002_ = _e2321;
-                                } else {
-                                    phi_4002_ = _e2324;
-                                }
-                                let _e2327 = phi_4002_;
-                                if (_e2303 < _e2308) {
-                                    phi_4007_ = _e2303;
-                                } else {
-                                    phi_4007_ = _e2308;
-                                }
-                                let _e2330 = phi_4007_;
-                                if (_e2313 < _e2318) {
-                                    phi_4012_ = _e2313;
-                                } else {
-                                    phi_4012_ = _e2318;
-                                }
-                                let _e2333 = phi_4012_;
-                                if (_e2330 < _e2333) {
-                                    phi_4017_ = _e2330;
-                                } else {
-                                    phi_4017_ = _e2333;
-                                }
-                                let _e2336 = phi_4017_;
-                                if (_e2327 < _e2336) {
-                                    phi_4022_ = _e2327;
-                                } else {
-                                    phi_4022_ = _e2336;
-                                }
-                                let _e2339 = phi_4022_;
-                                if (_e2283 > _e2288) {
-                                    phi_4027_ = _e2283;
-                                } else {
-                                    phi_4027_ = _e2288;
-                                }
-                                let _e2342 = phi_4027_;
-                                if (_e2293 > _e2298) {
-                                    phi_4032_ = _e2293;
-                                } else {
-                                    phi_4032_ = _e2298;
-                                }
-                                let _e2345 = phi_4032_;
-                                if (_e2342 > _e2345) {
-                                    phi_4037_ = _e2342;
-                                } else {
-                                    phi_4037_ = _e2345;
-                                }
-                                let _e2348 = phi_4037_;
-                                if (_e2303 > _e2308) {
-                                    phi_4042_ = _e2303;
-                                } else {
-                                    phi_4042_ = _e2308;
-                                }
-                                let _e2351 = phi_4042_;
-                                if (_e2313 > _e2318) {
-                                    phi_4047_ = _e2313;
-                                } else {
-                                    phi_4047_ = _e2318;
-                                }
-                                let _e2354 = phi_4047_;
-                                if (_e2351 > _e2354) {
-                                    phi_4052_ = _e2351;
-                                } else {
-                                    phi_4052_ = _e2354;
-                                }
-                                let _e2357 = phi_4052_;
-                                if (_e2348 > _e2357) {
-                                    phi_4057_ = _e2348;
-                                } else {
-                                    phi_4057_ = _e2357;
-                                }
-                                let _e2360 = phi_4057_;
-                                if (_e2272 < 0f) {
-                                    phi_4063_ = -(_e2272);
-                                } else {
-                                    phi_4063_ = _e2272;
-                                }
-                                let _e2364 = phi_4063_;
-                                if (_e2275 < 0f) {
-                                    phi_4069_ = -(_e2275);
-                                } else {
-                                    phi_4069_ = _e2275;
-                                }
-                                let _e2368 = phi_4069_;
-                                if (_e2278 < 0f) {
-                                    phi_4076_ = -(_e2278);
-                                } else {
-                                    phi_4076_ = _e2278;
-                                }
-                                let _e2373 = phi_4076_;
-                                let _e2374 = ((_e2364 + _e2368) + _e2373);
-                                let _e2378 = -(_e2360);
-                                if (_e2339 > _e2378) {
-                                    phi_4086_ = _e2339;
-                                } else {
-                                    phi_4086_ = _e2378;
-                                }
-                                let _e2381 = phi_4086_;
-                                let _e2386 = (((_e2381 - ((_e2374 * _e2262) * (0.000000059604645f * 17f))) - (_e2374 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                let _e2389 = ((_e2047 * _e2041) - (_e2050 * _e2040));
-                                let _e2392 = ((_e2050 * _e2039) - (_e2044 * _e2041));
-                                let _e2395 = ((_e2044 * _e2040) - (_e2047 * _e2039));
-                                let _e2400 = (((_e2389 * _e2053[0]) + (_e2392 * _e2053[1])) + (_e2395 * _e2053[2]));
-                                let _e2405 = (((_e2389 * _e2069) + (_e2392 * _e2070)) + (_e2395 * _e2071));
-                                let _e2410 = (((_e2389 * _e2072) + (_e2392 * _e2073)) + (_e2395 * _e2074));
-                                let _e2415 = (((_e2389 * _e2053[0]) + (_e2392 * _e2053[1])) + (_e2395 * _e2053[2]));
-                                let _e2420 = (((_e2389 * _e2077[0]) + (_e2392 * _e2077[1])) + (_e2395 * _e2077[2]));
-                                let _e2425 = (((_e2389 * _e2093) + (_e2392 * _e2094)) + (_e2395 * _e2095));
-                                let _e2430 = (((_e2389 * _e2096) + (_e2392 * _e2097)) + (_e2395 * _e2098));
-                                let _e2435 = (((_e2389 * _e2077[0]) + (_e2392 * _e2077[1])) + (_e2395 * _e2077[2]));
-                                if (_e2400 < _e2405) {
-                                    phi_4157_ = _e2400;
-                                } else {
-                                    phi_4157_ = _e2405;
-                                }
-                                let _e2438 = phi_4157_;
-                                if (_e2410 < _e2415) {
-                                    phi_4162_ = _e2410;
-                                } else {
-                                    phi_4162_ = _e2415;
-                                }
-                                let _e2441 = phi_4162_;
-                                if (_e2438 < _e2441) {
-                                    phi_4167_ = _e2438;
-                                } else {
-                                    phi_4167_ = _e2441;
-                                }
-                                let _e2444 = phi_4167_;
-                                if (_e2420 < _e2425) {
-                                    phi_4172_ = _e2420;
-                                } else {
-                                    phi_4172_ = _e2425;
-                                }
-                                let _e2447 = phi_4172_;
-                                if (_e2430 < _e2435) {
-                                    phi_4177_ = _e2430;
-                                } else {
-                                    phi_4177_ = _e2435;
-                                }
-                                let _e2450 = phi_4177_;
-                                if (_e2447 < _e2450) {
-                                    phi_4182_ = _e2447;
-                                } else {
-                                    phi_4182_ = _e2450;
-                                }
-                                let _e2453 = phi_4182_;
-                                if (_e2444 < _e2453) {
-                                    phi_4187_ = _e2444;
-                                } else {
-                                    phi_4187_ = _e2453;
-                                }
-                                let _e2456 = phi_4187_;
-                                if (_e2400 > _e2405) {
-                                    phi_4192_ = _e2400;
-                                } else {
-                                    phi_4192_ = _e2405;
-                                }
-                                let _e2459 = phi_4192_;
-                                if (_e2410 > _e2415) {
-                                    phi_4197_ = _e2410;
-                                } else {
-                                    phi_4197_ = _e2415;
-                                }
-                                let _e2462 = phi_4197_;
-                                if (_e2459 > _e2462) {
-                                    phi_4202_ = _e2459;
-                                } else {
-                                    phi_4202_ = _e2462;
-                                }
-                                let _e2465 = phi_4202_;
-                                if (_e2420 > _e2425) {
-                                    phi_4207_ = _e2420;
-                                } else {
-                                    phi_4207_ = _e2425;
-                                }
-                                let _e2468 = phi_4207_;
-                                if (_e2430 > _e2435) {
-                                    phi_4212_ = _e2430;
-                                } else {
-                                    phi_4212_ = _e2435;
-                                }
-                                let _e2471 = phi_4212_;
-                                if (_e2468 > _e2471) {
-                                    phi_4217_ = _e2468;
-                                } else {
-                                    phi_4217_ = _e2471;
-                                }
-                                let _e2474 = phi_4217_;
-                                if (_e2465 > _e2474) {
-                                    phi_4222_ = _e2465;
-                                } else {
-                                    phi_4222_ = _e2474;
-                                }
-                                let _e2477 = phi_4222_;
-                                if (_e2389 < 0f) {
-                                    phi_4228_ = -(_e2389);
-                                } else {
-                                    phi_4228_ = _e2389;
-                                }
-                                let _e2481 = phi_4228_;
-                                if (_e2392 < 0f) {
-                                    phi_4234_ = -(_e2392);
-                                } else {
-                                    phi_4234_ = _e2392;
-                                }
-                                let _e2485 = phi_4234_;
-                                if (_e2395 < 0f) {
-                                    phi_4241_ = -(_e2395);
-                                } else {
-                                    phi_4241_ = _e2395;
-                                }
-                                let _e2490 = phi_4241_;
-                                let _e2491 = ((_e2481 + _e2485) + _e2490);
-                                let _e2495 = -(_e2477);
-                                if (_e2456 > _e2495) {
-                                    phi_4251_ = _e2456;
-                                } else {
-                                    phi_4251_ = _e2495;
-                                }
-                                let _e2498 = phi_4251_;
-                                let _e2503 = (((_e2498 - ((_e2491 * _e2262) * (0.000000059604645f * 17f))) - (_e2491 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2386 > _e2503) {
-                                    phi_4261_ = _e2386;
-                                } else {
-                                    phi_4261_ = _e2503;
-                                }
-                                let _e2506 = phi_4261_;
-                                let _e2507 = (_e2039 - _e2024);
-                                let _e2508 = (_e2040 - _e2025);
-                                let _e2509 = (_e2041 - _e2026);
-                                let _e2512 = ((_e2047 * _e2509) - (_e2050 * _e2508));
-                                let _e2515 = ((_e2050 * _e2507) - (_e2044 * _e2509));
-                                let _e2518 = ((_e2044 * _e2508) - (_e2047 * _e2507));
-                                let _e2523 = (((_e2512 * _e2053[0]) + (_e2515 * _e2053[1])) + (_e2518 * _e2053[2]));
-                                let _e2528 = (((_e2512 * _e2069) + (_e2515 * _e2070)) + (_e2518 * _e2071));
-                                let _e2533 = (((_e2512 * _e2072) + (_e2515 * _e2073)) + (_e2518 * _e2074));
-                                let _e2538 = (((_e2512 * _e2053[0]) + (_e2515 * _e2053[1])) + (_e2518 * _e2053[2]));
-                                let _e2543 = (((_e2512 * _e2077[0]) + (_e2515 * _e2077[1])) + (_e2518 * _e2077[2]));
-                                let _e2548 = (((_e2512 * _e2093) + (_e2515 * _e2094)) + (_e2518 * _e2095));
-                                let _e2553 = (((_e2512 * _e2096) + (_e2515 * _e2097)) + (_e2518 * _e2098));
-                                let _e2558 = (((_e2512 * _e2077[0]) + (_e2515 * _e2077[1])) + (_e2518 * _e2077[2]));
-                                if (_e2523 < _e2528) {
-                                    phi_4334_ = _e2523;
-                                } else {
-                                    phi_4334_ = _e2528;
-                                }
-                                let _e2561 = phi_4334_;
-                                if (_e2533 < _e2538) {
-                                    phi_4339_ = _e2533;
-                                } else {
-                                    phi_4339_ = _e2538;
-                                }
-                                let _e2564 = phi_4339_;
-                                if (_e2561 < _e2564) {
-                                    phi_4344_ = _e2561;
-                                } else {
-                                    phi_4344_ = _e2564;
-                                }
-                                let _e2567 = phi_4344_;
-                                if (_e2543 < _e2548) {
-                                    phi_4349_ = _e2543;
-                                } else {
-                                    phi_4349_ = _e2548;
-                                }
-                                let _e2570 = phi_4349_;
-                                if (_e2553 < _e2558) {
-                                    phi_4354_ = _e2553;
-                                } else {
-                                    phi_4354_ = _e2558;
-                                }
-                                let _e2573 = phi_4354_;
-                                if (_e2570 < _e2573) {
-                                    phi_4359_ = _e2570;
-                                } else {
-                                    phi_4359_ = _e2573;
-                                }
-                                let _e2576 = phi_4359_;
-                                if (_e2567 < _e2576) {
-                                    phi_4364_ = _e2567;
-                                } else {
-                                    phi_4364_ = _e2576;
-                                }
-                                let _e2579 = phi_4364_;
-                                if (_e2523 > _e2528) {
-                                    phi_4369_ = _e2523;
-                                } else {
-                                    phi_4369_ = _e2528;
-                                }
-                                let _e2582 = phi_4369_;
-                                if (_e2533 > _e2538) {
-                                    phi_4374_ = _e2533;
-                                } else {
-                                    phi_4374_ = _e2538;
-                                }
-                                let _e2585 = phi_4374_;
-                                if (_e2582 > _e2585) {
-                                    phi_4379_ = _e2582;
-                                } else {
-                                    phi_4379_ = _e2585;
-                                }
-                                let _e2588 = phi_4379_;
-                                if (_e2543 > _e2548) {
-                                    phi_4384_ = _e2543;
-                                } else {
-                                    phi_4384_ = _e2548;
-                                }
-                                let _e2591 = phi_4384_;
-                                if (_e2553 > _e2558) {
-                                    phi_4389_ = _e2553;
-                                } else {
-                                    phi_4389_ = _e2558;
-                                }
-                                let _e2594 = phi_4389_;
-                                if (_e2591 > _e2594) {
-                                    phi_4394_ = _e2591;
-                                } else {
-                                    phi_4394_ = _e2594;
-                                }
-                                let _e2597 = phi_4394_;
-                                if (_e2588 > _e2597) {
-                                    phi_4399_ = _e2588;
-                                } else {
-                                    phi_4399_ = _e2597;
-                                }
-                                let _e2600 = phi_4399_;
-                                if (_e2512 < 0f) {
-                                    phi_4405_ = -(_e2512);
-                                } else {
-                                    phi_4405_ = _e2512;
-                                }
-                                let _e2604 = phi_4405_;
-                                if (_e2515 < 0f) {
-                                    phi_4411_ = -(_e2515);
-                                } else {
-                                    phi_4411_ = _e2515;
-                                }
-                                let _e2608 = phi_4411_;
-                                if (_e2518 < 0f) {
-                                    phi_4418_ = -(_e2518);
-                                } else {
-                                    phi_4418_ = _e2518;
-                                }
-                                let _e2613 = phi_4418_;
-                                let _e2614 = ((_e2604 + _e2608) + _e2613);
-                                let _e2618 = -(_e2600);
-                                if (_e2579 > _e2618) {
-                                    phi_4428_ = _e2579;
-                                } else {
-                                    phi_4428_ = _e2618;
-                                }
-                                let _e2621 = phi_4428_;
-                                let _e2626 = (((_e2621 - ((_e2614 * _e2262) * (0.000000059604645f * 17f))) - (_e2614 * _e2269)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                if (_e2506 > _e2626) {
-                                    phi_4438_ = _e2506;
-                                } else {
-                                    phi_4438_ = _e2626;
-                                }
-                                let _e2629 = phi_4438_;
-                                phi_4441_ = (_e2629 > 0f);
-                            }
-                            let _e2632 = phi_4441_;
-                            if _e2632 {
-                                phi_7847_ = false;
-                            } else {
-                                let _e2635 = local_2.member[0u];
-                                let _e2641 = local_2.member[1u];
-                                let _e2648 = ((_e2635[0] + _e2641[0]) * 0.5f);
-                                let _e2649 = ((_e2635[1] + _e2641[1]) * 0.5f);
-                                let _e2650 = ((_e2635[2] + _e2641[2]) * 0.5f);
-                                let _e2653 = local_2.member_1[0u];
-                                let _e2659 = local_2.member_1[1u];
-                                let _e2666 = ((_e2653[0] + _e2659[0]) * 0.5f);
-                                let _e2667 = ((_e2653[1] + _e2659[1]) * 0.5f);
-                                let _e2668 = ((_e2653[2] + _e2659[2]) * 0.5f);
-                                let _e2671 = local_2.member_2[0u];
-                                let _e2677 = local_2.member_2[1u];
-                                let _e2684 = ((_e2671[0] + _e2677[0]) * 0.5f);
-                                let _e2685 = ((_e2671[1] + _e2677[1]) * 0.5f);
-                                let _e2686 = ((_e2671[2] + _e2677[2]) * 0.5f);
-                                let _e2689 = local_2.member[0u];
-                                let _e2692 = local_2.member_1[0u];
-                                let _e2695 = local_2.member_2[0u];
-                                let _e2697 = local_2.member_3;
-                                let _e2700 = local_2.member[1u];
-                                let _e2703 = local_2.member_1[1u];
-                                let _e2706 = local_2.member_2[1u];
-                                let _e2708 = local_2.member_3;
-                                local = type_34(array<array<f32, 3>, 2>(_e2689, array<f32, 3>(_e2648, _e2649, _e2650)), array<array<f32, 3>, 2>(_e2692, array<f32, 3>(_e2666, _e2667, _e2668)), array<array<f32, 3>, 2>(_e2695, array<f32, 3>(_e2684, _e2685, _e2686)), _e2697);
-                                local_1 = type_34(array<array<f32, 3>, 2>(array<f32, 3>(_e2648, _e2649, _e2650), _e2700), array<array<f32, 3>, 2>(array<f32, 3>(_e2666, _e2667, _e2668), _e2703), array<array<f32, 3>, 2>(array<f32, 3>(_e2684, _e2685, _e2686), _e2706), _e2708);
-                                let _e2725 = local.member_1[0u];
-                                let _e2731 = local.member_2[0u];
-                                let _e2737 = ((_e2725[1] * _e2731[2]) - (_e2725[2] * _e2731[1]));
-                                let _e2740 = ((_e2725[2] * _e2731[0]) - (_e2725[0] * _e2731[2]));
-                                let _e2743 = ((_e2725[0] * _e2731[1]) - (_e2725[1] * _e2731[0]));
-                                let _e2746 = local.member_1[1u];
-                                let _e2752 = local.member_2[1u];
-                                let _e2758 = ((_e2746[1] * _e2752[2]) - (_e2746[2] * _e2752[1]));
-                                let _e2761 = ((_e2746[2] * _e2752[0]) - (_e2746[0] * _e2752[2]));
-                                let _e2764 = ((_e2746[0] * _e2752[1]) - (_e2746[1] * _e2752[0]));
-                                let _e2767 = local.member_1[0u];
-                                let _e2773 = local.member_2[1u];
-                                let _e2788 = local.member_1[1u];
-                                let _e2794 = local.member_2[0u];
-                                let _e2807 = (((_e2767[1] * _e2773[2]) - (_e2767[2] * _e2773[1])) + ((_e2788[1] * _e2794[2]) - (_e2788[2] * _e2794[1])));
-                                let _e2808 = (((_e2767[2] * _e2773[0]) - (_e2767[0] * _e2773[2])) + ((_e2788[2] * _e2794[0]) - (_e2788[0] * _e2794[2])));
-                                let _e2809 = (((_e2767[0] * _e2773[1]) - (_e2767[1] * _e2773[0])) + ((_e2788[0] * _e2794[1]) - (_e2788[1] * _e2794[0])));
-                                let _e2812 = local.member[0u];
-                                let _e2823 = local.member[1u];
-                                let _e2834 = local.member[0u];
-                                let _e2843 = ((((_e2823[0] * _e2737) + (_e2823[1] * _e2740)) + (_e2823[2] * _e2743)) + (((_e2834[0] * _e2807) + (_e2834[1] * _e2808)) + (_e2834[2] * _e2809)));
-                                let _e2846 = local.member[0u];
-                                let _e2857 = local.member[1u];
-                                let _e2866 = ((((_e2846[0] * _e2758) + (_e2846[1] * _e2761)) + (_e2846[2] * _e2764)) + (((_e2857[0] * _e2807) + (_e2857[1] * _e2808)) + (_e2857[2] * _e2809)));
-                                let _e2869 = local.member[1u];
-                                let _e2880 = local.member[0u];
-                                if (_e2880[0] < 0f) {
-                                    phi_4893_ = -(_e2880[0]);
-                                } else {
-                                    phi_4893_ = _e2880[0];
-                                }
-                                let _e2887 = phi_4893_;
-                                if (_e2880[1] < 0f) {
-                                    phi_4900_ = -(_e2880[1]);
-                                } else {
-                                    phi_4900_ = _e2880[1];
-                                }
-                                let _e2891 = phi_4900_;
-                                if (_e2887 > _e2891) {
-                                    phi_4905_ = _e2887;
-                                } else {
-                                    phi_4905_ = _e2891;
-                                }
-                                let _e2894 = phi_4905_;
-                                if (_e2880[2] < 0f) {
-                                    phi_4912_ = -(_e2880[2]);
-                                } else {
-                                    phi_4912_ = _e2880[2];
-                                }
-                                let _e2898 = phi_4912_;
-                                if (_e2894 > _e2898) {
-                                    phi_4917_ = _e2894;
-                                } else {
-                                    phi_4917_ = _e2898;
-                                }
-                                let _e2901 = phi_4917_;
-                                let _e2904 = local.member[1u];
-                                if (_e2904[0] < 0f) {
-                                    phi_4930_ = -(_e2904[0]);
-                                } else {
-                                    phi_4930_ = _e2904[0];
-                                }
-                                let _e2911 = phi_4930_;
-                                if (_e2904[1] < 0f) {
-                                    phi_4937_ = -(_e2904[1]);
-                                } else {
-                                    phi_4937_ = _e2904[1];
-                                }
-                                let _e2915 = phi_4937_;
-                                if (_e2911 > _e2915) {
-                                    phi_4942_ = _e2911;
-                                } else {
-                                    phi_4942_ = _e2915;
-                                }
-                                let _e2918 = phi_4942_;
-                                if (_e2904[2] < 0f) {
-                                    phi_4949_ = -(_e2904[2]);
-                                } else {
-                                    phi_4949_ = _e2904[2];
-                                }
-                                let _e2922 = phi_4949_;
-                                if (_e2918 > _e2922) {
-                                    phi_4954_ = _e2918;
-                                } else {
-                                    phi_4954_ = _e2922;
-                                }
-                                let _e2925 = phi_4954_;
-                                if (_e2901 > _e2925) {
-                                    phi_4959_ = _e2901;
-                                } else {
-                                    phi_4959_ = _e2925;
-                                }
-                                let _e2928 = phi_4959_;
-                                let _e2930 = local.member_3;
-                                let _e2931 = (_e2928 + _e2930);
-                                let _e2934 = local.member_1[0u];
-                                if (_e2934[0] < 0f) {
-                                    phi_4976_ = -(_e2934[0]);
-                                } else {
-                                    phi_4976_ = _e2934[0];
-                                }
-                                let _e2941 = phi_4976_;
-                                if (_e2934[1] < 0f) {
-                                    phi_4983_ = -(_e2934[1]);
-                                } else {
-                                    phi_4983_ = _e2934[1];
-                                }
-                                let _e2945 = phi_4983_;
-                                if (_e2941 > _e2945) {
-                                    phi_4988_ = _e2941;
-                                } else {
-                                    phi_4988_ = _e2945;
-                                }
-                                let _e2948 = phi_4988_;
-                                if (_e2934[2] < 0f) {
-                                    phi_4995_ = -(_e2934[2]);
-                                } else {
-                                    phi_4995_ = _e2934[2];
-                                }
-                                let _e2952 = phi_4995_;
-                                if (_e2948 > _e2952) {
-                                    phi_5000_ = _e2948;
-                                } else {
-                                    phi_5000_ = _e2952;
-                                }
-                                let _e2955 = phi_5000_;
-                                let _e2958 = local.member_1[1u];
-                                if (_e2958[0] < 0f) {
-                                    phi_5014_ = -(_e2958[0]);
-                                } else {
-                                    phi_5014_ = _e2958[0];
-                                }
-                                let _e2965 = phi_5014_;
-                                if (_e2958[1] < 0f) {
-                                    phi_5021_ = -(_e2958[1]);
-                                } else {
-                                    phi_5021_ = _e2958[1];
-                                }
-                                let _e2969 = phi_5021_;
-                                if (_e2965 > _e2969) {
-                                    phi_5026_ = _e2965;
-                                } else {
-                                    phi_5026_ = _e2969;
-                                }
-                                let _e2972 = phi_5026_;
-                                if (_e2958[2] < 0f) {
-                                    phi_5033_ = -(_e2958[2]);
-                                } else {
-                                    phi_5033_ = _e2958[2];
-                                }
-                                let _e2976 = phi_5033_;
-                                if (_e2972 > _e2976) {
-                                    phi_5038_ = _e2972;
-                                } else {
-                                    phi_5038_ = _e2976;
-                                }
-                                let _e2979 = phi_5038_;
-                                if (_e2955 > _e2979) {
-                                    phi_5043_ = _e2955;
-                                } else {
-                                    phi_5043_ = _e2979;
-                                }
-                                let _e2982 = phi_5043_;
-                                let _e2984 = local.member_3;
-                                let _e2985 = (_e2982 + _e2984);
-                                let _e2988 = local.member_2[0u];
-                                if (_e2988[0] < 0f) {
-                                    phi_5060_ = -(_e2988[0]);
-                                } else {
-                                    phi_5060_ = _e2988[0];
-                                }
-                                let _e2995 = phi_5060_;
-                                if (_e2988[1] < 0f) {
-                                    phi_5067_ = -(_e2988[1]);
-                                } else {
-                                    phi_5067_ = _e2988[1];
-                                }
-                                let _e2999 = phi_5067_;
-                                if (_e2995 > _e2999) {
-                                    phi_5072_ = _e2995;
-                                } else {
-                                    phi_5072_ = _e2999;
-                                }
-                                let _e3002 = phi_5072_;
-                                if (_e2988[2] < 0f) {
-                                    phi_5079_ = -(_e2988[2]);
-                                } else {
-                                    phi_5079_ = _e2988[2];
-                                }
-                                let _e3006 = phi_5079_;
-                                if (_e3002 > _e3006) {
-                                    phi_5084_ = _e3002;
-                                } else {
-                                    phi_5084_ = _e3006;
-                                }
-                                let _e3009 = phi_5084_;
-                                let _e3012 = local.member_2[1u];
-                                if (_e3012[0] < 0f) {
-                                    phi_5098_ = -(_e3012[0]);
-                                } else {
-                                    phi_5098_ = _e3012[0];
-                                }
-                                let _e3019 = phi_5098_;
-                                if (_e3012[1] < 0f) {
-                                    phi_5105_ = -(_e3012[1]);
-                                } else {
-                                    phi_5105_ = _e3012[1];
-                                }
-                                let _e3023 = phi_5105_;
-                                if (_e3019 > _e3023) {
-                                    phi_5110_ = _e3019;
-                                } else {
-                                    phi_5110_ = _e3023;
-                                }
-                                let _e3026 = phi_5110_;
-                                if (_e3012[2] < 0f) {
-                                    phi_5117_ = -(_e3012[2]);
-                                } else {
-                                    phi_5117_ = _e3012[2];
-                                }
-                                let _e3030 = phi_5117_;
-                                if (_e3026 > _e3030) {
-                                    phi_5122_ = _e3026;
-                                } else {
-                                    phi_5122_ = _e3030;
-                                }
-                                let _e3033 = phi_5122_;
-                                if (_e3009 > _e3033) {
-                                    phi_5127_ = _e3009;
-                                } else {
-                                    phi_5127_ = _e3033;
-                                }
-                                let _e3036 = phi_5127_;
-                                let _e3038 = local.member_3;
-                                let _e3039 = (_e3036 + _e3038);
-                                let _e3041 = ((_e2985 * 8f) * _e3039);
-                                let _e3048 = local.member_3;
-                                if (_e2737 < 0f) {
-                                    phi_5158_ = -(_e2737);
-                                } else {
-                                    phi_5158_ = _e2737;
-                                }
-                                let _e3065 = phi_5158_;
-                                if (_e2740 < 0f) {
-                                    phi_5164_ = -(_e2740);
-                                } else {
-                                    phi_5164_ = _e2740;
-                                }
-                                let _e3069 = phi_5164_;
-                                if (_e2743 < 0f) {
-                                    phi_5171_ = -(_e2743);
-                                } else {
-                                    phi_5171_ = _e2743;
-                                }
-                                let _e3074 = phi_5171_;
-                                let _e3075 = ((_e3065 + _e3069) + _e3074);
-                                if (_e2758 < 0f) {
-                                    phi_5178_ = -(_e2758);
-                                } else {
-                                    phi_5178_ = _e2758;
-                                }
-                                let _e3079 = phi_5178_;
-                                if (_e2761 < 0f) {
-                                    phi_5184_ = -(_e2761);
-                                } else {
-                                    phi_5184_ = _e2761;
-                                }
-                                let _e3083 = phi_5184_;
-                                if (_e2764 < 0f) {
-                                    phi_5191_ = -(_e2764);
-                                } else {
-                                    phi_5191_ = _e2764;
-                                }
-                                let _e3088 = phi_5191_;
-                                let _e3089 = ((_e3079 + _e3083) + _e3088);
-                                if (_e3075 > _e3089) {
-                                    phi_5197_ = _e3075;
-                                } else {
-                                    phi_5197_ = _e3089;
-                                }
-                                let _e3092 = phi_5197_;
-                                if (_e2807 < 0f) {
-                                    phi_5203_ = -(_e2807);
-                                } else {
-                                    phi_5203_ = _e2807;
-                                }
-                                let _e3096 = phi_5203_;
-                                if (_e2808 < 0f) {
-                                    phi_5209_ = -(_e2808);
-                                } else {
-                                    phi_5209_ = _e2808;
-                                }
-                                let _e3100 = phi_5209_;
-                                if (_e2809 < 0f) {
-                                    phi_5216_ = -(_e2809);
-                                } else {
-                                    phi_5216_ = _e2809;
-                                }
-                                let _e3105 = phi_5216_;
-                                let _e3107 = (((_e3096 + _e3100) + _e3105) * 0.5f);
-                                if (_e3092 > _e3107) {
-                                    phi_5223_ = _e3092;
-                                } else {
-                                    phi_5223_ = _e3107;
-                                }
-                                let _e3110 = phi_5223_;
-                                let _e3115 = local.member_3;
-                                let _e3128 = ((((_e2812[0] * _e2737) + (_e2812[1] * _e2740)) + (_e2812[2] * _e2743)) * 3f);
-                                let _e3129 = ((((_e2869[0] * _e2758) + (_e2869[1] * _e2761)) + (_e2869[2] * _e2764)) * 3f);
-                                if (_e3128 < _e3129) {
-                                    phi_5247_ = _e3128;
-                                } else {
-                                    phi_5247_ = _e3129;
-                                }
-                                let _e3132 = phi_5247_;
-                                if (_e2843 < _e2866) {
-                                    phi_5252_ = _e2843;
-                                } else {
-                                    phi_5252_ = _e2866;
-                                }
-                                let _e3135 = phi_5252_;
-                                if (_e3132 < _e3135) {
-                                    phi_5257_ = _e3132;
-                                } else {
-                                    phi_5257_ = _e3135;
-                                }
-                                let _e3138 = phi_5257_;
-                                if (_e3128 > _e3129) {
-                                    phi_5262_ = _e3128;
-                                } else {
-                                    phi_5262_ = _e3129;
-                                }
-                                let _e3141 = phi_5262_;
-                                if (_e2843 > _e2866) {
-                                    phi_5267_ = _e2843;
-                                } else {
-                                    phi_5267_ = _e2866;
-                                }
-                                let _e3144 = phi_5267_;
-                                if (_e3141 > _e3144) {
-                                    phi_5272_ = _e3141;
-                                } else {
-                                    phi_5272_ = _e3144;
-                                }
-                                let _e3147 = phi_5272_;
-                                let _e3152 = -(_e3147);
-                                if (_e3138 > _e3152) {
-                                    phi_5282_ = _e3138;
-                                } else {
-                                    phi_5282_ = _e3152;
-                                }
-                                let _e3155 = phi_5282_;
-                                if ((_e3155 - ((((((_e2931 * 8f) * _e3041) * (0.000000059604645f * (490f / 64f))) + ((_e3048 * 19f) * ((_e2931 * (_e2985 + _e3039)) + (_e2985 * _e3039)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2931) * ((1f + _e2985) * (1f + _e3039))))) + ((_e1499 * (((_e3110 + (_e3041 * (0.000000059604645f * 4f))) + ((_e3115 * 6f) * (_e2985 + _e3039))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e2985) * (1f + _e3039))))) * (3f * 1.0001f)))) > 0f) {
-                                    phi_6246_ = true;
-                                } else {
-                                    let _e3160 = local.member_1[0u];
-                                    let _e3166 = local.member_1[1u];
-                                    let _e3170 = (_e3160[0] + _e3166[0]);
-                                    let _e3171 = (_e3160[1] + _e3166[1]);
-                                    let _e3172 = (_e3160[2] + _e3166[2]);
-                                    let _e3175 = local.member_2[0u];
-                                    let _e3181 = local.member_2[1u];
-                                    let _e3185 = (_e3175[0] + _e3181[0]);
-                                    let _e3186 = (_e3175[1] + _e3181[1]);
-                                    let _e3187 = (_e3175[2] + _e3181[2]);
-                                    let _e3190 = ((_e3171 * _e3187) - (_e3172 * _e3186));
-                                    let _e3193 = ((_e3172 * _e3185) - (_e3170 * _e3187));
-                                    let _e3196 = ((_e3170 * _e3186) - (_e3171 * _e3185));
-                                    let _e3199 = local.member[0u];
-                                    let _e3205 = local.member_1[0u];
-                                    let _e3211 = local.member_2[0u];
-                                    let _e3215 = (_e3199[0] - _e3205[0]);
-                                    let _e3216 = (_e3199[1] - _e3205[1]);
-                                    let _e3217 = (_e3199[2] - _e3205[2]);
-                                    let _e3218 = (_e3199[0] - _e3211[0]);
-                                    let _e3219 = (_e3199[1] - _e3211[1]);
-                                    let _e3220 = (_e3199[2] - _e3211[2]);
-                                    let _e3223 = local.member[1u];
-                                    let _e3229 = local.member_1[1u];
-                                    let _e3235 = local.member_2[1u];
-                                    let _e3239 = (_e3223[0] - _e3229[0]);
-                                    let _e3240 = (_e3223[1] - _e3229[1]);
-                                    let _e3241 = (_e3223[2] - _e3229[2]);
-                                    let _e3242 = (_e3223[0] - _e3235[0]);
-                                    let _e3243 = (_e3223[1] - _e3235[1]);
-                                    let _e3244 = (_e3223[2] - _e3235[2]);
-                                    let _e3247 = local.member[0u];
-                                    if (_e3247[0] < 0f) {
-                                        phi_5485_ = -(_e3247[0]);
-                                    } else {
-                                        phi_5485_ = _e3247[0];
-                                    }
-                                    let _e3254 = phi_5485_;
-                                    if (_e3247[1] < 0f) {
-                                        phi_5492_ = -(_e3247[1]);
-                                    } else {
-                                        phi_5492_ = _e3247[1];
-                                    }
-                                    let _e3258 = phi_5492_;
-                                    if (_e3254 > _e3258) {
-                                        phi_5497_ = _e3254;
-                                    } else {
-                                        phi_5497_ = _e3258;
-                                    }
-                                    let _e3261 = phi_5497_;
-                                    if (_e3247[2] < 0f) {
-                                        phi_5504_ = -(_e3247[2]);
-                                    } else {
-                                        phi_5504_ = _e3247[2];
-                                    }
-                                    let _e3265 = phi_5504_;
-                                    if (_e3261 > _e3265) {
-                                        phi_5509_ = _e3261;
-                                    } else {
-                                        phi_5509_ = _e3265;
-                                    }
-                                    let _e3268 = phi_5509_;
-                                    let _e3271 = local.member[1u];
-                                    if (_e3271[0] < 0f) {
-                                        phi_5522_ = -(_e3271[0]);
-                                    } else {
-                                        phi_5522_ = _e3271[0];
-                                    }
-                                    let _e3278 = phi_5522_;
-                                    if (_e3271[1] < 0f) {
-                                        phi_5529_ = -(_e3271[1]);
-                                    } else {
-                                        phi_5529_ = _e3271[1];
-                                    }
-                                    let _e3282 = phi_5529_;
-                                    if (_e3278 > _e3282) {
-                                        phi_5534_ = _e3278;
-                                    } else {
-                                        phi_5534_ = _e3282;
-                                    }
-                                    let _e3285 = phi_5534_;
-                                    if (_e3271[2] < 0f) {
-                                        phi_5541_ = -(_e3271[2]);
-                                    } else {
-                                        phi_5541_ = _e3271[2];
-                                    }
-                                    let _e3289 = phi_5541_;
-                                    if (_e3285 > _e3289) {
-                                        phi_5546_ = _e3285;
-                                    } else {
-                                        phi_5546_ = _e3289;
-                                    }
-                                    let _e3292 = phi_5546_;
-                                    if (_e3268 > _e3292) {
-                                        phi_5551_ = _e3268;
-                                    } else {
-                                        phi_5551_ = _e3292;
-                                    }
-                                    let _e3295 = phi_5551_;
-                                    let _e3297 = local.member_3;
-                                    let _e3301 = local.member_1[0u];
-                                    if (_e3301[0] < 0f) {
-                                        phi_5568_ = -(_e3301[0]);
-                                    } else {
-                                        phi_5568_ = _e3301[0];
-                                    }
-                                    let _e3308 = phi_5568_;
-                                    if (_e3301[1] < 0f) {
-                                        phi_5575_ = -(_e3301[1]);
-                                    } else {
-                                        phi_5575_ = _e3301[1];
-                                    }
-                                    let _e3312 = phi_5575_;
-                                    if (_e3308 > _e3312) {
-                                        phi_5580_ = _e3308;
-                                    } else {
-                                        phi_5580_ = _e3312;
-                                    }
-                                    let _e3315 = phi_5580_;
-                                    if (_e3301[2] < 0f) {
-                                        phi_5587_ = -(_e3301[2]);
-                                    } else {
-                                        phi_5587_ = _e3301[2];
-                                    }
-                                    let _e3319 = phi_5587_;
-                                    if (_e3315 > _e3319) {
-                                        phi_5592_ = _e3315;
-                                    } else {
-                                        phi_5592_ = _e3319;
-                                    }
-                                    let _e3322 = phi_5592_;
-                                    let _e3325 = local.member_1[1u];
-                                    if (_e3325[0] < 0f) {
-                                        phi_5606_ = -(_e3325[0]);
-                                    } else {
-                                        phi_5606_ = _e3325[0];
-                                    }
-                                    let _e3332 = phi_5606_;
-                                    if (_e3325[1] < 0f) {
-                                        phi_5613_ = -(_e3325[1]);
-                                    } else {
-                                        phi_5613_ = _e3325[1];
-                                    }
-                                    let _e3336 = phi_5613_;
-                                    if (_e3332 > _e3336) {
-                                        phi_5618_ = _e3332;
-                                    } else {
-                                        phi_5618_ = _e3336;
-                                    }
-                                    let _e3339 = phi_5618_;
-                                    if (_e3325[2] < 0f) {
-                                        phi_5625_ = -(_e3325[2]);
-                                    } else {
-                                        phi_5625_ = _e3325[2];
-                                    }
-                                    let _e3343 = phi_5625_;
-                                    if (_e3339 > _e3343) {
-                                        phi_5630_ = _e3339;
-                                    } else {
-                                        phi_5630_ = _e3343;
-                                    }
-                                    let _e3346 = phi_5630_;
-                                    if (_e3322 > _e3346) {
-                                        phi_5635_ = _e3322;
-                                    } else {
-                                        phi_5635_ = _e3346;
-                                    }
-                                    let _e3349 = phi_5635_;
-                                    let _e3351 = local.member_3;
-                                    let _e3355 = local.member_2[0u];
-                                    if (_e3355[0] < 0f) {
-                                        phi_5652_ = -(_e3355[0]);
-                                    } else {
-                                        phi_5652_ = _e3355[0];
-                                    }
-                                    let _e3362 = phi_5652_;
-                                    if (_e3355[1] < 0f) {
-                                        phi_5659_ = -(_e3355[1]);
-                                    } else {
-                                        phi_5659_ = _e3355[1];
-                                    }
-                                    let _e3366 = phi_5659_;
-                                    if (_e3362 > _e3366) {
-                                        phi_5664_ = _e3362;
-                                    } else {
-                                        phi_5664_ = _e3366;
-                                    }
-                                    let _e3369 = phi_5664_;
-                                    if (_e3355[2] < 0f) {
-                                        phi_5671_ = -(_e3355[2]);
-                                    } else {
-                                        phi_5671_ = _e3355[2];
-                                    }
-                                    let _e3373 = phi_5671_;
-                                    if (_e3369 > _e3373) {
-                                        phi_5676_ = _e3369;
-                                    } else {
-                                        phi_5676_ = _e3373;
-                                    }
-                                    let _e3376 = phi_5676_;
-                                    let _e3379 = local.member_2[1u];
-                                    if (_e3379[0] < 0f) {
-                                        phi_5690_ = -(_e3379[0]);
-                                    } else {
-                                        phi_5690_ = _e3379[0];
-                                    }
-                                    let _e3386 = phi_5690_;
-                                    if (_e3379[1] < 0f) {
-                                        phi_5697_ = -(_e3379[1]);
-                                    } else {
-                                        phi_5697_ = _e3379[1];
-                                    }
-                                    let _e3390 = phi_5697_;
-                                    if (_e3386 > _e3390) {
-                                        phi_5702_ = _e3386;
-                                    } else {
-                                        phi_5702_ = _e3390;
-                                    }
-                                    let _e3393 = phi_5702_;
-                                    if (_e3379[2] < 0f) {
-                                        phi_5709_ = -(_e3379[2]);
-                                    } else {
-                                        phi_5709_ = _e3379[2];
-                                    }
-                                    let _e3397 = phi_5709_;
-                                    if (_e3393 > _e3397) {
-                                        phi_5714_ = _e3393;
-                                    } else {
-                                        phi_5714_ = _e3397;
-                                    }
-                                    let _e3400 = phi_5714_;
-                                    if (_e3376 > _e3400) {
-                                        phi_5719_ = _e3376;
-                                    } else {
-                                        phi_5719_ = _e3400;
-                                    }
-                                    let _e3403 = phi_5719_;
-                                    let _e3405 = local.member_3;
-                                    let _e3408 = (((_e3295 + _e3297) + (_e3349 + _e3351)) + (_e3403 + _e3405));
-                                    let _e3411 = local.member_3;
-                                    let _e3415 = (((_e1499 * 1.0001f) + (_e3411 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                    let _e3418 = ((_e3193 * _e3172) - (_e3196 * _e3171));
-                                    let _e3421 = ((_e3196 * _e3170) - (_e3190 * _e3172));
-                                    let _e3424 = ((_e3190 * _e3171) - (_e3193 * _e3170));
-                                    let _e3429 = (((_e3418 * _e3199[0]) + (_e3421 * _e3199[1])) + (_e3424 * _e3199[2]));
-                                    let _e3434 = (((_e3418 * _e3215) + (_e3421 * _e3216)) + (_e3424 * _e3217));
-                                    let _e3439 = (((_e3418 * _e3218) + (_e3421 * _e3219)) + (_e3424 * _e3220));
-                                    let _e3444 = (((_e3418 * _e3199[0]) + (_e3421 * _e3199[1])) + (_e3424 * _e3199[2]));
-                                    let _e3449 = (((_e3418 * _e3223[0]) + (_e3421 * _e3223[1])) + (_e3424 * _e3223[2]));
-                                    let _e3454 = (((_e3418 * _e3239) + (_e3421 * _e3240)) + (_e3424 * _e3241));
-                                    let _e3459 = (((_e3418 * _e3242) + (_e3421 * _e3243)) + (_e3424 * _e3244));
-                                    let _e3464 = (((_e3418 * _e3223[0]) + (_e3421 * _e3223[1])) + (_e3424 * _e3223[2]));
-                                    if (_e3429 < _e3434) {
-                                        phi_5797_ = _e3429;
-                                    } else {
-                                        phi_5797_ = _e3434;
-                                    }
-                                    let _e3467 = phi_5797_;
-                                    if (_e3439 < _e3444) {
-                                        phi_5802_ = _e3439;
-                                    } else {
-                                        phi_5802_ = _e3444;
-                                    }
-                                    let _e3470 = phi_5802_;
-                                    if (_e3467 < _e3470) {
-                                        phi_5807_ = _e3467;
-                                    } else {
-                                        phi_5807_ = _e3470;
-                                    }
-                                    let _e3473 = phi_5807_;
-                                    if (_e3449 < _e3454) {
-                                        phi_5812_ = _e3449;
-                                    } else {
-                                        phi_5812_ = _e3454;
-                                    }
-                                    let _e3476 = phi_5812_;
-                                    if (_e3459 < _e3464) {
-                                        phi_5817_ = _e3459;
-                                    } else {
-                                        phi_5817_ = _e3464;
-                                    }
-                                    let _e3479 = phi_5817_;
-                                    if (_e3476 < _e3479) {
-                                        phi_5822_ = _e3476;
-                                    } else {
-                                        phi_5822_ = _e3479;
-                                    }
-                                    let _e3482 = phi_5822_;
-                                    if (_e3473 < _e3482) {
-                                        phi_5827_ = _e3473;
-                                    } else {
-                                        phi_5827_ = _e3482;
-                                    }
-                                    let _e3485 = phi_5827_;
-                                    if (_e3429 > _e3434) {
-                                        phi_5832_ = _e3429;
-                                    } else {
-                                        phi_5832_ = _e3434;
-                                    }
-                                    let _e3488 = phi_5832_;
-                                    if (_e3439 > _e3444) {
-                                        phi_5837_ = _e3439;
-                                    } else {
-                                        phi_5837_ = _e3444;
-                                    }
-                                    let _e3491 = phi_5837_;
-                                    if (_e3488 > _e3491) {
-                                        phi_5842_ = _e3488;
-                                    } else {
-                                        phi_5842_ = _e3491;
-                                    }
-                                    let _e3494 = phi_5842_;
-                                    if (_e3449 > _e3454) {
-                                        phi_5847_ = _e3449;
-                                    } else {
-                                        phi_5847_ = _e3454;
-                                    }
-                                    let _e3497 = phi_5847_;
-                                    if (_e3459 > _e3464) {
-                                        phi_5852_ = _e3459;
-                                    } else {
-                                        phi_5852_ = _e3464;
-                                    }
-                                    let _e3500 = phi_5852_;
-                                    if (_e3497 > _e3500) {
-                                        phi_5857_ = _e3497;
-                                    } else {
-                                        phi_5857_ = _e3500;
-                                    }
-                                    let _e3503 = phi_5857_;
-                                    if (_e3494 > _e3503) {
-                                        phi_5862_ = _e3494;
-                                    } else {
-                                        phi_5862_ = _e3503;
-                                    }
-                                    let _e3506 = phi_5862_;
-                                    if (_e3418 < 0f) {
-                                        phi_5868_ = -(_e3418);
-                                    } else {
-                                        phi_5868_ = _e3418;
-                                    }
-                                    let _e3510 = phi_5868_;
-                                    if (_e3421 < 0f) {
-                                        phi_5874_ = -(_e3421);
-                                    } else {
-                                        phi_5874_ = _e3421;
-                                    }
-                                    let _e3514 = phi_5874_;
-                                    if (_e3424 < 0f) {
-                                        phi_5881_ = -(_e3424);
-                                    } else {
-                                        phi_5881_ = _e3424;
-                                    }
-                                    let _e3519 = phi_5881_;
-                                    let _e3520 = ((_e3510 + _e3514) + _e3519);
-                                    let _e3524 = -(_e3506);
-                                    if (_e3485 > _e3524) {
-                                        phi_5891_ = _e3485;
-                                    } else {
-                                        phi_5891_ = _e3524;
-                                    }
-                                    let _e3527 = phi_5891_;
-                                    let _e3532 = (((_e3527 - ((_e3520 * _e3408) * (0.000000059604645f * 17f))) - (_e3520 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    let _e3535 = ((_e3193 * _e3187) - (_e3196 * _e3186));
-                                    let _e3538 = ((_e3196 * _e3185) - (_e3190 * _e3187));
-                                    let _e3541 = ((_e3190 * _e3186) - (_e3193 * _e3185));
-                                    let _e3546 = (((_e3535 * _e3199[0]) + (_e3538 * _e3199[1])) + (_e3541 * _e3199[2]));
-                                    let _e3551 = (((_e3535 * _e3215) + (_e3538 * _e3216)) + (_e3541 * _e3217));
-                                    let _e3556 = (((_e3535 * _e3218) + (_e3538 * _e3219)) + (_e3541 * _e3220));
-                                    let _e3561 = (((_e3535 * _e3199[0]) + (_e3538 * _e3199[1])) + (_e3541 * _e3199[2]));
-                                    let _e3566 = (((_e3535 * _e3223[0]) + (_e3538 * _e3223[1])) + (_e3541 * _e3223[2]));
-                                    let _e3571 = (((_e3535 * _e3239) + (_e3538 * _e3240)) + (_e3541 * _e3241));
-                                    let _e3576 = (((_e3535 * _e3242) + (_e3538 * _e3243)) + (_e3541 * _e3244));
-                                    let _e3581 = (((_e3535 * _e3223[0]) + (_e3538 * _e3223[1])) + (_e3541 * _e3223[2]));
-                                    if (_e3546 < _e3551) {
-                                        phi_5962_ = _e3546;
-                                    } else {
-                                        phi_5962_ = _e3551;
-                                    }
-                                    let _e3584 = phi_5962_;
-                                    if (_e3556 < _e3561) {
-                                        phi_5967_ = _e3556;
-                                    } else {
-                                        phi_5967_ = _e3561;
-                                    }
-                                    let _e3587 = phi_5967_;
-                                    if (_e3584 < _e3587) {
-                                        phi_5972_ = _e3584;
-                                    } else {
-                                        phi_5972_ = _e3587;
-                                    }
-                                    let _e3590 = phi_5972_;
-                                    if (_e3566 < _e3571) {
-                                        phi_5977_ = _e3566;
-                                    } else {
-                                        phi_5977_ = _e3571;
-                                    }
-                                    let _e3593 = phi_5977_;
-                                    if (_e3576 < _e3581) {
-                                        phi_5982_ = _e3576;
-                                    } else {
-                                        phi_5982_ = _e3581;
-                                    }
-                                    let _e3596 = phi_5982_;
-                                    if (_e3593 < _e3596) {
-                                        phi_5987_ = _e3593;
-                                    } else {
-                                        phi_5987_ = _e3596;
-                                    }
-                                    let _e3599 = phi_5987_;
-                                    if (_e3590 < _e3599) {
-                                        phi_5992_ = _e3590;
-                                    } else {
-                                        phi_5992_ = _e3599;
-                                    }
-                                    let _e3602 = phi_5992_;
-                                    if (_e3546 > _e3551) {
-                                        phi_5997_ = _e3546;
-                                    } else {
-                                        phi_5997_ = _e3551;
-                                    }
-                                    let _e3605 = phi_5997_;
-                                    if (_e3556 > _e3561) {
-                                        phi_6002_ = _e3556;
-                                    } else {
-                                        phi_6002_ = _e3561;
-                                    }
-                                    let _e3608 = phi_6002_;
-                                    if (_e3605 > _e3608) {
-                                        phi_6007_ = _e3605;
-                                    } else {
-                                        phi_6007_ = _e3608;
-                                    }
-                                    let _e3611 = phi_6007_;
-                                    if (_e3566 > _e3571) {
-                                        phi_6012_ = _e3566;
-                                    } else {
-                                        phi_6012_ = _e3571;
-                                    }
-                                    let _e3614 = phi_6012_;
-                                    if (_e3576 > _e3581) {
-                                        phi_6017_ = _e3576;
-                                    } else {
-                                        phi_6017_ = _e3581;
-                                    }
-                                    let _e3617 = phi_6017_;
-                                    if (_e3614 > _e3617) {
-                                        phi_6022_ = _e3614;
-                                    } else {
-                                        phi_6022_ = _e3617;
-                                    }
-                                    let _e3620 = phi_6022_;
-                                    if (_e3611 > _e3620) {
-                                        phi_6027_ = _e3611;
-                                    } else {
-                                        phi_6027_ = _e3620;
-                                    }
-                                    let _e3623 = phi_6027_;
-                                    if (_e3535 < 0f) {
-                                        phi_6033_ = -(_e3535);
-                                    } else {
-                                        phi_6033_ = _e3535;
-                                    }
-                                    let _e3627 = phi_6033_;
-                                    if (_e3538 < 0f) {
-                                        phi_6039_ = -(_e3538);
-                                    } else {
-                                        phi_6039_ = _e3538;
-                                    }
-                                    let _e3631 = phi_6039_;
-                                    if (_e3541 < 0f) {
-                                        phi_6046_ = -(_e3541);
-                                    } else {
-                                        phi_6046_ = _e3541;
-                                    }
-                                    let _e3636 = phi_6046_;
-                                    let _e3637 = ((_e3627 + _e3631) + _e3636);
-                                    let _e3641 = -(_e3623);
-                                    if (_e3602 > _e3641) {
-                                        phi_6056_ = _e3602;
-                                    } else {
-                                        phi_6056_ = _e3641;
-                                    }
-                                    let _e3644 = phi_6056_;
-                                    let _e3649 = (((_e3644 - ((_e3637 * _e3408) * (0.000000059604645f * 17f))) - (_e3637 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3532 > _e3649) {
-                                        phi_6066_ = _e3532;
-                                    } else {
-                                        phi_6066_ = _e3649;
-                                    }
-                                    let _e3652 = phi_6066_;
-                                    let _e3653 = (_e3185 - _e3170);
-                                    let _e3654 = (_e3186 - _e3171);
-                                    let _e3655 = (_e3187 - _e3172);
-                                    let _e3658 = ((_e3193 * _e3655) - (_e3196 * _e3654));
-                                    let _e3661 = ((_e3196 * _e3653) - (_e3190 * _e3655));
-                                    let _e3664 = ((_e3190 * _e3654) - (_e3193 * _e3653));
-                                    let _e3669 = (((_e3658 * _e3199[0]) + (_e3661 * _e3199[1])) + (_e3664 * _e3199[2]));
-                                    let _e3674 = (((_e3658 * _e3215) + (_e3661 * _e3216)) + (_e3664 * _e3217));
-                                    let _e3679 = (((_e3658 * _e3218) + (_e3661 * _e3219)) + (_e3664 * _e3220));
-                                    let _e3684 = (((_e3658 * _e3199[0]) + (_e3661 * _e3199[1])) + (_e3664 * _e3199[2]));
-                                    let _e3689 = (((_e3658 * _e3223[0]) + (_e3661 * _e3223[1])) + (_e3664 * _e3223[2]));
-                                    let _e3694 = (((_e3658 * _e3239) + (_e3661 * _e3240)) + (_e3664 * _e3241));
-                                    let _e3699 = (((_e3658 * _e3242) + (_e3661 * _e3243)) + (_e3664 * _e3244));
-                                    let _e3704 = (((_e3658 * _e3223[0]) + (_e3661 * _e3223[1])) + (_e3664 * _e3223[2]));
-                                    if (_e3669 < _e3674) {
-                                        phi_6139_ = _e3669;
-                                    } else {
-                                        phi_6139_ = _e3674;
-                                    }
-                                    let _e3707 = phi_6139_;
-                                    if (_e3679 < _e3684) {
-                                        phi_6144_ = _e3679;
-                                    } else {
-                                        phi_6144_ = _e3684;
-                                    }
-                                    let _e3710 = phi_6144_;
-                                    if (_e3707 < _e3710) {
-                                        phi_6149_ = _e3707;
-                                    } else {
-                                        phi_6149_ = _e3710;
-                                    }
-                                    let _e3713 = phi_6149_;
-                                    if (_e3689 < _e3694) {
-                                        phi_6154_ = _e3689;
-                                    } else {
-                                        phi_6154_ = _e3694;
-                                    }
-                                    let _e3716 = phi_6154_;
-                                    if (_e3699 < _e3704) {
-                                        phi_6159_ = _e3699;
-                                    } else {
-                                        phi_6159_ = _e3704;
-                                    }
-                                    let _e3719 = phi_6159_;
-                                    if (_e3716 < _e3719) {
-                                        phi_6164_ = _e3716;
-                                    } else {
-                                        phi_6164_ = _e3719;
-                                    }
-                                    let _e3722 = phi_6164_;
-                                    if (_e3713 < _e3722) {
-                                        phi_6169_ = _e3713;
-                                    } else {
-                                        phi_6169_ = _e3722;
-                                    }
-                                    let _e3725 = phi_6169_;
-                                    if (_e3669 > _e3674) {
-                                        phi_6174_ = _e3669;
-                                    } else {
-                                        phi_6174_ = _e3674;
-                                    }
-                                    let _e3728 = phi_6174_;
-                                    if (_e3679 > _e3684) {
-                                        phi_6179_ = _e3679;
-                                    } else {
-                                        phi_6179_ = _e3684;
-                                    }
-                                    let _e3731 = phi_6179_;
-                                    if (_e3728 > _e3731) {
-                                        phi_6184_ = _e3728;
-                                    } else {
-                                        phi_6184_ = _e3731;
-                                    }
-                                    let _e3734 = phi_6184_;
-                                    if (_e3689 > _e3694) {
-                                        phi_6189_ = _e3689;
-                                    } else {
-                                        phi_6189_ = _e3694;
-                                    }
-                                    let _e3737 = phi_6189_;
-                                    if (_e3699 > _e3704) {
-                                        phi_6194_ = _e3699;
-                                    } else {
-                                        phi_6194_ = _e3704;
-                                    }
-                                    let _e3740 = phi_6194_;
-                                    if (_e3737 > _e3740) {
-                                        phi_6199_ = _e3737;
-                                    } else {
-                                        phi_6199_ = _e3740;
-                                    }
-                                    let _e3743 = phi_6199_;
-                                    if (_e3734 > _e3743) {
-                                        phi_6204_ = _e3734;
-                                    } else {
-                                        phi_6204_ = _e3743;
-                                    }
-                                    let _e3746 = phi_6204_;
-                                    if (_e3658 < 0f) {
-                                        phi_6210_ = -(_e3658);
-                                    } else {
-                                        phi_6210_ = _e3658;
-                                    }
-                                    let _e3750 = phi_6210_;
-                                    if (_e3661 < 0f) {
-                                        phi_6216_ = -(_e3661);
-                                    } else {
-                                        phi_6216_ = _e3661;
-                                    }
-                                    let _e3754 = phi_6216_;
-                                    if (_e3664 < 0f) {
-                                        phi_6223_ = -(_e3664);
-                                    } else {
-                                        phi_6223_ = _e3664;
-                                    }
-                                    let _e3759 = phi_6223_;
-                                    let _e3760 = ((_e3750 + _e3754) + _e3759);
-                                    let _e3764 = -(_e3746);
-                                    if (_e3725 > _e3764) {
-                                        phi_6233_ = _e3725;
-                                    } else {
-                                        phi_6233_ = _e3764;
-                                    }
-                                    let _e3767 = phi_6233_;
-                                    let _e3772 = (((_e3767 - ((_e3760 * _e3408) * (0.000000059604645f * 17f))) - (_e3760 * _e3415)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                    if (_e3652 > _e3772) {
-                                        phi_6243_ = _e3652;
-                                    } else {
-                                        phi_6243_ = _e3772;
-                                    }
-                                    let _e3775 = phi_6243_;
-                                    phi_6246_ = (_e3775 > 0f);
-                                }
-                                let _e3778 = phi_6246_;
-                                if _e3778 {
-                                    let _e3781 = local_1.member_1[0u];
-                                    let _e3787 = local_1.member_2[0u];
-                                    let _e3793 = ((_e3781[1] * _e3787[2]) - (_e3781[2] * _e3787[1]));
-                                    let _e3796 = ((_e3781[2] * _e3787[0]) - (_e3781[0] * _e3787[2]));
-                                    let _e3799 = ((_e3781[0] * _e3787[1]) - (_e3781[1] * _e3787[0]));
-                                    let _e3802 = local_1.member_1[1u];
-                                    let _e3808 = local_1.member_2[1u];
-                                    let _e3814 = ((_e3802[1] * _e3808[2]) - (_e3802[2] * _e3808[1]));
-                                    let _e3817 = ((_e3802[2] * _e3808[0]) - (_e3802[0] * _e3808[2]));
-                                    let _e3820 = ((_e3802[0] * _e3808[1]) - (_e3802[1] * _e3808[0]));
-                                    let _e3823 = local_1.member_1[0u];
-                                    let _e3829 = local_1.member_2[1u];
-                                    let _e3844 = local_1.member_1[1u];
-                                    let _e3850 = local_1.member_2[0u];
-                                    let _e3863 = (((_e3823[1] * _e3829[2]) - (_e3823[2] * _e3829[1])) + ((_e3844[1] * _e3850[2]) - (_e3844[2] * _e3850[1])));
-                                    let _e3864 = (((_e3823[2] * _e3829[0]) - (_e3823[0] * _e3829[2])) + ((_e3844[2] * _e3850[0]) - (_e3844[0] * _e3850[2])));
-                                    let _e3865 = (((_e3823[0] * _e3829[1]) - (_e3823[1] * _e3829[0])) + ((_e3844[0] * _e3850[1]) - (_e3844[1] * _e3850[0])));
-                                    let _e3868 = local_1.member[0u];
-                                    let _e3879 = local_1.member[1u];
-                                    let _e3890 = local_1.member[0u];
-                                    let _e3899 = ((((_e3879[0] * _e3793) + (_e3879[1] * _e3796)) + (_e3879[2] * _e3799)) + (((_e3890[0] * _e3863) + (_e3890[1] * _e3864)) + (_e3890[2] * _e3865)));
-                                    let _e3902 = local_1.member[0u];
-                                    let _e3913 = local_1.member[1u];
-                                    let _e3922 = ((((_e3902[0] * _e3814) + (_e3902[1] * _e3817)) + (_e3902[2] * _e3820)) + (((_e3913[0] * _e3863) + (_e3913[1] * _e3864)) + (_e3913[2] * _e3865)));
-                                    let _e3925 = local_1.member[1u];
-                                    let _e3936 = local_1.member[0u];
-                                    if (_e3936[0] < 0f) {
-                                        phi_6491_ = -(_e3936[0]);
-                                    } else {
-                                        phi_6491_ = _e3936[0];
-                                    }
-                                    let _e3943 = phi_6491_;
-                                    if (_e3936[1] < 0f) {
-                                        phi_6498_ = -(_e3936[1]);
-                                    } else {
-                                        phi_6498_ = _e3936[1];
-                                    }
-                                    let _e3947 = phi_6498_;
-                                    if (_e3943 > _e3947) {
-                                        phi_6503_ = _e3943;
-                                    } else {
-                                        phi_6503_ = _e3947;
-                                    }
-                                    let _e3950 = phi_6503_;
-                                    if (_e3936[2] < 0f) {
-                                        phi_6510_ = -(_e3936[2]);
-                                    } else {
-                                        phi_6510_ = _e3936[2];
-                                    }
-                                    let _e3954 = phi_6510_;
-                                    if (_e3950 > _e3954) {
-                                        phi_6515_ = _e3950;
-                                    } else {
-                                        phi_6515_ = _e3954;
-                                    }
-                                    let _e3957 = phi_6515_;
-                                    let _e3960 = local_1.member[1u];
-                                    if (_e3960[0] < 0f) {
-                                        phi_6528_ = -(_e3960[0]);
-                                    } else {
-                                        phi_6528_ = _e3960[0];
-                                    }
-                                    let _e3967 = phi_6528_;
-                                    if (_e3960[1] < 0f) {
-                                        phi_6535_ = -(_e3960[1]);
-                                    } else {
-                                        phi_6535_ = _e3960[1];
-                                    }
-                                    let _e3971 = phi_6535_;
-                                    if (_e3967 > _e3971) {
-                                        phi_6540_ = _e3967;
-                                    } else {
-                                        phi_6540_ = _e3971;
-                                    }
-                                    let _e3974 = phi_6540_;
-                                    if (_e3960[2] < 0f) {
-                                        phi_6547_ = -(_e3960[2]);
-                                    } else {
-                                        phi_6547_ = _e3960[2];
-                                    }
-                                    let _e3978 = phi_6547_;
-                                    if (_e3974 > _e3978) {
-                                        phi_6552_ = _e3974;
-                                    } else {
-                                        phi_6552_ = _e3978;
-                                    }
-                                    let _e3981 = phi_6552_;
-                                    if (_e3957 > _e3981) {
-                                        phi_6557_ = _e3957;
-                                    } else {
-                                        phi_6557_ = _e3981;
-                                    }
-                                    let _e3984 = phi_6557_;
-                                    let _e3986 = local_1.member_3;
-                                    let _e3987 = (_e3984 + _e3986);
-                                    let _e3990 = local_1.member_1[0u];
-                                    if (_e3990[0] < 0f) {
-                                        phi_6574_ = -(_e3990[0]);
-                                    } else {
-                                        phi_6574_ = _e3990[0];
-                                    }
-                                    let _e3997 = phi_6574_;
-                                    if (_e3990[1] < 0f) {
-                                        phi_6581_ = -(_e3990[1]);
-                                    } else {
-                                        phi_6581_ = _e3990[1];
-                                    }
-                                    let _e4001 = phi_6581_;
-                                    if (_e3997 > _e4001) {
-                                        phi_6586_ = _e3997;
-                                    } else {
-                                        phi_6586_ = _e4001;
-                                    }
-                                    let _e4004 = phi_6586_;
-                                    if (_e3990[2] < 0f) {
-                                        phi_6593_ = -(_e3990[2]);
-                                    } else {
-                                        phi_6593_ = _e3990[2];
-                                    }
-                                    let _e4008 = phi_6593_;
-                                    if (_e4004 > _e4008) {
-                                        phi_6598_ = _e4004;
-                                    } else {
-                                        phi_6598_ = _e4008;
-                                    }
-                                    let _e4011 = phi_6598_;
-                                    let _e4014 = local_1.member_1[1u];
-                                    if (_e4014[0] < 0f) {
-                                        phi_6612_ = -(_e4014[0]);
-                                    } else {
-                                        phi_6612_ = _e4014[0];
-                                    }
-                                    let _e4021 = phi_6612_;
-                                    if (_e4014[1] < 0f) {
-                                        phi_6619_ = -(_e4014[1]);
-                                    } else {
-                                        phi_6619_ = _e4014[1];
-                                    }
-                                    let _e4025 = phi_6619_;
-                                    if (_e4021 > _e4025) {
-                                        phi_6624_ = _e4021;
-                                    } else {
-                                        phi_6624_ = _e4025;
-                                    }
-                                    let _e4028 = phi_6624_;
-                                    if (_e4014[2] < 0f) {
-                                        phi_6631_ = -(_e4014[2]);
-                                    } else {
-                                        phi_6631_ = _e4014[2];
-                                    }
-                                    let _e4032 = phi_6631_;
-                                    if (_e4028 > _e4032) {
-                                        phi_6636_ = _e4028;
-                                    } else {
-                                        phi_6636_ = _e4032;
-                                    }
-                                    let _e4035 = phi_6636_;
-                                    if (_e4011 > _e4035) {
-                                        phi_6641_ = _e4011;
-                                    } else {
-                                        phi_6641_ = _e4035;
-                                    }
-                                    let _e4038 = phi_6641_;
-                                    let _e4040 = local_1.member_3;
-                                    let _e4041 = (_e4038 + _e4040);
-                                    let _e4044 = local_1.member_2[0u];
-                                    if (_e4044[0] < 0f) {
-                                        phi_6658_ = -(_e4044[0]);
-                                    } else {
-                                        phi_6658_ = _e4044[0];
-                                    }
-                                    let _e4051 = phi_6658_;
-                                    if (_e4044[1] < 0f) {
-                                        phi_6665_ = -(_e4044[1]);
-                                    } else {
-                                        phi_6665_ = _e4044[1];
-                                    }
-                                    let _e4055 = phi_6665_;
-                                    if (_e4051 > _e4055) {
-                                        phi_6670_ = _e4051;
-                                    } else {
-                                        phi_6670_ = _e4055;
-                                    }
-                                    let _e4058 = phi_6670_;
-                                    if (_e4044[2] < 0f) {
-                                        phi_6677_ = -(_e4044[2]);
-                                    } else {
-                                        phi_6677_ = _e4044[2];
-                                    }
-                                    let _e4062 = phi_6677_;
-                                    if (_e4058 > _e4062) {
-                                        phi_6682_ = _e4058;
-                                    } else {
-                                        phi_6682_ = _e4062;
-                                    }
-                                    let _e4065 = phi_6682_;
-                                    let _e4068 = local_1.member_2[1u];
-                                    if (_e4068[0] < 0f) {
-                                        phi_6696_ = -(_e4068[0]);
-                                    } else {
-                                        phi_6696_ = _e4068[0];
-                                    }
-                                    let _e4075 = phi_6696_;
-                                    if (_e4068[1] < 0f) {
-                                        phi_6703_ = -(_e4068[1]);
-                                    } else {
-                                        phi_6703_ = _e4068[1];
-                                    }
-                                    let _e4079 = phi_6703_;
-                                    if (_e4075 > _e4079) {
-                                        phi_6708_ = _e4075;
-                                    } else {
-                                        phi_6708_ = _e4079;
-                                    }
-                                    let _e4082 = phi_6708_;
-                                    if (_e4068[2] < 0f) {
-                                        phi_6715_ = -(_e4068[2]);
-                                    } else {
-                                        phi_6715_ = _e4068[2];
-                                    }
-                                    let _e4086 = phi_6715_;
-                                    if (_e4082 > _e4086) {
-                                        phi_6720_ = _e4082;
-                                    } else {
-                                        phi_6720_ = _e4086;
-                                    }
-                                    let _e4089 = phi_6720_;
-                                    if (_e4065 > _e4089) {
-                                        phi_6725_ = _e4065;
-                                    } else {
-                                        phi_6725_ = _e4089;
-                                    }
-                                    let _e4092 = phi_6725_;
-                                    let _e4094 = local_1.member_3;
-                                    let _e4095 = (_e4092 + _e4094);
-                                    let _e4097 = ((_e4041 * 8f) * _e4095);
-                                    let _e4104 = local_1.member_3;
-                                    if (_e3793 < 0f) {
-                                        phi_6756_ = -(_e3793);
-                                    } else {
-                                        phi_6756_ = _e3793;
-                                    }
-                                    let _e4121 = phi_6756_;
-                                    if (_e3796 < 0f) {
-                                        phi_6762_ = -(_e3796);
-                                    } else {
-                                        phi_6762_ = _e3796;
-                                    }
-                                    let _e4125 = phi_6762_;
-                                    if (_e3799 < 0f) {
-                                        phi_6769_ = -(_e3799);
-                                    } else {
-                                        phi_6769_ = _e3799;
-                                    }
-                                    let _e4130 = phi_6769_;
-                                    let _e4131 = ((_e4121 + _e4125) + _e4130);
-                                    if (_e3814 < 0f) {
-                                        phi_6776_ = -(_e3814);
-                                    } else {
-                                        phi_6776_ = _e3814;
-                                    }
-                                    let _e4135 = phi_6776_;
-                                    if (_e3817 < 0f) {
-                                        phi_6782_ = -(_e3817);
-                                    } else {
-                                        phi_6782_ = _e3817;
-                                    }
-                                    let _e4139 = phi_6782_;
-                                    if (_e3820 < 0f) {
-                                        phi_6789_ = -(_e3820);
-                                    } else {
-                                        phi_6789_ = _e3820;
-                                    }
-                                    let _e4144 = phi_6789_;
-                                    let _e4145 = ((_e4135 + _e4139) + _e4144);
-                                    if (_e4131 > _e4145) {
-                                        phi_6795_ = _e4131;
-                                    } else {
-                                        phi_6795_ = _e4145;
-                                    }
-                                    let _e4148 = phi_6795_;
-                                    if (_e3863 < 0f) {
-                                        phi_6801_ = -(_e3863);
-                                    } else {
-                                        phi_6801_ = _e3863;
-                                    }
-                                    let _e4152 = phi_6801_;
-                                    if (_e3864 < 0f) {
-                                        phi_6807_ = -(_e3864);
-                                    } else {
-                                        phi_6807_ = _e3864;
-                                    }
-                                    let _e4156 = phi_6807_;
-                                    if (_e3865 < 0f) {
-                                        phi_6814_ = -(_e3865);
-                                    } else {
-                                        phi_6814_ = _e3865;
-                                    }
-                                    let _e4161 = phi_6814_;
-                                    let _e4163 = (((_e4152 + _e4156) + _e4161) * 0.5f);
-                                    if (_e4148 > _e4163) {
-                                        phi_6821_ = _e4148;
-                                    } else {
-                                        phi_6821_ = _e4163;
-                                    }
-                                    let _e4166 = phi_6821_;
-                                    let _e4171 = local_1.member_3;
-                                    let _e4184 = ((((_e3868[0] * _e3793) + (_e3868[1] * _e3796)) + (_e3868[2] * _e3799)) * 3f);
-                                    let _e4185 = ((((_e3925[0] * _e3814) + (_e3925[1] * _e3817)) + (_e3925[2] * _e3820)) * 3f);
-                                    if (_e4184 < _e4185) {
-                                        phi_6845_ = _e4184;
-                                    } else {
-                                        phi_6845_ = _e4185;
-                                    }
-                                    let _e4188 = phi_6845_;
-                                    if (_e3899 < _e3922) {
-                                        phi_6850_ = _e3899;
-                                    } else {
-                                        phi_6850_ = _e3922;
-                                    }
-                                    let _e4191 = phi_6850_;
-                                    if (_e4188 < _e4191) {
-                                        phi_6855_ = _e4188;
-                                    } else {
-                                        phi_6855_ = _e4191;
-                                    }
-                                    let _e4194 = phi_6855_;
-                                    if (_e4184 > _e4185) {
-                                        phi_6860_ = _e4184;
-                                    } else {
-                                        phi_6860_ = _e4185;
-                                    }
-                                    let _e4197 = phi_6860_;
-                                    if (_e3899 > _e3922) {
-                                        phi_6865_ = _e3899;
-                                    } else {
-                                        phi_6865_ = _e3922;
-                                    }
-                                    let _e4200 = phi_6865_;
-                                    if (_e4197 > _e4200) {
-                                        phi_6870_ = _e4197;
-                                    } else {
-                                        phi_6870_ = _e4200;
-                                    }
-                                    let _e4203 = phi_6870_;
-                                    let _e4208 = -(_e4203);
-                                    if (_e4194 > _e4208) {
-                                        phi_6880_ = _e4194;
-                                    } else {
-                                        phi_6880_ = _e4208;
-                                    }
-                                    let _e4211 = phi_6880_;
-                                    if ((_e4211 - ((((((_e3987 * 8f) * _e4097) * (0.000000059604645f * (490f / 64f))) + ((_e4104 * 19f) * ((_e3987 * (_e4041 + _e4095)) + (_e4041 * _e4095)))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e3987) * ((1f + _e4041) * (1f + _e4095))))) + ((_e1499 * (((_e4166 + (_e4097 * (0.000000059604645f * 4f))) + ((_e4171 * 6f) * (_e4041 + _e4095))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e4041) * (1f + _e4095))))) * (3f * 1.0001f)))) > 0f) {
-                                        phi_7844_ = true;
-                                    } else {
-                                        let _e4216 = local_1.member_1[0u];
-                                        let _e4222 = local_1.member_1[1u];
-                                        let _e4226 = (_e4216[0] + _e4222[0]);
-                                        let _e4227 = (_e4216[1] + _e4222[1]);
-                                        let _e4228 = (_e4216[2] + _e4222[2]);
-                                        let _e4231 = local_1.member_2[0u];
-                                        let _e4237 = local_1.member_2[1u];
-                                        let _e4241 = (_e4231[0] + _e4237[0]);
-                                        let _e4242 = (_e4231[1] + _e4237[1]);
-                                        let _e4243 = (_e4231[2] + _e4237[2]);
-                                        let _e4246 = ((_e4227 * _e4243) - (_e4228 * _e4242));
-                                        let _e4249 = ((_e4228 * _e4241) - (_e4226 * _e4243));
-                                        let _e4252 = ((_e4226 * _e4242) - (_e4227 * _e4241));
-                                        let _e4255 = local_1.member[0u];
-                                        let _e4261 = local_1.member_1[0u];
-                                        let _e4267 = local_1.member_2[0u];
-                                        let _e4271 = (_e4255[0] - _e4261[0]);
-                                        let _e4272 = (_e4255[1] - _e4261[1]);
-                                        let _e4273 = (_e4255[2] - _e4261[2]);
-                                        let _e4274 = (_e4255[0] - _e4267[0]);
-                                        let _e4275 = (_e4255[1] - _e4267[1]);
-                                        let _e4276 = (_e4255[2] - _e4267[2]);
-                                        let _e4279 = local_1.member[1u];
-                                        let _e4285 = local_1.member_1[1u];
-                                        let _e4291 = local_1.member_2[1u];
-                                        let _e4295 = (_e4279[0] - _e4285[0]);
-                                        let _e4296 = (_e4279[1] - _e4285[1]);
-                                        let _e4297 = (_e4279[2] - _e4285[2]);
-                                        let _e4298 = (_e4279[0] - _e4291[0]);
-                                        let _e4299 = (_e4279[1] - _e4291[1]);
-                                        let _e4300 = (_e4279[2] - _e4291[2]);
-                                        let _e4303 = local_1.member[0u];
-                                        if (_e4303[0] < 0f) {
-                                            phi_7083_ = -(_e4303[0]);
-                                        } else {
-                                            phi_7083_ = _e4303[0];
-                                        }
-                                        let _e4310 = phi_7083_;
-                                        if (_e4303[1] < 0f) {
-                                            phi_7090_ = -(_e4303[1]);
-                                        } else {
-                                            phi_7090_ = _e4303[1];
-                                        }
-                                        let _e4314 = phi_7090_;
-                                        if (_e4310 > _e4314) {
-                                            phi_7095_ = _e4310;
-                                        } else {
-                                            phi_7095_ = _e4314;
-                                        }
-                                        let _e4317 = phi_7095_;
-                                        if (_e4303[2] < 0f) {
-                                            phi_7102_ = -(_e4303[2]);
-                                        } else {
-                                            phi_7102_ = _e4303[2];
-                                        }
-                                        let _e4321 = phi_7102_;
-                                        if (_e4317 > _e4321) {
-                                            phi_7107_ = _e4317;
-                                        } else {
-                                            phi_7107_ = _e4321;
-                                        }
-                                        let _e4324 = phi_7107_;
-                                        let _e4327 = local_1.member[1u];
-                                        if (_e4327[0] < 0f) {
-                                            phi_7120_ = -(_e4327[0]);
-                                        } else {
-                                            phi_7120_ = _e4327[0];
-                                        }
-                                        let _e4334 = phi_7120_;
-                                        if (_e4327[1] < 0f) {
-                                            phi_7127_ = -(_e4327[1]);
-                                        } else {
-                                            phi_7127_ = _e4327[1];
-                                        }
-                                        let _e4338 = phi_7127_;
-                                        if (_e4334 > _e4338) {
-                                            phi_7132_ = _e4334;
-                                        } else {
-                                            phi_7132_ = _e4338;
-                                        }
-                                        let _e4341 = phi_7132_;
-                                        if (_e4327[2] < 0f) {
-                                            phi_7139_ = -(_e4327[2]);
-                                        } else {
-                                            phi_7139_ = _e4327[2];
-                                        }
-                                        let _e4345 = phi_7139_;
-                                        if (_e4341 > _e4345) {
-                                            phi_7144_ = _e4341;
-                                        } else {
-                                            phi_7144_ = _e4345;
-                                        }
-                                        let _e4348 = phi_7144_;
-                                        if (_e4324 > _e4348) {
-                                            phi_7149_ = _e4324;
-                                        } else {
-                                            phi_7149_ = _e4348;
-                                        }
-                                        let _e4351 = phi_7149_;
-                                        let _e4353 = local_1.member_3;
-                                        let _e4357 = local_1.member_1[0u];
-                                        if (_e4357[0] < 0f) {
-                                            phi_7166_ = -(_e4357[0]);
-                                        } else {
-                                            phi_7166_ = _e4357[0];
-                                        }
-                                        let _e4364 = phi_7166_;
-                                        if (_e4357[1] < 0f) {
-                                            phi_7173_ = -(_e4357[1]);
-                                        } else {
-                                            phi_7173_ = _e4357[1];
-                                        }
-                                        let _e4368 = phi_7173_;
-                                        if (_e4364 > _e4368) {
-                                            phi_7178_ = _e4364;
-                                        } else {
-                                            phi_7178_ = _e4368;
-                                        }
-                                        let _e4371 = phi_7178_;
-                                        if (_e4357[2] < 0f) {
-                                            phi_7185_ = -(_e4357[2]);
-                                        } else {
-                                            phi_7185_ = _e4357[2];
-                                        }
-                                        let _e4375 = phi_7185_;
-                                        if (_e4371 > _e4375) {
-                                            phi_7190_ = _e4371;
-                                        } else {
-                                            phi_7190_ = _e4375;
-                                        }
-                                        let _e4378 = phi_7190_;
-                                        let _e4381 = local_1.member_1[1u];
-                                        if (_e4381[0] < 0f) {
-                                            phi_7204_ = -(_e4381[0]);
-                                        } else {
-                                            phi_7204_ = _e4381[0];
-                                        }
-                                        let _e4388 = phi_7204_;
-                                        if (_e4381[1] < 0f) {
-                                            phi_7211_ = -(_e4381[1]);
-                                        } else {
-                                            phi_7211_ = _e4381[1];
-                                        }
-                                        let _e4392 = phi_7211_;
-                                        if (_e4388 > _e4392) {
-                                            phi_7216_ = _e4388;
-                                        } else {
-                                            phi_7216_ = _e4392;
-                                        }
-                                        let _e4395 = phi_7216_;
-                                        if (_e4381[2] < 0f) {
-                                            phi_7223_ = -(_e4381[2]);
-                                        } else {
-                                            phi_7223_ = _e4381[2];
-                                        }
-                                        let _e4399 = phi_7223_;
-                                        if (_e4395 > _e4399) {
-                                            phi_7228_ = _e4395;
-                                        } else {
-                                            phi_7228_ = _e4399;
-                                        }
-                                        let _e4402 = phi_7228_;
-                                        if (_e4378 > _e4402) {
-                                            phi_7233_ = _e4378;
-                                        } else {
-                                            phi_7233_ = _e4402;
-                                        }
-                                        let _e4405 = phi_7233_;
-                                        let _e4407 = local_1.member_3;
-                                        let _e4411 = local_1.member_2[0u];
-                                        if (_e4411[0] < 0f) {
-                                            phi_7250_ = -(_e4411[0]);
-                                        } else {
-                                            phi_7250_ = _e4411[0];
-                                        }
-                                        let _e4418 = phi_7250_;
-                                        if (_e4411[1] < 0f) {
-                                            phi_7257_ = -(_e4411[1]);
-                                        } else {
-                                            phi_7257_ = _e4411[1];
-                                        }
-                                        let _e4422 = phi_7257_;
-                                        if (_e4418 > _e4422) {
-                                            phi_7262_ = _e4418;
-                                        } else {
-                                            phi_7262_ = _e4422;
-                                        }
-                                        let _e4425 = phi_7262_;
-                                        if (_e4411[2] < 0f) {
-                                            phi_7269_ = -(_e4411[2]);
-                                        } else {
-                                            phi_7269_ = _e4411[2];
-                                        }
-                                        let _e4429 = phi_7269_;
-                                        if (_e4425 > _e4429) {
-                                            phi_7274_ = _e4425;
-                                        } else {
-                                            phi_7274_ = _e4429;
-                                        }
-                                        let _e4432 = phi_7274_;
-                                        let _e4435 = local_1.member_2[1u];
-                                        if (_e4435[0] < 0f) {
-                                            phi_7288_ = -(_e4435[0]);
-                                        } else {
-                                            phi_7288_ = _e4435[0];
-                                        }
-                                        let _e4442 = phi_7288_;
-                                        if (_e4435[1] < 0f) {
-                                            phi_7295_ = -(_e4435[1]);
-                                        } else {
-                                            phi_7295_ = _e4435[1];
-                                        }
-                                        let _e4446 = phi_7295_;
-                                        if (_e4442 > _e4446) {
-                                            phi_7300_ = _e4442;
-                                        } else {
-                                            phi_7300_ = _e4446;
-                                        }
-                                        let _e4449 = phi_7300_;
-                                        if (_e4435[2] < 0f) {
-                                            phi_7307_ = -(_e4435[2]);
-                                        } else {
-                                            phi_7307_ = _e4435[2];
-                                        }
-                                        let _e4453 = phi_7307_;
-                                        if (_e4449 > _e4453) {
-                                            phi_7312_ = _e4449;
-                                        } else {
-                                            phi_7312_ = _e4453;
-                                        }
-                                        let _e4456 = phi_7312_;
-                                        if (_e4432 > _e4456) {
-                                            phi_7317_ = _e4432;
-                                        } else {
-                                            phi_7317_ = _e4456;
-                                        }
-                                        let _e4459 = phi_7317_;
-                                        let _e4461 = local_1.member_3;
-                                        let _e4464 = (((_e4351 + _e4353) + (_e4405 + _e4407)) + (_e4459 + _e4461));
-                                        let _e4467 = local_1.member_3;
-                                        let _e4471 = (((_e1499 * 1.0001f) + (_e4467 * 3.1f)) + (0.000000000000000000000000000000000000011754944f * 256f));
-                                        let _e4474 = ((_e4249 * _e4228) - (_e4252 * _e4227));
-                                        let _e4477 = ((_e4252 * _e4226) - (_e4246 * _e4228));
-                                        let _e4480 = ((_e4246 * _e4227) - (_e4249 * _e4226));
-                                        let _e4485 = (((_e4474 * _e4255[0]) + (_e4477 * _e4255[1])) + (_e4480 * _e4255[2]));
-                                        let _e4490 = (((_e4474 * _e4271) + (_e4477 * _e4272)) + (_e4480 * _e4273));
-                                        let _e4495 = (((_e4474 * _e4274) + (_e4477 * _e4275)) + (_e4480 * _e4276));
-                                        let _e4500 = (((_e4474 * _e4255[0]) + (_e4477 * _e4255[1])) + (_e4480 * _e4255[2]));
-                                        let _e4505 = (((_e4474 * _e4279[0]) + (_e4477 * _e4279[1])) + (_e4480 * _e4279[2]));
-                                        let _e4510 = (((_e4474 * _e4295) + (_e4477 * _e4296)) + (_e4480 * _e4297));
-                                        let _e4515 = (((_e4474 * _e4298) + (_e4477 * _e4299)) + (_e4480 * _e4300));
-                                        let _e4520 = (((_e4474 * _e4279[0]) + (_e4477 * _e4279[1])) + (_e4480 * _e4279[2]));
-                                        if (_e4485 < _e4490) {
-                                            phi_7395_ = _e4485;
-                                        } else {
-                                            phi_7395_ = _e4490;
-                                        }
-                                        let _e4523 = phi_7395_;
-                                        if (_e4495 < _e4500) {
-                                            phi_7400_ = _e4495;
-                                        } else {
-                                            phi_7400_ = _e4500;
-                                        }
-                                        let _e4526 = phi_7400_;
-                                        if (_e4523 < _e4526) {
-                                            phi_7405_ = _e4523;
-                                        } else {
-                                            phi_7405_ = _e4526;
-                                        }
-                                        let _e4529 = phi_7405_;
-                                        if (_e4505 < _e4510) {
-                                            phi_7410_ = _e4505;
-                                        } else {
-                                            phi_7410_ = _e4510;
-                                        }
-                                        let _e4532 = phi_7410_;
-                                        if (_e4515 < _e4520) {
-                                            phi_7415_ = _e4515;
-                                        } else {
-                                            phi_7415_ = _e4520;
-                                        }
-                                        let _e4535 = phi_7415_;
-                                        if (_e4532 < _e4535) {
-                                            phi_7420_ = _e4532;
-                                        } else {
-                                            phi_7420_ = _e4535;
-                                        }
-                                        let _e4538 = phi_7420_;
-                                        if (_e4529 < _e4538) {
-                                            phi_7425_ = _e4529;
-                                        } else {
-                                            phi_7425_ = _e4538;
-                                        }
-                                        let _e4541 = phi_7425_;
-                                        if (_e4485 > _e4490) {
-                                            phi_7430_ = _e4485;
-                                        } else {
-                                            phi_7430_ = _e4490;
-                                        }
-                                        let _e4544 = phi_7430_;
-                                        if (_e4495 > _e4500) {
-                                            phi_7435_ = _e4495;
-                                        } else {
-                                            phi_7435_ = _e4500;
-                                        }
-                                        let _e4547 = phi_7435_;
-                                        if (_e4544 > _e4547) {
-                                            phi_7440_ = _e4544;
-                                        } else {
-                                            phi_7440_ = _e4547;
-                                        }
-                                        let _e4550 = phi_7440_;
-                                        if (_e4505 > _e4510) {
-                                            phi_7445_ = _e4505;
-                                        } else {
-                                            phi_7445_ = _e4510;
-                                        }
-                                        let _e4553 = phi_7445_;
-                                        if (_e4515 > _e4520) {
-                                            phi_7450_ = _e4515;
-                                        } else {
-                                            phi_7450_ = _e4520;
-                                        }
-                                        let _e4556 = phi_7450_;
-                                        if (_e4553 > _e4556) {
-                                            phi_7455_ = _e4553;
-                                        } else {
-                                            phi_7455_ = _e4556;
-                                        }
-                                        let _e4559 = phi_7455_;
-                                        if (_e4550 > _e4559) {
-                                            phi_7460_ = _e4550;
-                                        } else {
-                                            phi_7460_ = _e4559;
-                                        }
-                                        let _e4562 = phi_7460_;
-                                        if (_e4474 < 0f) {
-                                            phi_7466_ = -(_e4474);
-                                        } else {
-                                            phi_7466_ = _e4474;
-                                        }
-                                        let _e4566 = phi_7466_;
-                                        if (_e4477 < 0f) {
-                                            phi_7472_ = -(_e4477);
-                                        } else {
-                                            phi_7472_ = _e4477;
-                                        }
-                                        let _e4570 = phi_7472_;
-                                        if (_e4480 < 0f) {
-                                            phi_7479_ = -(_e4480);
-                                        } else {
-                                            phi_7479_ = _e4480;
-                                        }
-                                        let _e4575 = phi_7479_;
-                                        let _e4576 = ((_e4566 + _e4570) + _e4575);
-                                        let _e4580 = -(_e4562);
-                                        if (_e4541 > _e4580) {
-                                            phi_7489_ = _e4541;
-                                        } else {
-                                            phi_7489_ = _e4580;
-                                        }
-                                        let _e4583 = phi_7489_;
-                                        let _e4588 = (((_e4583 - ((_e4576 * _e4464) * (0.000000059604645f * 17f))) - (_e4576 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        let _e4591 = ((_e4249 * _e4243) - (_e4252 * _e4242));
-                                        let _e4594 = ((_e4252 * _e4241) - (_e4246 * _e4243));
-                                        let _e4597 = ((_e4246 * _e4242) - (_e4249 * _e4241));
-                                        let _e4602 = (((_e4591 * _e4255[0]) + (_e4594 * _e4255[1])) + (_e4597 * _e4255[2]));
-                                        let _e4607 = (((_e4591 * _e4271) + (_e4594 * _e4272)) + (_e4597 * _e4273));
-                                        let _e4612 = (((_e4591 * _e4274) + (_e4594 * _e4275)) + (_e4597 * _e4276));
-                                        let _e4617 = (((_e4591 * _e4255[0]) + (_e4594 * _e4255[1])) + (_e4597 * _e4255[2]));
-                                        let _e4622 = (((_e4591 * _e4279[0]) + (_e4594 * _e4279[1])) + (_e4597 * _e4279[2]));
-                                        let _e4627 = (((_e4591 * _e4295) + (_e4594 * _e4296)) + (_e4597 * _e4297));
-                                        let _e4632 = (((_e4591 * _e4298) + (_e4594 * _e4299)) + (_e4597 * _e4300));
-                                        let _e4637 = (((_e4591 * _e4279[0]) + (_e4594 * _e4279[1])) + (_e4597 * _e4279[2]));
-                                        if (_e4602 < _e4607) {
-                                            phi_7560_ = _e4602;
-                                        } else {
-                                            phi_7560_ = _e4607;
-                                        }
-                                        let _e4640 = phi_7560_;
-                                        if (_e4612 < _e4617) {
-                                            phi_7565_ = _e4612;
-                                        } else {
-                                            phi_7565_ = _e4617;
-                                        }
-                                        let _e4643 = phi_7565_;
-                                        if (_e4640 < _e4643) {
-                                            phi_7570_ = _e4640;
-                                        } else {
-                                            phi_7570_ = _e4643;
-                                        }
-                                        let _e4646 = phi_7570_;
-                                        if (_e4622 < _e4627) {
-                                            phi_7575_ = _e4622;
-                                        } else {
-                                            phi_7575_ = _e4627;
-                                        }
-                                        let _e4649 = phi_7575_;
-                                        if (_e4632 < _e4637) {
-                                            phi_7580_ = _e4632;
-                                        } else {
-                                            phi_7580_ = _e4637;
-                                        }
-                                        let _e4652 = phi_7580_;
-                                        if (_e4649 < _e4652) {
-                                            phi_7585_ = _e4649;
-                                        } else {
-                                            phi_7585_ = _e4652;
-                                        }
-                                        let _e4655 = phi_7585_;
-                                        if (_e4646 < _e4655) {
-                                            phi_7590_ = _e4646;
-                                        } else {
-                                            phi_7590_ = _e4655;
-                                        }
-                                        let _e4658 = phi_7590_;
-                                        if (_e4602 > _e4607) {
-                                            phi_7595_ = _e4602;
-                                        } else {
-                                            phi_7595_ = _e4607;
-                                        }
-                                        let _e4661 = phi_7595_;
-                                        if (_e4612 > _e4617) {
-                                            phi_7600_ = _e4612;
-                                        } else {
-                                            phi_7600_ = _e4617;
-                                        }
-                                        let _e4664 = phi_7600_;
-                                        if (_e4661 > _e4664) {
-                                            phi_7605_ = _e4661;
-                                        } else {
-                                            phi_7605_ = _e4664;
-                                        }
-                                        let _e4667 = phi_7605_;
-                                        if (_e4622 > _e4627) {
-                                            phi_7610_ = _e4622;
-                                        } else {
-                                            phi_7610_ = _e4627;
-                                        }
-                                        let _e4670 = phi_7610_;
-                                        if (_e4632 > _e4637) {
-                                            phi_7615_ = _e4632;
-                                        } else {
-                                            phi_7615_ = _e4637;
-                                        }
-                                        let _e4673 = phi_7615_;
-                                        if (_e4670 > _e4673) {
-                                            phi_7620_ = _e4670;
-                                        } else {
-                                            phi_7620_ = _e4673;
-                                        }
-                                        let _e4676 = phi_7620_;
-                                        if (_e4667 > _e4676) {
-                                            phi_7625_ = _e4667;
-                                        } else {
-                                            phi_7625_ = _e4676;
-                                        }
-                                        let _e4679 = phi_7625_;
-                                        if (_e4591 < 0f) {
-                                            phi_7631_ = -(_e4591);
-                                        } else {
-                                            phi_7631_ = _e4591;
-                                        }
-                                        let _e4683 = phi_7631_;
-                                        if (_e4594 < 0f) {
-                                            phi_7637_ = -(_e4594);
-                                        } else {
-                                            phi_7637_ = _e4594;
-                                        }
-                                        let _e4687 = phi_7637_;
-                                        if (_e4597 < 0f) {
-                                            phi_7644_ = -(_e4597);
-                                        } else {
-                                            phi_7644_ = _e4597;
-                                        }
-                                        let _e4692 = phi_7644_;
-                                        let _e4693 = ((_e4683 + _e4687) + _e4692);
-                                        let _e4697 = -(_e4679);
-                                        if (_e4658 > _e4697) {
-                                            phi_7654_ = _e4658;
-                                        } else {
-                                            phi_7654_ = _e4697;
-                                        }
-                                        let _e4700 = phi_7654_;
-                                        let _e4705 = (((_e4700 - ((_e4693 * _e4464) * (0.000000059604645f * 17f))) - (_e4693 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4588 > _e4705) {
-                                            phi_7664_ = _e4588;
-                                        } else {
-                                            phi_7664_ = _e4705;
-                                        }
-                                        let _e4708 = phi_7664_;
-                                        let _e4709 = (_e4241 - _e4226);
-                                        let _e4710 = (_e4242 - _e4227);
-                                        let _e4711 = (_e4243 - _e4228);
-                                        let _e4714 = ((_e4249 * _e4711) - (_e4252 * _e4710));
-                                        let _e4717 = ((_e4252 * _e4709) - (_e4246 * _e4711));
-                                        let _e4720 = ((_e4246 * _e4710) - (_e4249 * _e4709));
-                                        let _e4725 = (((_e4714 * _e4255[0]) + (_e4717 * _e4255[1])) + (_e4720 * _e4255[2]));
-                                        let _e4730 = (((_e4714 * _e4271) + (_e4717 * _e4272)) + (_e4720 * _e4273));
-                                        let _e4735 = (((_e4714 * _e4274) + (_e4717 * _e4275)) + (_e4720 * _e4276));
-                                        let _e4740 = (((_e4714 * _e4255[0]) + (_e4717 * _e4255[1])) + (_e4720 * _e4255[2]));
-                                        let _e4745 = (((_e4714 * _e4279[0]) + (_e4717 * _e4279[1])) + (_e4720 * _e4279[2]));
-                                        let _e4750 = (((_e4714 * _e4295) + (_e4717 * _e4296)) + (_e4720 * _e4297));
-                                        let _e4755 = (((_e4714 * _e4298) + (_e4717 * _e4299)) + (_e4720 * _e4300));
-                                        let _e4760 = (((_e4714 * _e4279[0]) + (_e4717 * _e4279[1])) + (_e4720 * _e4279[2]));
-                                        if (_e4725 < _e4730) {
-                                            phi_7737_ = _e4725;
-                                        } else {
-                                            phi_7737_ = _e4730;
-                                        }
-                                        let _e4763 = phi_7737_;
-                                        if (_e4735 < _e4740) {
-                                            phi_7742_ = _e4735;
-                                        } else {
-                                            phi_7742_ = _e4740;
-                                        }
-                                        let _e4766 = phi_7742_;
-                                        if (_e4763 < _e4766) {
-                                            phi_7747_ = _e4763;
-                                        } else {
-                                            phi_7747_ = _e4766;
-                                        }
-                                        let _e4769 = phi_7747_;
-                                        if (_e4745 < _e4750) {
-                                            phi_7752_ = _e4745;
-                                        } else {
-                                            phi_7752_ = _e4750;
-                                        }
-                                        let _e4772 = phi_7752_;
-                                        if (_e4755 < _e4760) {
-                                            phi_7757_ = _e4755;
-                                        } else {
-                                            phi_7757_ = _e4760;
-                                        }
-                                        let _e4775 = phi_7757_;
-                                        if (_e4772 < _e4775) {
-                                            phi_7762_ = _e4772;
-                                        } else {
-                                            phi_7762_ = _e4775;
-                                        }
-                                        let _e4778 = phi_7762_;
-                                        if (_e4769 < _e4778) {
-                                            phi_7767_ = _e4769;
-                                        } else {
-                                            phi_7767_ = _e4778;
-                                        }
-                                        let _e4781 = phi_7767_;
-                                        if (_e4725 > _e4730) {
-                                            phi_7772_ = _e4725;
-                                        } else {
-                                            phi_7772_ = _e4730;
-                                        }
-                                        let _e4784 = phi_7772_;
-                                        if (_e4735 > _e4740) {
-                                            phi_7777_ = _e4735;
-                                        } else {
-                                            phi_7777_ = _e4740;
-                                        }
-                                        let _e4787 = phi_7777_;
-                                        if (_e4784 > _e4787) {
-                                            phi_7782_ = _e4784;
-                                        } else {
-                                            phi_7782_ = _e4787;
-                                        }
-                                        let _e4790 = phi_7782_;
-                                        if (_e4745 > _e4750) {
-                                            phi_7787_ = _e4745;
-                                        } else {
-                                            phi_7787_ = _e4750;
-                                        }
-                                        let _e4793 = phi_7787_;
-                                        if (_e4755 > _e4760) {
-                                            phi_7792_ = _e4755;
-                                        } else {
-                                            phi_7792_ = _e4760;
-                                        }
-                                        let _e4796 = phi_7792_;
-                                        if (_e4793 > _e4796) {
-                                            phi_7797_ = _e4793;
-                                        } else {
-                                            phi_7797_ = _e4796;
-                                        }
-                                        let _e4799 = phi_7797_;
-                                        if (_e4790 > _e4799) {
-                                            phi_7802_ = _e4790;
-                                        } else {
-                                            phi_7802_ = _e4799;
-                                        }
-                                        let _e4802 = phi_7802_;
-                                        if (_e4714 < 0f) {
-                                            phi_7808_ = -(_e4714);
-                                        } else {
-                                            phi_7808_ = _e4714;
-                                        }
-                                        let _e4806 = phi_7808_;
-                                        if (_e4717 < 0f) {
-                                            phi_7814_ = -(_e4717);
-                                        } else {
-                                            phi_7814_ = _e4717;
-                                        }
-                                        let _e4810 = phi_7814_;
-                                        if (_e4720 < 0f) {
-                                            phi_7821_ = -(_e4720);
-                                        } else {
-                                            phi_7821_ = _e4720;
-                                        }
-                                        let _e4815 = phi_7821_;
-                                        let _e4816 = ((_e4806 + _e4810) + _e4815);
-                                        let _e4820 = -(_e4802);
-                                        if (_e4781 > _e4820) {
-                                            phi_7831_ = _e4781;
-                                        } else {
-                                            phi_7831_ = _e4820;
-                                        }
-                                        let _e4823 = phi_7831_;
-                                        let _e4828 = (((_e4823 - ((_e4816 * _e4464) * (0.000000059604645f * 17f))) - (_e4816 * _e4471)) - (0.000000000000000000000000000000000000011754944f * 64f));
-                                        if (_e4708 > _e4828) {
-                                            phi_7841_ = _e4708;
-                                        } else {
-                                            phi_7841_ = _e4828;
-                                        }
-                                        let _e4831 = phi_7841_;
-                                        phi_7844_ = (_e4831 > 0f);
-                                    }
-                                    let _e4834 = phi_7844_;
-                                    phi_7845_ = _e4834;
-                                } else {
-                                    phi_7845_ = false;
-                                }
-                                let _e4836 = phi_7845_;
-                                phi_7847_ = !(_e4836);
-                            }
-                            let _e4839 = phi_7847_;
-                            if _e4839 {
-                                let _e4841 = atomicAdd((&counters[5u]), 1u);
-                                hits[_e1007] = ((2147483648u | (_e4841 << bitcast<u32>(12i))) | _e1010);
+                            let _e4790 = phi_7857_;
+                            if !(_e4790) {
+                                let _e4793 = atomicAdd((&counters[5u]), 1u);
+                                hits[_e985] = ((2147483648u | (_e4793 << bitcast<u32>(12i))) | _e988);
                             }
                         }
-                        phi_7857_ = true;
+                        phi_7868_ = true;
                     }
-                    let _e4848 = phi_7857_;
-                    phi_7858_ = _e4848;
+                    let _e4800 = phi_7868_;
+                    phi_7869_ = _e4800;
                 } else {
-                    phi_7858_ = false;
+                    phi_7869_ = false;
                 }
-                let _e4850 = phi_7858_;
+                let _e4802 = phi_7869_;
                 continue;
                 continuing {
-                    phi_1842_ = _e999;
-                    break if !(_e4850);
+                    phi_1849_ = _e977;
+                    break if !(_e4802);
                 }
             }
             workgroupBarrier();
             if (_e67 == 0u) {
-                let _e4854 = atomicLoad((&counters[5u]));
-                if (_e4854 > 0u) {
-                    let _e4857 = atomicAdd((&output.member[0u]), _e4854);
-                    if ((_e4857 + _e4854) < _e4857) {
-                        let _e4861 = atomicAdd((&output.member[2u]), 1u);
+                let _e4806 = atomicLoad((&counters[5u]));
+                if (_e4806 > 0u) {
+                    let _e4809 = atomicAdd((&output.member[0u]), _e4806);
+                    if ((_e4809 + _e4806) < _e4809) {
+                        let _e4813 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e4857);
+                    atomicStore((&counters[6u]), _e4809);
                 }
             }
             workgroupBarrier();
-            let _e4864 = atomicLoad((&counters[6u]));
+            let _e4816 = atomicLoad((&counters[6u]));
             if (_e67 == 0u) {
-                let _e4867 = atomicLoad((&counters[7u]));
-                if (_e4867 > 0u) {
-                    let _e4870 = atomicAdd((&output.member[1u]), _e4867);
-                    if ((_e4870 + _e4867) < _e4870) {
-                        let _e4874 = atomicAdd((&output.member[3u]), 1u);
+                let _e4819 = atomicLoad((&counters[7u]));
+                if (_e4819 > 0u) {
+                    let _e4822 = atomicAdd((&output.member[1u]), _e4819);
+                    if ((_e4822 + _e4819) < _e4822) {
+                        let _e4826 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_7908_ = type_21(0u, 16u);
+            phi_7919_ = type_9(0u, 16u);
             loop {
-                let _e4876 = phi_7908_;
-                if (_e4876.member < _e4876.member_1) {
-                    phi_7909_ = type_21((_e4876.member + 1u), _e4876.member_1);
-                    phi_7932_ = type_21(1u, _e4876.member);
+                let _e4828 = phi_7919_;
+                if (_e4828.member < _e4828.member_1) {
+                    phi_7920_ = type_9((_e4828.member + 1u), _e4828.member_1);
+                    phi_7943_ = type_9(1u, _e4828.member);
                 } else {
-                    phi_7909_ = _e4876;
-                    phi_7932_ = type_21(0u, type_21().member_1);
+                    phi_7920_ = _e4828;
+                    phi_7943_ = type_9(0u, type_9().member_1);
                 }
-                let _e4888 = phi_7909_;
-                let _e4890 = phi_7932_;
-                if (bitcast<i32>(_e4890.member) != 0i) {
-                    let _e4896 = (_e67 + (_e4890.member_1 * 128u));
-                    if (_e4896 >= _e985) {
-                        phi_8030_ = false;
+                let _e4840 = phi_7920_;
+                let _e4842 = phi_7943_;
+                if (bitcast<i32>(_e4842.member) != 0i) {
+                    let _e4848 = (_e67 + (_e4842.member_1 * 128u));
+                    if (_e4848 >= _e963) {
+                        phi_8040_ = false;
                     } else {
-                        let _e4899 = hits[_e4896];
-                        if ((_e4899 & 2147483648u) == 0u) {
-                            phi_7955_ = 4294967295u;
+                        let _e4851 = hits[_e4848];
+                        if ((_e4851 & 2147483648u) == 0u) {
+                            phi_7966_ = 4294967295u;
                         } else {
-                            phi_7955_ = ((_e4899 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_7966_ = ((_e4851 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e4906 = phi_7955_;
-                        if (_e4906 != 4294967295u) {
-                            let _e4910 = ((_e4899 >> bitcast<u32>(10i)) & 3u);
-                            let _e4917 = firsts[(2u * _e4910)];
-                            let _e4920 = leaves.member[(_e4917 + ((_e4899 >> bitcast<u32>(5i)) & 31u))];
-                            let _e4924 = firsts[((2u * _e4910) + 1u)];
-                            let _e4927 = leaves.member[(_e4924 + (_e4899 & 31u))];
-                            let _e4931 = params.member.member_16;
-                            let _e4932 = (_e4864 + _e4906);
-                            if (_e4932 < _e4931) {
-                                atomicStore((&output.member[(4u + (2u * _e4932))]), _e4920.member_1);
-                                atomicStore((&output.member[((2u * _e4932) + 5u)]), _e4927.member_1);
+                        let _e4858 = phi_7966_;
+                        if (_e4858 != 4294967295u) {
+                            let _e4862 = ((_e4851 >> bitcast<u32>(10i)) & 3u);
+                            let _e4869 = firsts[(2u * _e4862)];
+                            let _e4872 = leaves.member[(_e4869 + ((_e4851 >> bitcast<u32>(5i)) & 31u))];
+                            let _e4876 = firsts[((2u * _e4862) + 1u)];
+                            let _e4879 = leaves.member[(_e4876 + (_e4851 & 31u))];
+                            let _e4884 = params.member.member_1.member_3;
+                            let _e4885 = (_e4816 + _e4858);
+                            if (_e4885 < _e4884) {
+                                let _e4887 = (2u * _e4885);
+                                atomicStore((&output.member[(4u + _e4887)]), _e4872.member_1);
+                                atomicStore((&output.member[(_e4887 + 5u)]), _e4879.member_1);
                             }
                         }
-                        phi_8030_ = true;
+                        phi_8040_ = true;
                     }
-                    let _e4941 = phi_8030_;
-                    phi_8031_ = _e4941;
+                    let _e4893 = phi_8040_;
+                    phi_8041_ = _e4893;
                 } else {
-                    phi_8031_ = false;
+                    phi_8041_ = false;
                 }
-                let _e4943 = phi_8031_;
+                let _e4895 = phi_8041_;
                 continue;
                 continuing {
-                    phi_7908_ = _e4888;
-                    break if !(_e4943);
+                    phi_7919_ = _e4840;
+                    break if !(_e4895);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_429_ = _e148;
-            break if !(_e154);
+            phi_435_ = _e153;
+            break if !(_e159);
         }
     }
     return;

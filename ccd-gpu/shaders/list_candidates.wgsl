@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,371 +8,368 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_15 {
-    member: array<u32>,
-}
-
-struct type_16 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
-struct type_18 {
-    member: array<type_16>,
-}
-
-struct type_21 {
     member: u32,
     member_1: u32,
 }
 
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_16 {
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+}
+
+struct type_17 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_16,
+}
+
+struct type_18 {
+    member: type_17,
+}
+
+struct type_19 {
+    member: array<u32, 3>,
+    member_1: u32,
+}
+
+struct type_21 {
+    member: array<type_19>,
+}
+
+struct type_23 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
 struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_31 {
     member: array<array<array<u32, 2>, 6>>,
 }
 
-struct type_32 {
+struct type_35 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_18;
+@group(0) @binding(2) 
+var<storage> leaves: type_21;
 @group(0) @binding(1) 
-var<storage> nodes: type_13;
+var<storage> nodes: type_25;
 var<workgroup> counters: array<atomic<u32>, 8>;
 var<workgroup> firsts: array<u32, 8>;
-var<workgroup> columns: array<type_11, 128>;
+var<workgroup> columns: array<type_23, 128>;
 var<workgroup> names: array<u32, 128>;
 var<workgroup> hits: array<u32, 2048>;
-@group(0) @binding(2) 
-var<storage> leaves: type_18;
 @group(0) @binding(3) 
-var<storage> bodies: type_15;
+var<storage> bodies: type_11;
 @group(0) @binding(4) 
-var<storage> keys: type_25;
+var<storage> keys: type_31;
 @group(0) @binding(5) 
-var<storage> input: type_15;
+var<storage> input: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> output: type_32;
+var<storage, read_write> output: type_35;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
-    var phi_2843_: bool;
-    var phi_2844_: bool;
-    var phi_2848_: array<u32, 2>;
+    var phi_2836_: bool;
+    var phi_2837_: bool;
+    var phi_2841_: array<u32, 2>;
 
     if (param_1[1] > param[1]) {
-        phi_2844_ = true;
+        phi_2837_ = true;
     } else {
         if (param_1[1] == param[1]) {
-            phi_2843_ = (param_1[0] > param[0]);
+            phi_2836_ = (param_1[0] > param[0]);
         } else {
-            phi_2843_ = false;
+            phi_2836_ = false;
         }
-        let _e14 = phi_2843_;
-        phi_2844_ = _e14;
+        let _e14 = phi_2836_;
+        phi_2837_ = _e14;
     }
-    let _e16 = phi_2844_;
+    let _e16 = phi_2837_;
     if _e16 {
-        phi_2848_ = param_1;
+        phi_2841_ = param_1;
     } else {
-        phi_2848_ = param;
+        phi_2841_ = param;
     }
-    let _e18 = phi_2848_;
+    let _e18 = phi_2841_;
     return _e18;
 }
 
 fn function_1(param_2: array<u32, 2>, param_3: array<u32, 2>) -> array<u32, 2> {
-    var phi_2819_: bool;
-    var phi_2820_: bool;
-    var phi_2824_: array<u32, 2>;
+    var phi_2812_: bool;
+    var phi_2813_: bool;
+    var phi_2817_: array<u32, 2>;
 
     if (param_2[1] > param_3[1]) {
-        phi_2820_ = true;
+        phi_2813_ = true;
     } else {
         if (param_2[1] == param_3[1]) {
-            phi_2819_ = (param_2[0] > param_3[0]);
+            phi_2812_ = (param_2[0] > param_3[0]);
         } else {
-            phi_2819_ = false;
+            phi_2812_ = false;
         }
-        let _e14 = phi_2819_;
-        phi_2820_ = _e14;
+        let _e14 = phi_2812_;
+        phi_2813_ = _e14;
     }
-    let _e16 = phi_2820_;
+    let _e16 = phi_2813_;
     if _e16 {
-        phi_2824_ = param_3;
+        phi_2817_ = param_3;
     } else {
-        phi_2824_ = param_2;
+        phi_2817_ = param_2;
     }
-    let _e18 = phi_2824_;
+    let _e18 = phi_2817_;
     return _e18;
 }
 
 fn function_2(param_4: array<u32, 2>, param_5: array<u32, 2>) -> array<u32, 2> {
-    var phi_2795_: bool;
-    var phi_2796_: bool;
-    var phi_2800_: array<u32, 2>;
+    var phi_2788_: bool;
+    var phi_2789_: bool;
+    var phi_2793_: array<u32, 2>;
 
     if (param_5[1] > param_4[1]) {
-        phi_2796_ = true;
+        phi_2789_ = true;
     } else {
         if (param_5[1] == param_4[1]) {
-            phi_2795_ = (param_5[0] > param_4[0]);
+            phi_2788_ = (param_5[0] > param_4[0]);
         } else {
-            phi_2795_ = false;
+            phi_2788_ = false;
         }
-        let _e14 = phi_2795_;
-        phi_2796_ = _e14;
+        let _e14 = phi_2788_;
+        phi_2789_ = _e14;
     }
-    let _e16 = phi_2796_;
+    let _e16 = phi_2789_;
     if _e16 {
-        phi_2800_ = param_5;
+        phi_2793_ = param_5;
     } else {
-        phi_2800_ = param_4;
+        phi_2793_ = param_4;
     }
-    let _e18 = phi_2800_;
+    let _e18 = phi_2793_;
     return _e18;
 }
 
 fn function_3(param_6: array<u32, 2>, param_7: array<u32, 2>) -> array<u32, 2> {
-    var phi_2771_: bool;
-    var phi_2772_: bool;
-    var phi_2776_: array<u32, 2>;
+    var phi_2764_: bool;
+    var phi_2765_: bool;
+    var phi_2769_: array<u32, 2>;
 
     if (param_6[1] > param_7[1]) {
-        phi_2772_ = true;
+        phi_2765_ = true;
     } else {
         if (param_6[1] == param_7[1]) {
-            phi_2771_ = (param_6[0] > param_7[0]);
+            phi_2764_ = (param_6[0] > param_7[0]);
         } else {
-            phi_2771_ = false;
+            phi_2764_ = false;
         }
-        let _e14 = phi_2771_;
-        phi_2772_ = _e14;
+        let _e14 = phi_2764_;
+        phi_2765_ = _e14;
     }
-    let _e16 = phi_2772_;
+    let _e16 = phi_2765_;
     if _e16 {
-        phi_2776_ = param_7;
+        phi_2769_ = param_7;
     } else {
-        phi_2776_ = param_6;
+        phi_2769_ = param_6;
     }
-    let _e18 = phi_2776_;
+    let _e18 = phi_2769_;
     return _e18;
 }
 
 fn function_4(param_8: array<u32, 2>, param_9: array<u32, 2>) -> array<u32, 2> {
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_2752_: array<u32, 2>;
+    var phi_2740_: bool;
+    var phi_2741_: bool;
+    var phi_2745_: array<u32, 2>;
 
     if (param_9[1] > param_8[1]) {
-        phi_2748_ = true;
+        phi_2741_ = true;
     } else {
         if (param_9[1] == param_8[1]) {
-            phi_2747_ = (param_9[0] > param_8[0]);
+            phi_2740_ = (param_9[0] > param_8[0]);
         } else {
-            phi_2747_ = false;
+            phi_2740_ = false;
         }
-        let _e14 = phi_2747_;
-        phi_2748_ = _e14;
+        let _e14 = phi_2740_;
+        phi_2741_ = _e14;
     }
-    let _e16 = phi_2748_;
+    let _e16 = phi_2741_;
     if _e16 {
-        phi_2752_ = param_9;
+        phi_2745_ = param_9;
     } else {
-        phi_2752_ = param_8;
+        phi_2745_ = param_8;
     }
-    let _e18 = phi_2752_;
+    let _e18 = phi_2745_;
     return _e18;
 }
 
 fn function_5(param_10: array<u32, 2>, param_11: array<u32, 2>) -> array<u32, 2> {
-    var phi_2723_: bool;
-    var phi_2724_: bool;
-    var phi_2728_: array<u32, 2>;
+    var phi_2716_: bool;
+    var phi_2717_: bool;
+    var phi_2721_: array<u32, 2>;
 
     if (param_10[1] > param_11[1]) {
-        phi_2724_ = true;
+        phi_2717_ = true;
     } else {
         if (param_10[1] == param_11[1]) {
-            phi_2723_ = (param_10[0] > param_11[0]);
+            phi_2716_ = (param_10[0] > param_11[0]);
         } else {
-            phi_2723_ = false;
+            phi_2716_ = false;
         }
-        let _e14 = phi_2723_;
-        phi_2724_ = _e14;
+        let _e14 = phi_2716_;
+        phi_2717_ = _e14;
     }
-    let _e16 = phi_2724_;
+    let _e16 = phi_2717_;
     if _e16 {
-        phi_2728_ = param_11;
+        phi_2721_ = param_11;
     } else {
-        phi_2728_ = param_10;
+        phi_2721_ = param_10;
     }
-    let _e18 = phi_2728_;
+    let _e18 = phi_2721_;
     return _e18;
 }
 
 fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_161_: u32;
-    var phi_172_: array<u32, 2>;
-    var phi_201_: u32;
-    var phi_202_: u32;
-    var phi_209_: u32;
-    var phi_225_: u32;
-    var phi_246_: u32;
-    var phi_247_: u32;
-    var phi_250_: type_21;
-    var phi_251_: type_21;
-    var phi_274_: type_21;
-    var phi_312_: u32;
-    var phi_313_: u32;
-    var phi_320_: u32;
-    var phi_330_: u32;
-    var phi_409_: array<u32, 2>;
-    var phi_603_: bool;
-    var phi_604_: bool;
-    var phi_608_: type_11;
-    var phi_614_: bool;
-    var phi_621_: type_21;
-    var phi_624_: u32;
-    var phi_622_: type_21;
-    var phi_647_: type_21;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_719_: bool;
-    var phi_737_: u32;
-    var phi_738_: u32;
-    var phi_739_: u32;
-    var phi_625_: u32;
-    var phi_742_: type_21;
-    var phi_745_: u32;
-    var phi_743_: type_21;
-    var phi_768_: type_21;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_894_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_864_: bool;
-    var phi_895_: bool;
+    var phi_163_: u32;
+    var phi_175_: array<u32, 2>;
+    var phi_207_: u32;
+    var phi_208_: u32;
+    var phi_216_: u32;
+    var phi_232_: u32;
+    var phi_253_: u32;
+    var phi_254_: u32;
+    var phi_257_: type_9;
+    var phi_258_: type_9;
+    var phi_281_: type_9;
+    var phi_322_: u32;
+    var phi_323_: u32;
+    var phi_331_: u32;
+    var phi_343_: u32;
+    var phi_428_: array<u32, 2>;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_631_: type_23;
+    var phi_637_: bool;
+    var phi_644_: type_9;
+    var phi_647_: u32;
+    var phi_645_: type_9;
+    var phi_670_: type_9;
+    var phi_736_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_742_: bool;
+    var phi_760_: u32;
+    var phi_761_: u32;
+    var phi_762_: u32;
+    var phi_648_: u32;
+    var phi_765_: type_9;
+    var phi_768_: u32;
+    var phi_766_: type_9;
+    var phi_791_: type_9;
     var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_944_: bool;
-    var phi_954_: bool;
-    var phi_955_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_1096_: bool;
-    var phi_1097_: bool;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1285_: bool;
-    var phi_1286_: bool;
-    var phi_1379_: bool;
-    var phi_1380_: bool;
-    var phi_1475_: bool;
-    var phi_1476_: bool;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1574_: bool;
-    var phi_1575_: bool;
-    var phi_1576_: bool;
-    var phi_1580_: bool;
-    var phi_1581_: bool;
-    var phi_1582_: bool;
+    var phi_905_: bool;
+    var phi_873_: bool;
+    var phi_880_: bool;
+    var phi_888_: bool;
+    var phi_907_: bool;
+    var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_958_: bool;
+    var phi_965_: bool;
+    var phi_969_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1199_: bool;
+    var phi_1200_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1484_: bool;
+    var phi_1485_: bool;
+    var phi_1578_: bool;
+    var phi_1579_: bool;
     var phi_1583_: bool;
     var phi_1584_: bool;
-    var phi_1588_: bool;
-    var phi_1606_: type_21;
-    var phi_1611_: type_21;
-    var phi_1651_: u32;
-    var phi_1652_: bool;
-    var phi_746_: u32;
-    var phi_1653_: bool;
-    var phi_1660_: u32;
-    var phi_1663_: type_21;
-    var phi_1664_: type_21;
-    var phi_1687_: type_21;
-    var phi_1813_: bool;
-    var phi_1814_: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
+    var phi_1585_: bool;
+    var phi_1589_: bool;
+    var phi_1590_: bool;
+    var phi_1591_: bool;
+    var phi_1592_: bool;
+    var phi_1593_: bool;
+    var phi_1597_: bool;
+    var phi_1616_: type_9;
+    var phi_1621_: type_9;
+    var phi_1659_: u32;
+    var phi_1660_: bool;
+    var phi_769_: u32;
+    var phi_1661_: bool;
+    var phi_1668_: u32;
+    var phi_1671_: type_9;
+    var phi_1672_: type_9;
+    var phi_1695_: type_9;
+    var phi_1811_: bool;
     var phi_1817_: bool;
-    var phi_1821_: bool;
     var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1787_: bool;
-    var phi_1791_: bool;
-    var phi_1822_: bool;
-    var phi_1826_: bool;
-    var phi_1827_: bool;
-    var phi_1871_: bool;
+    var phi_1792_: bool;
+    var phi_1800_: bool;
+    var phi_1819_: bool;
+    var phi_1823_: bool;
+    var phi_1824_: bool;
+    var phi_1870_: bool;
+    var phi_1877_: bool;
     var phi_1881_: bool;
-    var phi_1882_: bool;
-    var phi_1886_: bool;
-    var phi_1887_: bool;
-    var phi_2023_: bool;
-    var phi_2024_: bool;
-    var phi_2117_: bool;
-    var phi_2118_: bool;
-    var phi_2212_: bool;
-    var phi_2213_: bool;
-    var phi_2306_: bool;
-    var phi_2307_: bool;
-    var phi_2402_: bool;
-    var phi_2403_: bool;
+    var phi_2017_: bool;
+    var phi_2018_: bool;
+    var phi_2111_: bool;
+    var phi_2112_: bool;
+    var phi_2206_: bool;
+    var phi_2207_: bool;
+    var phi_2300_: bool;
+    var phi_2301_: bool;
+    var phi_2396_: bool;
+    var phi_2397_: bool;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
+    var phi_2495_: bool;
     var phi_2496_: bool;
     var phi_2497_: bool;
     var phi_2501_: bool;
     var phi_2502_: bool;
     var phi_2503_: bool;
-    var phi_2507_: bool;
-    var phi_2508_: bool;
+    var phi_2504_: bool;
+    var phi_2505_: bool;
     var phi_2509_: bool;
-    var phi_2510_: bool;
-    var phi_2511_: bool;
-    var phi_2515_: bool;
-    var phi_2530_: bool;
-    var phi_2531_: bool;
-    var phi_2581_: type_21;
-    var phi_2582_: type_21;
-    var phi_2605_: type_21;
-    var phi_2628_: u32;
-    var phi_2682_: type_21;
-    var phi_2687_: type_21;
-    var phi_2703_: bool;
-    var phi_2704_: bool;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var phi_2575_: type_9;
+    var phi_2576_: type_9;
+    var phi_2599_: type_9;
+    var phi_2622_: u32;
+    var phi_2677_: type_9;
+    var phi_2682_: type_9;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
     var local: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -385,1072 +383,1002 @@ fn function_6(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e47 = lane_2;
     let _e59 = ((_e45.y * _e46.x) + _e45.x);
     let _e62 = (_e46.x * _e46.y);
-    let _e64 = params.member.member_15;
-    let _e66 = input.member[0u];
-    if (_e64 < _e66) {
-        phi_161_ = _e64;
+    let _e65 = params.member.member_1.member_2;
+    let _e67 = input.member[0u];
+    if (_e65 < _e67) {
+        phi_163_ = _e65;
     } else {
-        phi_161_ = _e66;
+        phi_163_ = _e67;
     }
-    let _e69 = phi_161_;
-    let _e70 = (_e47 / 32u);
-    let _e71 = (_e47 % 32u);
-    let _e73 = params.member.member_8;
-    if (_e73 == 0u) {
-        phi_172_ = array<u32, 2>(0u, 2u);
+    let _e70 = phi_163_;
+    let _e71 = (_e47 / 32u);
+    let _e72 = (_e47 % 32u);
+    let _e75 = params.member.member_2.member_1;
+    if (_e75 == 0u) {
+        phi_175_ = array<u32, 2>(0u, 2u);
     } else {
-        phi_172_ = array<u32, 2>(1u, 1u);
+        phi_175_ = array<u32, 2>(1u, 1u);
     }
-    let _e76 = phi_172_;
-    let _e80 = params.member.member_12;
-    if (_e69 > _e80) {
-        let _e83 = params.member.member_12;
-        let _e84 = (_e69 - _e83);
-        let _e86 = params.member.member_13;
-        if (_e86 == 0u) {
+    let _e78 = phi_175_;
+    let _e83 = params.member.member_1.member_1;
+    if (_e70 > _e83) {
+        let _e87 = params.member.member_1.member_1;
+        let _e88 = (_e70 - _e87);
+        let _e91 = params.member.member_2.member_3;
+        if (_e91 == 0u) {
             return;
         }
-        let _e88 = (_e84 / _e86);
-        if (_e86 == 0u) {
+        let _e93 = (_e88 / _e91);
+        if (_e91 == 0u) {
             return;
         }
-        if ((_e84 % _e86) > 0u) {
-            phi_201_ = (_e88 + 1u);
+        if ((_e88 % _e91) > 0u) {
+            phi_207_ = (_e93 + 1u);
         } else {
-            phi_201_ = _e88;
+            phi_207_ = _e93;
         }
-        let _e94 = phi_201_;
-        phi_202_ = _e94;
+        let _e99 = phi_207_;
+        phi_208_ = _e99;
     } else {
-        phi_202_ = 0u;
+        phi_208_ = 0u;
     }
-    let _e96 = phi_202_;
-    let _e98 = params.member.member_14;
-    if (_e98 < _e96) {
-        phi_209_ = _e98;
+    let _e101 = phi_208_;
+    let _e104 = params.member.member_2.member_4;
+    if (_e104 < _e101) {
+        phi_216_ = _e104;
     } else {
-        phi_209_ = _e96;
+        phi_216_ = _e101;
     }
-    let _e101 = phi_209_;
-    let _e102 = (_e101 / 4u);
-    if ((_e101 % 4u) > 0u) {
-        phi_225_ = (_e102 + 1u);
+    let _e107 = phi_216_;
+    let _e108 = (_e107 / 4u);
+    if ((_e107 % 4u) > 0u) {
+        phi_232_ = (_e108 + 1u);
     } else {
-        phi_225_ = _e102;
+        phi_232_ = _e108;
     }
-    let _e107 = phi_225_;
-    if (_e107 > _e59) {
-        let _e109 = (_e107 - _e59);
+    let _e113 = phi_232_;
+    if (_e113 > _e59) {
+        let _e115 = (_e113 - _e59);
         if (_e62 == 0u) {
             return;
         }
-        let _e111 = (_e109 / _e62);
+        let _e117 = (_e115 / _e62);
         if (_e62 == 0u) {
             return;
         }
-        if ((_e109 % _e62) > 0u) {
-            phi_246_ = (_e111 + 1u);
+        if ((_e115 % _e62) > 0u) {
+            phi_253_ = (_e117 + 1u);
         } else {
-            phi_246_ = _e111;
+            phi_253_ = _e117;
         }
-        let _e117 = phi_246_;
-        phi_247_ = _e117;
+        let _e123 = phi_253_;
+        phi_254_ = _e123;
     } else {
-        phi_247_ = 0u;
+        phi_254_ = 0u;
     }
-    let _e119 = phi_247_;
-    phi_250_ = type_21(0u, _e119);
+    let _e125 = phi_254_;
+    phi_257_ = type_9(0u, _e125);
     loop {
-        let _e122 = phi_250_;
-        if (_e122.member < _e122.member_1) {
-            phi_251_ = type_21((_e122.member + 1u), _e122.member_1);
-            phi_274_ = type_21(1u, _e122.member);
+        let _e128 = phi_257_;
+        if (_e128.member < _e128.member_1) {
+            phi_258_ = type_9((_e128.member + 1u), _e128.member_1);
+            phi_281_ = type_9(1u, _e128.member);
         } else {
-            phi_251_ = _e122;
-            phi_274_ = type_21(0u, type_21().member_1);
+            phi_258_ = _e128;
+            phi_281_ = type_9(0u, type_9().member_1);
         }
-        let _e134 = phi_251_;
-        let _e136 = phi_274_;
-        let _e140 = (bitcast<i32>(_e136.member) != 0i);
-        if _e140 {
-            let _e144 = (((_e59 + (_e136.member_1 * _e62)) * 4u) + _e70);
-            let _e146 = params.member.member_12;
-            if (_e69 > _e146) {
-                let _e149 = params.member.member_12;
-                let _e150 = (_e69 - _e149);
-                let _e152 = params.member.member_13;
-                if (_e152 == 0u) {
+        let _e140 = phi_258_;
+        let _e142 = phi_281_;
+        let _e146 = (bitcast<i32>(_e142.member) != 0i);
+        if _e146 {
+            let _e150 = (((_e59 + (_e142.member_1 * _e62)) * 4u) + _e71);
+            let _e153 = params.member.member_1.member_1;
+            if (_e70 > _e153) {
+                let _e157 = params.member.member_1.member_1;
+                let _e158 = (_e70 - _e157);
+                let _e161 = params.member.member_2.member_3;
+                if (_e161 == 0u) {
                     return;
                 }
-                let _e154 = (_e150 / _e152);
-                if (_e152 == 0u) {
+                let _e163 = (_e158 / _e161);
+                if (_e161 == 0u) {
                     return;
                 }
-                if ((_e150 % _e152) > 0u) {
-                    phi_312_ = (_e154 + 1u);
+                if ((_e158 % _e161) > 0u) {
+                    phi_322_ = (_e163 + 1u);
                 } else {
-                    phi_312_ = _e154;
+                    phi_322_ = _e163;
                 }
-                let _e160 = phi_312_;
-                phi_313_ = _e160;
+                let _e169 = phi_322_;
+                phi_323_ = _e169;
             } else {
-                phi_313_ = 0u;
+                phi_323_ = 0u;
             }
-            let _e162 = phi_313_;
-            let _e164 = params.member.member_14;
-            if (_e164 < _e162) {
-                phi_320_ = _e164;
+            let _e171 = phi_323_;
+            let _e174 = params.member.member_2.member_4;
+            if (_e174 < _e171) {
+                phi_331_ = _e174;
             } else {
-                phi_320_ = _e162;
+                phi_331_ = _e171;
             }
-            let _e167 = phi_320_;
-            let _e168 = (_e144 < _e167);
-            let _e170 = params.member.member_12;
-            if _e168 {
-                let _e172 = params.member.member_13;
-                phi_330_ = (_e144 * _e172);
+            let _e177 = phi_331_;
+            let _e178 = (_e150 < _e177);
+            let _e181 = params.member.member_1.member_1;
+            if _e178 {
+                let _e184 = params.member.member_2.member_3;
+                phi_343_ = (_e150 * _e184);
             } else {
-                phi_330_ = 0u;
+                phi_343_ = 0u;
             }
-            let _e175 = phi_330_;
-            let _e177 = (2u * (_e170 + _e175));
-            let _e180 = input.member[(4u + _e177)];
-            let _e183 = input.member[(_e177 + 5u)];
+            let _e187 = phi_343_;
+            let _e189 = (2u * (_e181 + _e187));
+            let _e192 = input.member[(4u + _e189)];
+            let _e195 = input.member[(_e189 + 5u)];
             if (_e47 < 8u) {
                 atomicStore((&counters[_e47]), 0u);
             }
             workgroupBarrier();
-            let _e190 = params.member.member_20[0u][_e76[0]];
-            let _e191 = (_e190 + (_e180 * 32u));
-            let _e196 = params.member.member_20[0u][_e76[1]];
-            let _e197 = (_e196 + (_e183 * 32u));
-            if (_e71 == 0u) {
-                firsts[(2u * _e70)] = _e191;
-                firsts[((2u * _e70) + 1u)] = _e197;
+            let _e203 = params.member.member_2.member[0u][_e78[0]];
+            let _e204 = (_e203 + (_e192 * 32u));
+            let _e210 = params.member.member_2.member[0u][_e78[1]];
+            let _e211 = (_e210 + (_e195 * 32u));
+            if (_e72 == 0u) {
+                firsts[(2u * _e71)] = _e204;
+                firsts[((2u * _e71) + 1u)] = _e211;
             }
-            let _e205 = params.member.member_8;
-            if (_e205 == 0u) {
-                phi_409_ = array<u32, 2>(0u, 2u);
+            let _e220 = params.member.member_2.member_1;
+            if (_e220 == 0u) {
+                phi_428_ = array<u32, 2>(0u, 2u);
             } else {
-                phi_409_ = array<u32, 2>(1u, 1u);
+                phi_428_ = array<u32, 2>(1u, 1u);
             }
-            let _e208 = phi_409_;
-            let _e211 = (_e47 / 32u);
-            let _e212 = (_e47 % 32u);
-            let _e214 = params.member.member_9;
-            let _e218 = params.member.member_20[_e214][_e208[0]];
-            let _e221 = nodes.member[(_e218 + _e180)];
-            let _e223 = params.member.member_9;
-            let _e227 = params.member.member_20[_e223][_e208[1]];
-            let _e230 = nodes.member[(_e227 + _e183)];
-            let _e232 = params.member.member_9;
-            let _e239 = params.member.member_20[(_e232 - 1u)][_e208[0]];
-            let _e242 = nodes.member[(_e239 + ((_e180 * 32u) + _e212))];
-            let _e244 = params.member.member_9;
-            let _e251 = params.member.member_20[(_e244 - 1u)][_e208[1]];
-            let _e254 = nodes.member[(_e251 + ((_e183 * 32u) + _e212))];
-            if _e168 {
-                if ((((((_e254.member[0] <= _e221.member_1[0]) && (_e221.member[0] <= _e254.member_1[0])) && (_e254.member[1] <= _e221.member_1[1])) && (_e221.member[1] <= _e254.member_1[1])) && (_e254.member[2] <= _e221.member_1[2])) && (_e221.member[2] <= _e254.member_1[2])) {
-                    let _e292 = atomicAdd((&counters[_e211]), 1u);
-                    let _e293 = ((_e211 * 32u) + _e292);
-                    columns[_e293] = type_11(array<f32, 3>(_e254.member[0], _e254.member[1], _e254.member[2]), array<f32, 3>(_e254.member_1[0], _e254.member_1[1], _e254.member_1[2]));
-                    names[_e293] = _e212;
+            let _e223 = phi_428_;
+            let _e226 = (_e47 / 32u);
+            let _e227 = (_e47 % 32u);
+            let _e231 = params.member.member_2.member_2;
+            let _e235 = params.member.member_2.member[_e231][_e223[0]];
+            let _e238 = nodes.member[(_e235 + _e192)];
+            let _e242 = params.member.member_2.member_2;
+            let _e246 = params.member.member_2.member[_e242][_e223[1]];
+            let _e249 = nodes.member[(_e246 + _e195)];
+            let _e253 = params.member.member_2.member_2;
+            let _e260 = params.member.member_2.member[(_e253 - 1u)][_e223[0]];
+            let _e263 = nodes.member[(_e260 + ((_e192 * 32u) + _e227))];
+            let _e267 = params.member.member_2.member_2;
+            let _e274 = params.member.member_2.member[(_e267 - 1u)][_e223[1]];
+            let _e277 = nodes.member[(_e274 + ((_e195 * 32u) + _e227))];
+            if _e178 {
+                if ((((((_e277.member[0] <= _e238.member_1[0]) && (_e238.member[0] <= _e277.member_1[0])) && (_e277.member[1] <= _e238.member_1[1])) && (_e238.member[1] <= _e277.member_1[1])) && (_e277.member[2] <= _e238.member_1[2])) && (_e238.member[2] <= _e277.member_1[2])) {
+                    let _e315 = atomicAdd((&counters[_e226]), 1u);
+                    let _e316 = ((_e226 * 32u) + _e315);
+                    columns[_e316] = type_23(array<f32, 3>(_e277.member[0], _e277.member[1], _e277.member[2]), array<f32, 3>(_e277.member_1[0], _e277.member_1[1], _e277.member_1[2]));
+                    names[_e316] = _e227;
                 }
             }
             workgroupBarrier();
-            if _e168 {
-                if ((((((_e242.member[0] <= _e230.member_1[0]) && (_e230.member[0] <= _e242.member_1[0])) && (_e242.member[1] <= _e230.member_1[1])) && (_e230.member[1] <= _e242.member_1[1])) && (_e242.member[2] <= _e230.member_1[2])) && (_e230.member[2] <= _e242.member_1[2])) {
-                    phi_603_ = false;
+            if _e178 {
+                if ((((((_e263.member[0] <= _e249.member_1[0]) && (_e249.member[0] <= _e263.member_1[0])) && (_e263.member[1] <= _e249.member_1[1])) && (_e249.member[1] <= _e263.member_1[1])) && (_e263.member[2] <= _e249.member_1[2])) && (_e249.member[2] <= _e263.member_1[2])) {
+                    phi_626_ = false;
                 } else {
-                    phi_603_ = true;
+                    phi_626_ = true;
                 }
-                let _e343 = phi_603_;
-                phi_604_ = _e343;
+                let _e366 = phi_626_;
+                phi_627_ = _e366;
             } else {
-                phi_604_ = true;
+                phi_627_ = true;
             }
-            let _e345 = phi_604_;
-            if _e345 {
-                phi_608_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+            let _e368 = phi_627_;
+            if _e368 {
+                phi_631_ = type_23(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
             } else {
-                phi_608_ = _e242;
+                phi_631_ = _e263;
             }
-            let _e347 = phi_608_;
-            if (_e76[0] == _e76[1]) {
-                phi_614_ = (_e180 == _e183);
+            let _e370 = phi_631_;
+            if (_e78[0] == _e78[1]) {
+                phi_637_ = (_e192 == _e195);
             } else {
-                phi_614_ = false;
+                phi_637_ = false;
             }
-            let _e351 = phi_614_;
-            let _e352 = (_e47 / 32u);
-            let _e353 = (_e47 % 32u);
-            let _e355 = atomicLoad((&counters[_e352]));
-            phi_621_ = type_21(0u, _e355);
-            phi_624_ = 0u;
+            let _e374 = phi_637_;
+            let _e375 = (_e47 / 32u);
+            let _e376 = (_e47 % 32u);
+            let _e378 = atomicLoad((&counters[_e375]));
+            phi_644_ = type_9(0u, _e378);
+            phi_647_ = 0u;
             loop {
-                let _e358 = phi_621_;
-                let _e360 = phi_624_;
-                local = _e360;
-                if (_e358.member < _e358.member_1) {
-                    phi_622_ = type_21((_e358.member + 1u), _e358.member_1);
-                    phi_647_ = type_21(1u, _e358.member);
+                let _e381 = phi_644_;
+                let _e383 = phi_647_;
+                local = _e383;
+                if (_e381.member < _e381.member_1) {
+                    phi_645_ = type_9((_e381.member + 1u), _e381.member_1);
+                    phi_670_ = type_9(1u, _e381.member);
                 } else {
-                    phi_622_ = _e358;
-                    phi_647_ = type_21(0u, type_21().member_1);
+                    phi_645_ = _e381;
+                    phi_670_ = type_9(0u, type_9().member_1);
                 }
-                let _e372 = phi_622_;
-                let _e374 = phi_647_;
-                let _e378 = (bitcast<i32>(_e374.member) != 0i);
-                if _e378 {
-                    let _e382 = names[((_e352 * 32u) + _e374.member_1)];
-                    let _e386 = columns[((_e352 * 32u) + _e374.member_1)];
-                    if ((((((_e347.member[0] <= _e386.member_1[0]) && (_e386.member[0] <= _e347.member_1[0])) && (_e347.member[1] <= _e386.member_1[1])) && (_e386.member[1] <= _e347.member_1[1])) && (_e347.member[2] <= _e386.member_1[2])) && (_e386.member[2] <= _e347.member_1[2])) {
-                        if _e351 {
-                            let _e418 = (_e353 < _e382);
-                            if _e418 {
-                                phi_713_ = bool();
+                let _e395 = phi_645_;
+                let _e397 = phi_670_;
+                let _e401 = (bitcast<i32>(_e397.member) != 0i);
+                if _e401 {
+                    let _e405 = names[((_e375 * 32u) + _e397.member_1)];
+                    let _e409 = columns[((_e375 * 32u) + _e397.member_1)];
+                    if ((((((_e370.member[0] <= _e409.member_1[0]) && (_e409.member[0] <= _e370.member_1[0])) && (_e370.member[1] <= _e409.member_1[1])) && (_e409.member[1] <= _e370.member_1[1])) && (_e370.member[2] <= _e409.member_1[2])) && (_e409.member[2] <= _e370.member_1[2])) {
+                        if _e374 {
+                            let _e441 = (_e376 < _e405);
+                            if _e441 {
+                                phi_736_ = bool();
                             } else {
-                                phi_713_ = false;
+                                phi_736_ = false;
                             }
-                            let _e420 = phi_713_;
-                            phi_714_ = _e420;
-                            phi_715_ = _e418;
+                            let _e443 = phi_736_;
+                            phi_737_ = _e443;
+                            phi_738_ = _e441;
                         } else {
-                            phi_714_ = bool();
-                            phi_715_ = true;
+                            phi_737_ = bool();
+                            phi_738_ = true;
                         }
-                        let _e422 = phi_714_;
-                        let _e424 = phi_715_;
-                        if _e424 {
-                            phi_719_ = true;
+                        let _e445 = phi_737_;
+                        let _e447 = phi_738_;
+                        if _e447 {
+                            phi_742_ = true;
                         } else {
-                            phi_719_ = _e422;
+                            phi_742_ = _e445;
                         }
-                        let _e426 = phi_719_;
-                        if _e426 {
-                            let _e428 = atomicAdd((&counters[4u]), 1u);
-                            if (_e428 < 2048u) {
-                                hits[_e428] = (((_e352 << bitcast<u32>(10i)) | (_e353 << bitcast<u32>(5i))) | _e382);
-                                phi_737_ = _e360;
+                        let _e449 = phi_742_;
+                        if _e449 {
+                            let _e451 = atomicAdd((&counters[4u]), 1u);
+                            if (_e451 < 2048u) {
+                                hits[_e451] = (((_e375 << bitcast<u32>(10i)) | (_e376 << bitcast<u32>(5i))) | _e405);
+                                phi_760_ = _e383;
                             } else {
-                                phi_737_ = (_e360 | (1u << bitcast<u32>((_e374.member_1 & 31u))));
+                                phi_760_ = (_e383 | (1u << bitcast<u32>((_e397.member_1 & 31u))));
                             }
-                            let _e442 = phi_737_;
-                            phi_738_ = _e442;
+                            let _e465 = phi_760_;
+                            phi_761_ = _e465;
                         } else {
-                            phi_738_ = _e360;
+                            phi_761_ = _e383;
                         }
-                        let _e444 = phi_738_;
-                        phi_739_ = _e444;
+                        let _e467 = phi_761_;
+                        phi_762_ = _e467;
                     } else {
-                        phi_739_ = _e360;
+                        phi_762_ = _e383;
                     }
-                    let _e446 = phi_739_;
-                    phi_625_ = _e446;
+                    let _e469 = phi_762_;
+                    phi_648_ = _e469;
                 } else {
-                    phi_625_ = u32();
+                    phi_648_ = u32();
                 }
-                let _e448 = phi_625_;
+                let _e471 = phi_648_;
                 continue;
                 continuing {
-                    phi_621_ = _e372;
-                    phi_624_ = _e448;
-                    break if !(_e378);
+                    phi_644_ = _e395;
+                    phi_647_ = _e471;
+                    break if !(_e401);
                 }
             }
-            phi_742_ = type_21(0u, 32u);
-            let _e1660 = local;
-            phi_745_ = _e1660;
+            phi_765_ = type_9(0u, 32u);
+            let _e1635 = local;
+            phi_768_ = _e1635;
             loop {
-                let _e451 = phi_742_;
-                let _e453 = phi_745_;
-                if (_e451.member < _e451.member_1) {
-                    phi_743_ = type_21((_e451.member + 1u), _e451.member_1);
-                    phi_768_ = type_21(1u, _e451.member);
+                let _e474 = phi_765_;
+                let _e476 = phi_768_;
+                if (_e474.member < _e474.member_1) {
+                    phi_766_ = type_9((_e474.member + 1u), _e474.member_1);
+                    phi_791_ = type_9(1u, _e474.member);
                 } else {
-                    phi_743_ = _e451;
-                    phi_768_ = type_21(0u, type_21().member_1);
+                    phi_766_ = _e474;
+                    phi_791_ = type_9(0u, type_9().member_1);
                 }
-                let _e465 = phi_743_;
-                let _e467 = phi_768_;
-                if (bitcast<i32>(_e467.member) != 0i) {
-                    if (_e453 == 0u) {
-                        phi_1651_ = u32();
-                        phi_1652_ = false;
+                let _e488 = phi_766_;
+                let _e490 = phi_791_;
+                if (bitcast<i32>(_e490.member) != 0i) {
+                    if (_e476 == 0u) {
+                        phi_1659_ = u32();
+                        phi_1660_ = false;
                     } else {
-                        let _e478 = names[((_e70 * 32u) + select(firstTrailingBit(_e453), 32u, (_e453 == 0u)))];
-                        let _e481 = (_e191 + _e71);
-                        let _e482 = (_e197 + _e478);
-                        let _e484 = leaves.member[_e481];
-                        let _e486 = leaves.member[_e482];
-                        let _e488 = nodes.member[_e481];
-                        let _e490 = nodes.member[_e482];
-                        let _e492 = params.member.member_1;
-                        if ((_e492 & 1u) != 0u) {
-                            let _e496 = params.member.member_8;
-                            if (_e496 == 0u) {
-                                if (_e484.member[0] == _e486.member[0]) {
-                                    phi_859_ = bool();
-                                    phi_860_ = true;
+                        let _e501 = names[((_e71 * 32u) + select(firstTrailingBit(_e476), 32u, (_e476 == 0u)))];
+                        let _e504 = (_e204 + _e72);
+                        let _e505 = (_e211 + _e501);
+                        let _e507 = leaves.member[_e504];
+                        let _e509 = leaves.member[_e505];
+                        let _e511 = nodes.member[_e504];
+                        let _e513 = nodes.member[_e505];
+                        let _e516 = params.member.member.member_1;
+                        if ((_e516 & 1u) != 0u) {
+                            if (_e75 == 0u) {
+                                if (_e509.member[0] == _e507.member[0]) {
+                                    phi_873_ = true;
                                 } else {
-                                    let _e539 = (_e484.member[0] == _e486.member[1]);
-                                    if _e539 {
-                                        phi_858_ = bool();
-                                    } else {
-                                        phi_858_ = (_e484.member[0] == _e486.member[2]);
-                                    }
-                                    let _e546 = phi_858_;
-                                    phi_859_ = _e546;
-                                    phi_860_ = _e539;
+                                    phi_873_ = (_e509.member[0] == _e507.member[0]);
                                 }
-                                let _e548 = phi_859_;
-                                let _e550 = phi_860_;
-                                if _e550 {
-                                    phi_864_ = true;
+                                let _e544 = phi_873_;
+                                if (_e509.member[1] == _e507.member[0]) {
+                                    phi_880_ = true;
                                 } else {
-                                    phi_864_ = _e548;
+                                    phi_880_ = (_e509.member[1] == _e507.member[0]);
                                 }
-                                let _e552 = phi_864_;
-                                phi_895_ = _e552;
+                                let _e549 = phi_880_;
+                                if (_e509.member[2] == _e507.member[0]) {
+                                    phi_888_ = true;
+                                } else {
+                                    phi_888_ = (_e509.member[2] == _e507.member[0]);
+                                }
+                                let _e555 = phi_888_;
+                                phi_907_ = ((_e544 || _e549) || _e555);
                             } else {
-                                if (_e484.member[0] == _e486.member[0]) {
-                                    phi_889_ = bool();
-                                    phi_890_ = true;
+                                if (_e509.member[0] == _e507.member[0]) {
+                                    phi_899_ = true;
                                 } else {
-                                    if (_e484.member[0] == _e486.member[1]) {
-                                        phi_887_ = bool();
-                                        phi_888_ = true;
-                                    } else {
-                                        let _e512 = (_e484.member[1] == _e486.member[0]);
-                                        if _e512 {
-                                            phi_886_ = bool();
-                                        } else {
-                                            phi_886_ = (_e484.member[1] == _e486.member[1]);
-                                        }
-                                        let _e519 = phi_886_;
-                                        phi_887_ = _e519;
-                                        phi_888_ = _e512;
-                                    }
-                                    let _e521 = phi_887_;
-                                    let _e523 = phi_888_;
-                                    phi_889_ = _e521;
-                                    phi_890_ = _e523;
+                                    phi_899_ = (_e509.member[0] == _e507.member[1]);
                                 }
-                                let _e525 = phi_889_;
-                                let _e527 = phi_890_;
-                                if _e527 {
-                                    phi_894_ = true;
+                                let _e531 = phi_899_;
+                                if (_e509.member[1] == _e507.member[0]) {
+                                    phi_905_ = true;
                                 } else {
-                                    phi_894_ = _e525;
+                                    phi_905_ = (_e509.member[1] == _e507.member[1]);
                                 }
-                                let _e529 = phi_894_;
-                                phi_895_ = _e529;
+                                let _e535 = phi_905_;
+                                phi_907_ = (_e531 || _e535);
                             }
-                            let _e554 = phi_895_;
-                            if _e554 {
-                                phi_899_ = false;
+                            let _e558 = phi_907_;
+                            if _e558 {
+                                phi_911_ = false;
                             } else {
-                                phi_899_ = true;
+                                phi_911_ = true;
                             }
-                            let _e556 = phi_899_;
-                            phi_900_ = _e556;
+                            let _e560 = phi_911_;
+                            phi_912_ = _e560;
                         } else {
-                            phi_900_ = true;
+                            phi_912_ = true;
                         }
-                        let _e558 = phi_900_;
-                        if _e558 {
-                            let _e560 = params.member.member_1;
-                            if ((_e560 & 2u) != 0u) {
-                                let _e566 = bodies.member[_e484.member[0]];
-                                let _e570 = bodies.member[_e486.member[0]];
-                                if ((_e566 / 2u) == (_e570 / 2u)) {
-                                    let _e575 = params.member.member_1;
-                                    phi_944_ = !(((_e575 & 4u) != 0u));
+                        let _e562 = phi_912_;
+                        if _e562 {
+                            let _e564 = params.member.member.member_1;
+                            if ((_e564 & 2u) != 0u) {
+                                let _e568 = params.member.member.member_1;
+                                let _e574 = bodies.member[_e507.member[0]];
+                                let _e578 = bodies.member[_e509.member[0]];
+                                if ((_e574 / 2u) != (_e578 / 2u)) {
+                                    phi_958_ = true;
                                 } else {
-                                    phi_944_ = false;
+                                    phi_958_ = ((_e568 & 4u) != 0u);
                                 }
-                                let _e580 = phi_944_;
-                                if _e580 {
-                                    phi_955_ = true;
+                                let _e583 = phi_958_;
+                                if _e583 {
+                                    phi_965_ = (((_e574 & _e578) & 1u) == 0u);
                                 } else {
-                                    if (((_e566 & _e570) & 1u) == 0u) {
-                                        phi_954_ = false;
+                                    phi_965_ = false;
+                                }
+                                let _e588 = phi_965_;
+                                phi_969_ = _e588;
+                            } else {
+                                phi_969_ = true;
+                            }
+                            let _e590 = phi_969_;
+                            if _e590 {
+                                let _e592 = params.member.member.member_1;
+                                if ((_e592 & 32u) != 0u) {
+                                    let _e596 = params.member.member.member_6;
+                                    let _e637 = (((((_e511.member_1[0] - _e513.member[0]) > _e596) && ((_e513.member_1[0] - _e511.member[0]) > _e596)) && (((_e511.member_1[1] - _e513.member[1]) > _e596) && ((_e513.member_1[1] - _e511.member[1]) > _e596))) && (((_e511.member_1[2] - _e513.member[2]) > _e596) && ((_e513.member_1[2] - _e511.member[2]) > _e596)));
+                                    if _e637 {
+                                        phi_1583_ = bool();
                                     } else {
-                                        phi_954_ = true;
+                                        let _e641 = keys.member[_e507.member[0]];
+                                        let _e646 = keys.member[_e507.member[1]];
+                                        let _e648 = function_5(_e641[0], _e646[0]);
+                                        let _e652 = keys.member[_e507.member[2]];
+                                        let _e654 = function_5(_e648, _e652[0]);
+                                        let _e658 = keys.member[_e509.member[0]];
+                                        let _e663 = keys.member[_e509.member[1]];
+                                        let _e665 = function_4(_e658[3], _e663[3]);
+                                        let _e669 = keys.member[_e509.member[2]];
+                                        let _e671 = function_4(_e665, _e669[3]);
+                                        if (_e654[1] > _e671[1]) {
+                                            phi_1106_ = true;
+                                        } else {
+                                            if (_e654[1] == _e671[1]) {
+                                                phi_1105_ = (_e654[0] > _e671[0]);
+                                            } else {
+                                                phi_1105_ = false;
+                                            }
+                                            let _e682 = phi_1105_;
+                                            phi_1106_ = _e682;
+                                        }
+                                        let _e684 = phi_1106_;
+                                        let _e689 = keys.member[_e509.member[0]];
+                                        let _e694 = keys.member[_e509.member[1]];
+                                        let _e696 = function_5(_e689[0], _e694[0]);
+                                        let _e700 = keys.member[_e509.member[2]];
+                                        let _e702 = function_5(_e696, _e700[0]);
+                                        let _e706 = keys.member[_e507.member[0]];
+                                        let _e711 = keys.member[_e507.member[1]];
+                                        let _e713 = function_4(_e706[3], _e711[3]);
+                                        let _e717 = keys.member[_e507.member[2]];
+                                        let _e719 = function_4(_e713, _e717[3]);
+                                        if (_e702[1] > _e719[1]) {
+                                            phi_1200_ = true;
+                                        } else {
+                                            if (_e702[1] == _e719[1]) {
+                                                phi_1199_ = (_e702[0] > _e719[0]);
+                                            } else {
+                                                phi_1199_ = false;
+                                            }
+                                            let _e730 = phi_1199_;
+                                            phi_1200_ = _e730;
+                                        }
+                                        let _e732 = phi_1200_;
+                                        let _e738 = keys.member[_e507.member[0]];
+                                        let _e743 = keys.member[_e507.member[1]];
+                                        let _e745 = function_3(_e738[1], _e743[1]);
+                                        let _e749 = keys.member[_e507.member[2]];
+                                        let _e751 = function_3(_e745, _e749[1]);
+                                        let _e755 = keys.member[_e509.member[0]];
+                                        let _e760 = keys.member[_e509.member[1]];
+                                        let _e762 = function_2(_e755[4], _e760[4]);
+                                        let _e766 = keys.member[_e509.member[2]];
+                                        let _e768 = function_2(_e762, _e766[4]);
+                                        if (_e751[1] > _e768[1]) {
+                                            phi_1295_ = true;
+                                        } else {
+                                            if (_e751[1] == _e768[1]) {
+                                                phi_1294_ = (_e751[0] > _e768[0]);
+                                            } else {
+                                                phi_1294_ = false;
+                                            }
+                                            let _e779 = phi_1294_;
+                                            phi_1295_ = _e779;
+                                        }
+                                        let _e781 = phi_1295_;
+                                        let _e786 = keys.member[_e509.member[0]];
+                                        let _e791 = keys.member[_e509.member[1]];
+                                        let _e793 = function_3(_e786[1], _e791[1]);
+                                        let _e797 = keys.member[_e509.member[2]];
+                                        let _e799 = function_3(_e793, _e797[1]);
+                                        let _e803 = keys.member[_e507.member[0]];
+                                        let _e808 = keys.member[_e507.member[1]];
+                                        let _e810 = function_2(_e803[4], _e808[4]);
+                                        let _e814 = keys.member[_e507.member[2]];
+                                        let _e816 = function_2(_e810, _e814[4]);
+                                        if (_e799[1] > _e816[1]) {
+                                            phi_1389_ = true;
+                                        } else {
+                                            if (_e799[1] == _e816[1]) {
+                                                phi_1388_ = (_e799[0] > _e816[0]);
+                                            } else {
+                                                phi_1388_ = false;
+                                            }
+                                            let _e827 = phi_1388_;
+                                            phi_1389_ = _e827;
+                                        }
+                                        let _e829 = phi_1389_;
+                                        let _e836 = keys.member[_e507.member[0]];
+                                        let _e841 = keys.member[_e507.member[1]];
+                                        let _e843 = function_1(_e836[2], _e841[2]);
+                                        let _e847 = keys.member[_e507.member[2]];
+                                        let _e849 = function_1(_e843, _e847[2]);
+                                        let _e853 = keys.member[_e509.member[0]];
+                                        let _e858 = keys.member[_e509.member[1]];
+                                        let _e860 = function_(_e853[5], _e858[5]);
+                                        let _e864 = keys.member[_e509.member[2]];
+                                        let _e866 = function_(_e860, _e864[5]);
+                                        if (_e849[1] > _e866[1]) {
+                                            phi_1485_ = true;
+                                        } else {
+                                            if (_e849[1] == _e866[1]) {
+                                                phi_1484_ = (_e849[0] > _e866[0]);
+                                            } else {
+                                                phi_1484_ = false;
+                                            }
+                                            let _e877 = phi_1484_;
+                                            phi_1485_ = _e877;
+                                        }
+                                        let _e879 = phi_1485_;
+                                        let _e884 = keys.member[_e509.member[0]];
+                                        let _e889 = keys.member[_e509.member[1]];
+                                        let _e891 = function_1(_e884[2], _e889[2]);
+                                        let _e895 = keys.member[_e509.member[2]];
+                                        let _e897 = function_1(_e891, _e895[2]);
+                                        let _e901 = keys.member[_e507.member[0]];
+                                        let _e906 = keys.member[_e507.member[1]];
+                                        let _e908 = function_(_e901[5], _e906[5]);
+                                        let _e912 = keys.member[_e507.member[2]];
+                                        let _e914 = function_(_e908, _e912[5]);
+                                        if (_e897[1] > _e914[1]) {
+                                            phi_1579_ = true;
+                                        } else {
+                                            if (_e897[1] == _e914[1]) {
+                                                phi_1578_ = (_e897[0] > _e914[0]);
+                                            } else {
+                                                phi_1578_ = false;
+                                            }
+                                            let _e925 = phi_1578_;
+                                            phi_1579_ = _e925;
+                                        }
+                                        let _e927 = phi_1579_;
+                                        phi_1583_ = (((!(_e684) && !(_e732)) && (!(_e781) && !(_e829))) && (!(_e879) && !(_e927)));
                                     }
-                                    let _e585 = phi_954_;
-                                    phi_955_ = _e585;
-                                }
-                                let _e587 = phi_955_;
-                                if _e587 {
-                                    phi_959_ = false;
+                                    let _e932 = phi_1583_;
+                                    phi_1584_ = _e932;
+                                    phi_1585_ = _e637;
                                 } else {
-                                    phi_959_ = true;
+                                    phi_1584_ = bool();
+                                    phi_1585_ = true;
                                 }
-                                let _e589 = phi_959_;
-                                phi_960_ = _e589;
+                                let _e934 = phi_1584_;
+                                let _e936 = phi_1585_;
+                                if _e936 {
+                                    phi_1589_ = false;
+                                } else {
+                                    phi_1589_ = true;
+                                }
+                                let _e938 = phi_1589_;
+                                phi_1590_ = _e934;
+                                phi_1591_ = _e938;
                             } else {
-                                phi_960_ = true;
+                                phi_1590_ = false;
+                                phi_1591_ = true;
                             }
-                            let _e591 = phi_960_;
-                            if _e591 {
-                                let _e593 = params.member.member_1;
-                                if ((_e593 & 32u) != 0u) {
-                                    let _e597 = params.member.member_6;
-                                    let _e638 = (((((((_e488.member_1[0] - _e490.member[0]) > _e597) && ((_e490.member_1[0] - _e488.member[0]) > _e597)) && ((_e488.member_1[1] - _e490.member[1]) > _e597)) && ((_e490.member_1[1] - _e488.member[1]) > _e597)) && ((_e488.member_1[2] - _e490.member[2]) > _e597)) && ((_e490.member_1[2] - _e488.member[2]) > _e597));
-                                    if _e638 {
-                                        phi_1574_ = bool();
-                                    } else {
-                                        let _e642 = keys.member[_e484.member[0]];
-                                        let _e647 = keys.member[_e484.member[1]];
-                                        let _e649 = function_5(_e642[0], _e647[0]);
-                                        let _e653 = keys.member[_e484.member[2]];
-                                        let _e655 = function_5(_e649, _e653[0]);
-                                        let _e659 = keys.member[_e486.member[0]];
-                                        let _e664 = keys.member[_e486.member[1]];
-                                        let _e666 = function_4(_e659[3], _e664[3]);
-                                        let _e670 = keys.member[_e486.member[2]];
-                                        let _e672 = function_4(_e666, _e670[3]);
-                                        if (_e655[1] > _e672[1]) {
-                                            phi_1097_ = true;
-                                        } else {
-                                            if (_e655[1] == _e672[1]) {
-                                                phi_1096_ = (_e655[0] > _e672[0]);
-                                            } else {
-                                                phi_1096_ = false;
-                                            }
-                                            let _e683 = phi_1096_;
-                                            phi_1097_ = _e683;
-                                        }
-                                        let _e685 = phi_1097_;
-                                        let _e690 = keys.member[_e486.member[0]];
-                                        let _e695 = keys.member[_e486.member[1]];
-                                        let _e697 = function_5(_e690[0], _e695[0]);
-                                        let _e701 = keys.member[_e486.member[2]];
-                                        let _e703 = function_5(_e697, _e701[0]);
-                                        let _e707 = keys.member[_e484.member[0]];
-                                        let _e712 = keys.member[_e484.member[1]];
-                                        let _e714 = function_4(_e707[3], _e712[3]);
-                                        let _e718 = keys.member[_e484.member[2]];
-                                        let _e720 = function_4(_e714, _e718[3]);
-                                        if (_e703[1] > _e720[1]) {
-                                            phi_1191_ = true;
-                                        } else {
-                                            if (_e703[1] == _e720[1]) {
-                                                phi_1190_ = (_e703[0] > _e720[0]);
-                                            } else {
-                                                phi_1190_ = false;
-                                            }
-                                            let _e731 = phi_1190_;
-                                            phi_1191_ = _e731;
-                                        }
-                                        let _e733 = phi_1191_;
-                                        let _e739 = keys.member[_e484.member[0]];
-                                        let _e744 = keys.member[_e484.member[1]];
-                                        let _e746 = function_3(_e739[1], _e744[1]);
-                                        let _e750 = keys.member[_e484.member[2]];
-                                        let _e752 = function_3(_e746, _e750[1]);
-                                        let _e756 = keys.member[_e486.member[0]];
-                                        let _e761 = keys.member[_e486.member[1]];
-                                        let _e763 = function_2(_e756[4], _e761[4]);
-                                        let _e767 = keys.member[_e486.member[2]];
-                                        let _e769 = function_2(_e763, _e767[4]);
-                                        if (_e752[1] > _e769[1]) {
-                                            phi_1286_ = true;
-                                        } else {
-                                            if (_e752[1] == _e769[1]) {
-                                                phi_1285_ = (_e752[0] > _e769[0]);
-                                            } else {
-                                                phi_1285_ = false;
-                                            }
-                                            let _e780 = phi_1285_;
-                                            phi_1286_ = _e780;
-                                        }
-                                        let _e782 = phi_1286_;
-                                        let _e787 = keys.member[_e486.member[0]];
-                                        let _e792 = keys.member[_e486.member[1]];
-                                        let _e794 = function_3(_e787[1], _e792[1]);
-                                        let _e798 = keys.member[_e486.member[2]];
-                                        let _e800 = function_3(_e794, _e798[1]);
-                                        let _e804 = keys.member[_e484.member[0]];
-                                        let _e809 = keys.member[_e484.member[1]];
-                                        let _e811 = function_2(_e804[4], _e809[4]);
-                                        let _e815 = keys.member[_e484.member[2]];
-                                        let _e817 = function_2(_e811, _e815[4]);
-                                        if (_e800[1] > _e817[1]) {
-                                            phi_1380_ = true;
-                                        } else {
-                                            if (_e800[1] == _e817[1]) {
-                                                phi_1379_ = (_e800[0] > _e817[0]);
-                                            } else {
-                                                phi_1379_ = false;
-                                            }
-                                            let _e828 = phi_1379_;
-                                            phi_1380_ = _e828;
-                                        }
-                                        let _e830 = phi_1380_;
-                                        let _e837 = keys.member[_e484.member[0]];
-                                        let _e842 = keys.member[_e484.member[1]];
-                                        let _e844 = function_1(_e837[2], _e842[2]);
-                                        let _e848 = keys.member[_e484.member[2]];
-                                        let _e850 = function_1(_e844, _e848[2]);
-                                        let _e854 = keys.member[_e486.member[0]];
-                                        let _e859 = keys.member[_e486.member[1]];
-                                        let _e861 = function_(_e854[5], _e859[5]);
-                                        let _e865 = keys.member[_e486.member[2]];
-                                        let _e867 = function_(_e861, _e865[5]);
-                                        if (_e850[1] > _e867[1]) {
-                                            phi_1476_ = true;
-                                        } else {
-                                            if (_e850[1] == _e867[1]) {
-                                                phi_1475_ = (_e850[0] > _e867[0]);
-                                            } else {
-                                                phi_1475_ = false;
-                                            }
-                                            let _e878 = phi_1475_;
-                                            phi_1476_ = _e878;
-                                        }
-                                        let _e880 = phi_1476_;
-                                        let _e885 = keys.member[_e486.member[0]];
-                                        let _e890 = keys.member[_e486.member[1]];
-                                        let _e892 = function_1(_e885[2], _e890[2]);
-                                        let _e896 = keys.member[_e486.member[2]];
-                                        let _e898 = function_1(_e892, _e896[2]);
-                                        let _e902 = keys.member[_e484.member[0]];
-                                        let _e907 = keys.member[_e484.member[1]];
-                                        let _e909 = function_(_e902[5], _e907[5]);
-                                        let _e913 = keys.member[_e484.member[2]];
-                                        let _e915 = function_(_e909, _e913[5]);
-                                        if (_e898[1] > _e915[1]) {
-                                            phi_1570_ = true;
-                                        } else {
-                                            if (_e898[1] == _e915[1]) {
-                                                phi_1569_ = (_e898[0] > _e915[0]);
-                                            } else {
-                                                phi_1569_ = false;
-                                            }
-                                            let _e926 = phi_1569_;
-                                            phi_1570_ = _e926;
-                                        }
-                                        let _e928 = phi_1570_;
-                                        phi_1574_ = (((!(_e685) && !(_e733)) && (!(_e782) && !(_e830))) && (!(_e880) && !(_e928)));
-                                    }
-                                    let _e933 = phi_1574_;
-                                    phi_1575_ = _e933;
-                                    phi_1576_ = _e638;
-                                } else {
-                                    phi_1575_ = bool();
-                                    phi_1576_ = true;
-                                }
-                                let _e935 = phi_1575_;
-                                let _e937 = phi_1576_;
-                                if _e937 {
-                                    phi_1580_ = false;
-                                } else {
-                                    phi_1580_ = true;
-                                }
-                                let _e939 = phi_1580_;
-                                phi_1581_ = _e935;
-                                phi_1582_ = _e939;
-                            } else {
-                                phi_1581_ = false;
-                                phi_1582_ = true;
-                            }
-                            let _e941 = phi_1581_;
-                            let _e943 = phi_1582_;
-                            phi_1583_ = _e941;
-                            phi_1584_ = _e943;
+                            let _e940 = phi_1590_;
+                            let _e942 = phi_1591_;
+                            phi_1592_ = _e940;
+                            phi_1593_ = _e942;
                         } else {
-                            phi_1583_ = false;
-                            phi_1584_ = true;
+                            phi_1592_ = false;
+                            phi_1593_ = true;
                         }
-                        let _e945 = phi_1583_;
-                        let _e947 = phi_1584_;
-                        if _e947 {
-                            phi_1588_ = _e945;
+                        let _e944 = phi_1592_;
+                        let _e946 = phi_1593_;
+                        if _e946 {
+                            phi_1597_ = _e944;
                         } else {
-                            phi_1588_ = true;
+                            phi_1597_ = true;
                         }
-                        let _e949 = phi_1588_;
-                        if _e949 {
-                            let _e951 = params.member.member_16;
-                            if (_e76[0] == _e76[1]) {
-                                if (_e484.member_1 < _e486.member_1) {
-                                    phi_1606_ = type_21(_e484.member_1, _e486.member_1);
+                        let _e948 = phi_1597_;
+                        if _e948 {
+                            let _e951 = params.member.member_1.member_3;
+                            if (_e78[0] == _e78[1]) {
+                                if (_e507.member_1 < _e509.member_1) {
+                                    phi_1616_ = type_9(_e507.member_1, _e509.member_1);
                                 } else {
-                                    phi_1606_ = type_21(_e486.member_1, _e484.member_1);
+                                    phi_1616_ = type_9(_e509.member_1, _e507.member_1);
                                 }
-                                let _e960 = phi_1606_;
-                                phi_1611_ = _e960;
+                                let _e960 = phi_1616_;
+                                phi_1621_ = _e960;
                             } else {
-                                phi_1611_ = type_21(_e484.member_1, _e486.member_1);
+                                phi_1621_ = type_9(_e507.member_1, _e509.member_1);
                             }
-                            let _e962 = phi_1611_;
+                            let _e962 = phi_1621_;
                             let _e966 = atomicAdd((&output.member[0u]), 1u);
                             if ((_e966 + 1u) < _e966) {
                                 let _e970 = atomicAdd((&output.member[2u]), 1u);
                             }
                             if (_e966 < _e951) {
-                                atomicStore((&output.member[(4u + (2u * _e966))]), _e962.member);
-                                atomicStore((&output.member[((2u * _e966) + 5u)]), _e962.member_1);
+                                let _e972 = (2u * _e966);
+                                atomicStore((&output.member[(4u + _e972)]), _e962.member);
+                                atomicStore((&output.member[(_e972 + 5u)]), _e962.member_1);
                             }
-                            let _e979 = atomicAdd((&output.member[1u]), 1u);
-                            if ((_e979 + 1u) < _e979) {
-                                let _e983 = atomicAdd((&output.member[3u]), 1u);
+                            let _e978 = atomicAdd((&output.member[1u]), 1u);
+                            if ((_e978 + 1u) < _e978) {
+                                let _e982 = atomicAdd((&output.member[3u]), 1u);
                             }
                         }
-                        phi_1651_ = (_e453 & (_e453 - 1u));
-                        phi_1652_ = true;
+                        phi_1659_ = (_e476 & (_e476 - 1u));
+                        phi_1660_ = true;
                     }
-                    let _e985 = phi_1651_;
-                    let _e987 = phi_1652_;
-                    phi_746_ = _e985;
-                    phi_1653_ = _e987;
+                    let _e984 = phi_1659_;
+                    let _e986 = phi_1660_;
+                    phi_769_ = _e984;
+                    phi_1661_ = _e986;
                 } else {
-                    phi_746_ = u32();
-                    phi_1653_ = false;
+                    phi_769_ = u32();
+                    phi_1661_ = false;
                 }
-                let _e989 = phi_746_;
-                let _e991 = phi_1653_;
+                let _e988 = phi_769_;
+                let _e990 = phi_1661_;
                 continue;
                 continuing {
-                    phi_742_ = _e465;
-                    phi_745_ = _e989;
-                    break if !(_e991);
+                    phi_765_ = _e488;
+                    phi_768_ = _e988;
+                    break if !(_e990);
                 }
             }
             workgroupBarrier();
-            let _e994 = atomicLoad((&counters[4u]));
-            if (2048u < _e994) {
-                phi_1660_ = 2048u;
+            let _e993 = atomicLoad((&counters[4u]));
+            if (2048u < _e993) {
+                phi_1668_ = 2048u;
             } else {
-                phi_1660_ = _e994;
+                phi_1668_ = _e993;
             }
-            let _e997 = phi_1660_;
-            phi_1663_ = type_21(0u, 16u);
+            let _e996 = phi_1668_;
+            phi_1671_ = type_9(0u, 16u);
             loop {
-                let _e999 = phi_1663_;
-                if (_e999.member < _e999.member_1) {
-                    phi_1664_ = type_21((_e999.member + 1u), _e999.member_1);
-                    phi_1687_ = type_21(1u, _e999.member);
+                let _e998 = phi_1671_;
+                if (_e998.member < _e998.member_1) {
+                    phi_1672_ = type_9((_e998.member + 1u), _e998.member_1);
+                    phi_1695_ = type_9(1u, _e998.member);
                 } else {
-                    phi_1664_ = _e999;
-                    phi_1687_ = type_21(0u, type_21().member_1);
+                    phi_1672_ = _e998;
+                    phi_1695_ = type_9(0u, type_9().member_1);
                 }
-                let _e1011 = phi_1664_;
-                let _e1013 = phi_1687_;
-                if (bitcast<i32>(_e1013.member) != 0i) {
-                    let _e1019 = (_e47 + (_e1013.member_1 * 128u));
-                    if (_e1019 >= _e997) {
-                        phi_2530_ = false;
+                let _e1010 = phi_1672_;
+                let _e1012 = phi_1695_;
+                if (bitcast<i32>(_e1012.member) != 0i) {
+                    let _e1018 = (_e47 + (_e1012.member_1 * 128u));
+                    if (_e1018 >= _e996) {
+                        phi_2524_ = false;
                     } else {
-                        let _e1022 = hits[_e1019];
-                        let _e1025 = ((_e1022 >> bitcast<u32>(10i)) & 3u);
-                        let _e1032 = firsts[(2u * _e1025)];
-                        let _e1033 = (_e1032 + ((_e1022 >> bitcast<u32>(5i)) & 31u));
-                        let _e1037 = firsts[((2u * _e1025) + 1u)];
-                        let _e1038 = (_e1037 + (_e1022 & 31u));
-                        let _e1040 = leaves.member[_e1033];
-                        let _e1042 = leaves.member[_e1038];
-                        let _e1044 = nodes.member[_e1033];
-                        let _e1046 = nodes.member[_e1038];
-                        let _e1048 = params.member.member_1;
+                        let _e1021 = hits[_e1018];
+                        let _e1024 = ((_e1021 >> bitcast<u32>(10i)) & 3u);
+                        let _e1031 = firsts[(2u * _e1024)];
+                        let _e1032 = (_e1031 + ((_e1021 >> bitcast<u32>(5i)) & 31u));
+                        let _e1036 = firsts[((2u * _e1024) + 1u)];
+                        let _e1037 = (_e1036 + (_e1021 & 31u));
+                        let _e1039 = leaves.member[_e1032];
+                        let _e1041 = leaves.member[_e1037];
+                        let _e1043 = nodes.member[_e1032];
+                        let _e1045 = nodes.member[_e1037];
+                        let _e1048 = params.member.member.member_1;
                         if ((_e1048 & 1u) != 0u) {
-                            let _e1052 = params.member.member_8;
-                            if (_e1052 == 0u) {
-                                if (_e1040.member[0] == _e1042.member[0]) {
-                                    phi_1786_ = bool();
-                                    phi_1787_ = true;
+                            if (_e75 == 0u) {
+                                if (_e1041.member[0] == _e1039.member[0]) {
+                                    phi_1785_ = true;
                                 } else {
-                                    let _e1095 = (_e1040.member[0] == _e1042.member[1]);
-                                    if _e1095 {
-                                        phi_1785_ = bool();
-                                    } else {
-                                        phi_1785_ = (_e1040.member[0] == _e1042.member[2]);
-                                    }
-                                    let _e1102 = phi_1785_;
-                                    phi_1786_ = _e1102;
-                                    phi_1787_ = _e1095;
+                                    phi_1785_ = (_e1041.member[0] == _e1039.member[0]);
                                 }
-                                let _e1104 = phi_1786_;
-                                let _e1106 = phi_1787_;
-                                if _e1106 {
-                                    phi_1791_ = true;
+                                let _e1076 = phi_1785_;
+                                if (_e1041.member[1] == _e1039.member[0]) {
+                                    phi_1792_ = true;
                                 } else {
-                                    phi_1791_ = _e1104;
+                                    phi_1792_ = (_e1041.member[1] == _e1039.member[0]);
                                 }
-                                let _e1108 = phi_1791_;
-                                phi_1822_ = _e1108;
+                                let _e1081 = phi_1792_;
+                                if (_e1041.member[2] == _e1039.member[0]) {
+                                    phi_1800_ = true;
+                                } else {
+                                    phi_1800_ = (_e1041.member[2] == _e1039.member[0]);
+                                }
+                                let _e1087 = phi_1800_;
+                                phi_1819_ = ((_e1076 || _e1081) || _e1087);
                             } else {
-                                if (_e1040.member[0] == _e1042.member[0]) {
-                                    phi_1816_ = bool();
+                                if (_e1041.member[0] == _e1039.member[0]) {
+                                    phi_1811_ = true;
+                                } else {
+                                    phi_1811_ = (_e1041.member[0] == _e1039.member[1]);
+                                }
+                                let _e1063 = phi_1811_;
+                                if (_e1041.member[1] == _e1039.member[0]) {
                                     phi_1817_ = true;
                                 } else {
-                                    if (_e1040.member[0] == _e1042.member[1]) {
-                                        phi_1814_ = bool();
-                                        phi_1815_ = true;
-                                    } else {
-                                        let _e1068 = (_e1040.member[1] == _e1042.member[0]);
-                                        if _e1068 {
-                                            phi_1813_ = bool();
-                                        } else {
-                                            phi_1813_ = (_e1040.member[1] == _e1042.member[1]);
-                                        }
-                                        let _e1075 = phi_1813_;
-                                        phi_1814_ = _e1075;
-                                        phi_1815_ = _e1068;
-                                    }
-                                    let _e1077 = phi_1814_;
-                                    let _e1079 = phi_1815_;
-                                    phi_1816_ = _e1077;
-                                    phi_1817_ = _e1079;
+                                    phi_1817_ = (_e1041.member[1] == _e1039.member[1]);
                                 }
-                                let _e1081 = phi_1816_;
-                                let _e1083 = phi_1817_;
-                                if _e1083 {
-                                    phi_1821_ = true;
-                                } else {
-                                    phi_1821_ = _e1081;
-                                }
-                                let _e1085 = phi_1821_;
-                                phi_1822_ = _e1085;
+                                let _e1067 = phi_1817_;
+                                phi_1819_ = (_e1063 || _e1067);
                             }
-                            let _e1110 = phi_1822_;
-                            if _e1110 {
-                                phi_1826_ = false;
+                            let _e1090 = phi_1819_;
+                            if _e1090 {
+                                phi_1823_ = false;
                             } else {
-                                phi_1826_ = true;
+                                phi_1823_ = true;
                             }
-                            let _e1112 = phi_1826_;
-                            phi_1827_ = _e1112;
+                            let _e1092 = phi_1823_;
+                            phi_1824_ = _e1092;
                         } else {
-                            phi_1827_ = true;
+                            phi_1824_ = true;
                         }
-                        let _e1114 = phi_1827_;
-                        if _e1114 {
-                            let _e1116 = params.member.member_1;
-                            if ((_e1116 & 2u) != 0u) {
-                                let _e1122 = bodies.member[_e1040.member[0]];
-                                let _e1126 = bodies.member[_e1042.member[0]];
-                                if ((_e1122 / 2u) == (_e1126 / 2u)) {
-                                    let _e1131 = params.member.member_1;
-                                    phi_1871_ = !(((_e1131 & 4u) != 0u));
+                        let _e1094 = phi_1824_;
+                        if _e1094 {
+                            let _e1096 = params.member.member.member_1;
+                            if ((_e1096 & 2u) != 0u) {
+                                let _e1100 = params.member.member.member_1;
+                                let _e1106 = bodies.member[_e1039.member[0]];
+                                let _e1110 = bodies.member[_e1041.member[0]];
+                                if ((_e1106 / 2u) != (_e1110 / 2u)) {
+                                    phi_1870_ = true;
                                 } else {
-                                    phi_1871_ = false;
+                                    phi_1870_ = ((_e1100 & 4u) != 0u);
                                 }
-                                let _e1136 = phi_1871_;
-                                if _e1136 {
-                                    phi_1882_ = true;
+                                let _e1115 = phi_1870_;
+                                if _e1115 {
+                                    phi_1877_ = (((_e1106 & _e1110) & 1u) == 0u);
                                 } else {
-                                    if (((_e1122 & _e1126) & 1u) == 0u) {
-                                        phi_1881_ = false;
-                                    } else {
-                                        phi_1881_ = true;
-                                    }
-                                    let _e1141 = phi_1881_;
-                                    phi_1882_ = _e1141;
+                                    phi_1877_ = false;
                                 }
-                                let _e1143 = phi_1882_;
-                                if _e1143 {
-                                    phi_1886_ = false;
-                                } else {
-                                    phi_1886_ = true;
-                                }
-                                let _e1145 = phi_1886_;
-                                phi_1887_ = _e1145;
+                                let _e1120 = phi_1877_;
+                                phi_1881_ = _e1120;
                             } else {
-                                phi_1887_ = true;
+                                phi_1881_ = true;
                             }
-                            let _e1147 = phi_1887_;
-                            if _e1147 {
-                                let _e1149 = params.member.member_1;
-                                if ((_e1149 & 32u) != 0u) {
-                                    let _e1153 = params.member.member_6;
-                                    let _e1194 = (((((((_e1044.member_1[0] - _e1046.member[0]) > _e1153) && ((_e1046.member_1[0] - _e1044.member[0]) > _e1153)) && ((_e1044.member_1[1] - _e1046.member[1]) > _e1153)) && ((_e1046.member_1[1] - _e1044.member[1]) > _e1153)) && ((_e1044.member_1[2] - _e1046.member[2]) > _e1153)) && ((_e1046.member_1[2] - _e1044.member[2]) > _e1153));
-                                    if _e1194 {
-                                        phi_2501_ = bool();
+                            let _e1122 = phi_1881_;
+                            if _e1122 {
+                                let _e1124 = params.member.member.member_1;
+                                if ((_e1124 & 32u) != 0u) {
+                                    let _e1128 = params.member.member.member_6;
+                                    let _e1169 = (((((_e1043.member_1[0] - _e1045.member[0]) > _e1128) && ((_e1045.member_1[0] - _e1043.member[0]) > _e1128)) && (((_e1043.member_1[1] - _e1045.member[1]) > _e1128) && ((_e1045.member_1[1] - _e1043.member[1]) > _e1128))) && (((_e1043.member_1[2] - _e1045.member[2]) > _e1128) && ((_e1045.member_1[2] - _e1043.member[2]) > _e1128)));
+                                    if _e1169 {
+                                        phi_2495_ = bool();
                                     } else {
-                                        let _e1198 = keys.member[_e1040.member[0]];
-                                        let _e1203 = keys.member[_e1040.member[1]];
-                                        let _e1205 = function_5(_e1198[0], _e1203[0]);
-                                        let _e1209 = keys.member[_e1040.member[2]];
-                                        let _e1211 = function_5(_e1205, _e1209[0]);
-                                        let _e1215 = keys.member[_e1042.member[0]];
-                                        let _e1220 = keys.member[_e1042.member[1]];
-                                        let _e1222 = function_4(_e1215[3], _e1220[3]);
-                                        let _e1226 = keys.member[_e1042.member[2]];
-                                        let _e1228 = function_4(_e1222, _e1226[3]);
-                                        if (_e1211[1] > _e1228[1]) {
-                                            phi_2024_ = true;
+                                        let _e1173 = keys.member[_e1039.member[0]];
+                                        let _e1178 = keys.member[_e1039.member[1]];
+                                        let _e1180 = function_5(_e1173[0], _e1178[0]);
+                                        let _e1184 = keys.member[_e1039.member[2]];
+                                        let _e1186 = function_5(_e1180, _e1184[0]);
+                                        let _e1190 = keys.member[_e1041.member[0]];
+                                        let _e1195 = keys.member[_e1041.member[1]];
+                                        let _e1197 = function_4(_e1190[3], _e1195[3]);
+                                        let _e1201 = keys.member[_e1041.member[2]];
+                                        let _e1203 = function_4(_e1197, _e1201[3]);
+                                        if (_e1186[1] > _e1203[1]) {
+                                            phi_2018_ = true;
                                         } else {
-                                            if (_e1211[1] == _e1228[1]) {
-                                                phi_2023_ = (_e1211[0] > _e1228[0]);
+                                            if (_e1186[1] == _e1203[1]) {
+                                                phi_2017_ = (_e1186[0] > _e1203[0]);
                                             } else {
-                                                phi_2023_ = false;
+                                                phi_2017_ = false;
                                             }
-                                            let _e1239 = phi_2023_;
-                                            phi_2024_ = _e1239;
+                                            let _e1214 = phi_2017_;
+                                            phi_2018_ = _e1214;
                                         }
-                                        let _e1241 = phi_2024_;
-                                        let _e1246 = keys.member[_e1042.member[0]];
-                                        let _e1251 = keys.member[_e1042.member[1]];
-                                        let _e1253 = function_5(_e1246[0], _e1251[0]);
-                                        let _e1257 = keys.member[_e1042.member[2]];
-                                        let _e1259 = function_5(_e1253, _e1257[0]);
-                                        let _e1263 = keys.member[_e1040.member[0]];
-                                        let _e1268 = keys.member[_e1040.member[1]];
-                                        let _e1270 = function_4(_e1263[3], _e1268[3]);
-                                        let _e1274 = keys.member[_e1040.member[2]];
-                                        let _e1276 = function_4(_e1270, _e1274[3]);
-                                        if (_e1259[1] > _e1276[1]) {
-                                            phi_2118_ = true;
+                                        let _e1216 = phi_2018_;
+                                        let _e1221 = keys.member[_e1041.member[0]];
+                                        let _e1226 = keys.member[_e1041.member[1]];
+                                        let _e1228 = function_5(_e1221[0], _e1226[0]);
+                                        let _e1232 = keys.member[_e1041.member[2]];
+                                        let _e1234 = function_5(_e1228, _e1232[0]);
+                                        let _e1238 = keys.member[_e1039.member[0]];
+                                        let _e1243 = keys.member[_e1039.member[1]];
+                                        let _e1245 = function_4(_e1238[3], _e1243[3]);
+                                        let _e1249 = keys.member[_e1039.member[2]];
+                                        let _e1251 = function_4(_e1245, _e1249[3]);
+                                        if (_e1234[1] > _e1251[1]) {
+                                            phi_2112_ = true;
                                         } else {
-                                            if (_e1259[1] == _e1276[1]) {
-                                                phi_2117_ = (_e1259[0] > _e1276[0]);
+                                            if (_e1234[1] == _e1251[1]) {
+                                                phi_2111_ = (_e1234[0] > _e1251[0]);
                                             } else {
-                                                phi_2117_ = false;
+                                                phi_2111_ = false;
                                             }
-                                            let _e1287 = phi_2117_;
-                                            phi_2118_ = _e1287;
+                                            let _e1262 = phi_2111_;
+                                            phi_2112_ = _e1262;
                                         }
-                                        let _e1289 = phi_2118_;
-                                        let _e1295 = keys.member[_e1040.member[0]];
-                                        let _e1300 = keys.member[_e1040.member[1]];
-                                        let _e1302 = function_3(_e1295[1], _e1300[1]);
-                                        let _e1306 = keys.member[_e1040.member[2]];
-                                        let _e1308 = function_3(_e1302, _e1306[1]);
-                                        let _e1312 = keys.member[_e1042.member[0]];
-                                        let _e1317 = keys.member[_e1042.member[1]];
-                                        let _e1319 = function_2(_e1312[4], _e1317[4]);
-                                        let _e1323 = keys.member[_e1042.member[2]];
-                                        let _e1325 = function_2(_e1319, _e1323[4]);
-                                        if (_e1308[1] > _e1325[1]) {
-                                            phi_2213_ = true;
+                                        let _e1264 = phi_2112_;
+                                        let _e1270 = keys.member[_e1039.member[0]];
+                                        let _e1275 = keys.member[_e1039.member[1]];
+                                        let _e1277 = function_3(_e1270[1], _e1275[1]);
+                                        let _e1281 = keys.member[_e1039.member[2]];
+                                        let _e1283 = function_3(_e1277, _e1281[1]);
+                                        let _e1287 = keys.member[_e1041.member[0]];
+                                        let _e1292 = keys.member[_e1041.member[1]];
+                                        let _e1294 = function_2(_e1287[4], _e1292[4]);
+                                        let _e1298 = keys.member[_e1041.member[2]];
+                                        let _e1300 = function_2(_e1294, _e1298[4]);
+                                        if (_e1283[1] > _e1300[1]) {
+                                            phi_2207_ = true;
                                         } else {
-                                            if (_e1308[1] == _e1325[1]) {
-                                                phi_2212_ = (_e1308[0] > _e1325[0]);
+                                            if (_e1283[1] == _e1300[1]) {
+                                                phi_2206_ = (_e1283[0] > _e1300[0]);
                                             } else {
-                                                phi_2212_ = false;
+                                                phi_2206_ = false;
                                             }
-                                            let _e1336 = phi_2212_;
-                                            phi_2213_ = _e1336;
+                                            let _e1311 = phi_2206_;
+                                            phi_2207_ = _e1311;
                                         }
-                                        let _e1338 = phi_2213_;
-                                        let _e1343 = keys.member[_e1042.member[0]];
-                                        let _e1348 = keys.member[_e1042.member[1]];
-                                        let _e1350 = function_3(_e1343[1], _e1348[1]);
-                                        let _e1354 = keys.member[_e1042.member[2]];
-                                        let _e1356 = function_3(_e1350, _e1354[1]);
-                                        let _e1360 = keys.member[_e1040.member[0]];
-                                        let _e1365 = keys.member[_e1040.member[1]];
-                                        let _e1367 = function_2(_e1360[4], _e1365[4]);
-                                        let _e1371 = keys.member[_e1040.member[2]];
-                                        let _e1373 = function_2(_e1367, _e1371[4]);
-                                        if (_e1356[1] > _e1373[1]) {
-                                            phi_2307_ = true;
+                                        let _e1313 = phi_2207_;
+                                        let _e1318 = keys.member[_e1041.member[0]];
+                                        let _e1323 = keys.member[_e1041.member[1]];
+                                        let _e1325 = function_3(_e1318[1], _e1323[1]);
+                                        let _e1329 = keys.member[_e1041.member[2]];
+                                        let _e1331 = function_3(_e1325, _e1329[1]);
+                                        let _e1335 = keys.member[_e1039.member[0]];
+                                        let _e1340 = keys.member[_e1039.member[1]];
+                                        let _e1342 = function_2(_e1335[4], _e1340[4]);
+                                        let _e1346 = keys.member[_e1039.member[2]];
+                                        let _e1348 = function_2(_e1342, _e1346[4]);
+                                        if (_e1331[1] > _e1348[1]) {
+                                            phi_2301_ = true;
                                         } else {
-                                            if (_e1356[1] == _e1373[1]) {
-                                                phi_2306_ = (_e1356[0] > _e1373[0]);
+                                            if (_e1331[1] == _e1348[1]) {
+                                                phi_2300_ = (_e1331[0] > _e1348[0]);
                                             } else {
-                                                phi_2306_ = false;
+                                                phi_2300_ = false;
                                             }
-                                            let _e1384 = phi_2306_;
-                                            phi_2307_ = _e1384;
+                                            let _e1359 = phi_2300_;
+                                            phi_2301_ = _e1359;
                                         }
-                                        let _e1386 = phi_2307_;
-                                        let _e1393 = keys.member[_e1040.member[0]];
-                                        let _e1398 = keys.member[_e1040.member[1]];
-                                        let _e1400 = function_1(_e1393[2], _e1398[2]);
-                                        let _e1404 = keys.member[_e1040.member[2]];
-                                        let _e1406 = function_1(_e1400, _e1404[2]);
-                                        let _e1410 = keys.member[_e1042.member[0]];
-                                        let _e1415 = keys.member[_e1042.member[1]];
-                                        let _e1417 = function_(_e1410[5], _e1415[5]);
-                                        let _e1421 = keys.member[_e1042.member[2]];
-                                        let _e1423 = function_(_e1417, _e1421[5]);
-                                        if (_e1406[1] > _e1423[1]) {
-                                            phi_2403_ = true;
+                                        let _e1361 = phi_2301_;
+                                        let _e1368 = keys.member[_e1039.member[0]];
+                                        let _e1373 = keys.member[_e1039.member[1]];
+                                        let _e1375 = function_1(_e1368[2], _e1373[2]);
+                                        let _e1379 = keys.member[_e1039.member[2]];
+                                        let _e1381 = function_1(_e1375, _e1379[2]);
+                                        let _e1385 = keys.member[_e1041.member[0]];
+                                        let _e1390 = keys.member[_e1041.member[1]];
+                                        let _e1392 = function_(_e1385[5], _e1390[5]);
+                                        let _e1396 = keys.member[_e1041.member[2]];
+                                        let _e1398 = function_(_e1392, _e1396[5]);
+                                        if (_e1381[1] > _e1398[1]) {
+                                            phi_2397_ = true;
                                         } else {
-                                            if (_e1406[1] == _e1423[1]) {
-                                                phi_2402_ = (_e1406[0] > _e1423[0]);
+                                            if (_e1381[1] == _e1398[1]) {
+                                                phi_2396_ = (_e1381[0] > _e1398[0]);
                                             } else {
-                                                phi_2402_ = false;
+                                                phi_2396_ = false;
                                             }
-                                            let _e1434 = phi_2402_;
-                                            phi_2403_ = _e1434;
+                                            let _e1409 = phi_2396_;
+                                            phi_2397_ = _e1409;
                                         }
-                                        let _e1436 = phi_2403_;
-                                        let _e1441 = keys.member[_e1042.member[0]];
-                                        let _e1446 = keys.member[_e1042.member[1]];
-                                        let _e1448 = function_1(_e1441[2], _e1446[2]);
-                                        let _e1452 = keys.member[_e1042.member[2]];
-                                        let _e1454 = function_1(_e1448, _e1452[2]);
-                                        let _e1458 = keys.member[_e1040.member[0]];
-                                        let _e1463 = keys.member[_e1040.member[1]];
-                                        let _e1465 = function_(_e1458[5], _e1463[5]);
-                                        let _e1469 = keys.member[_e1040.member[2]];
-                                        let _e1471 = function_(_e1465, _e1469[5]);
-                                        if (_e1454[1] > _e1471[1]) {
-                                            phi_2497_ = true;
+                                        let _e1411 = phi_2397_;
+                                        let _e1416 = keys.member[_e1041.member[0]];
+                                        let _e1421 = keys.member[_e1041.member[1]];
+                                        let _e1423 = function_1(_e1416[2], _e1421[2]);
+                                        let _e1427 = keys.member[_e1041.member[2]];
+                                        let _e1429 = function_1(_e1423, _e1427[2]);
+                                        let _e1433 = keys.member[_e1039.member[0]];
+                                        let _e1438 = keys.member[_e1039.member[1]];
+                                        let _e1440 = function_(_e1433[5], _e1438[5]);
+                                        let _e1444 = keys.member[_e1039.member[2]];
+                                        let _e1446 = function_(_e1440, _e1444[5]);
+                                        if (_e1429[1] > _e1446[1]) {
+                                            phi_2491_ = true;
                                         } else {
-                                            if (_e1454[1] == _e1471[1]) {
-                                                phi_2496_ = (_e1454[0] > _e1471[0]);
+                                            if (_e1429[1] == _e1446[1]) {
+                                                phi_2490_ = (_e1429[0] > _e1446[0]);
                                             } else {
-                                                phi_2496_ = false;
+                                                phi_2490_ = false;
                                             }
-                                            let _e1482 = phi_2496_;
-                                            phi_2497_ = _e1482;
+                                            let _e1457 = phi_2490_;
+                                            phi_2491_ = _e1457;
                                         }
-                                        let _e1484 = phi_2497_;
-                                        phi_2501_ = (((!(_e1241) && !(_e1289)) && (!(_e1338) && !(_e1386))) && (!(_e1436) && !(_e1484)));
+                                        let _e1459 = phi_2491_;
+                                        phi_2495_ = (((!(_e1216) && !(_e1264)) && (!(_e1313) && !(_e1361))) && (!(_e1411) && !(_e1459)));
                                     }
-                                    let _e1489 = phi_2501_;
-                                    phi_2502_ = _e1489;
-                                    phi_2503_ = _e1194;
+                                    let _e1464 = phi_2495_;
+                                    phi_2496_ = _e1464;
+                                    phi_2497_ = _e1169;
                                 } else {
-                                    phi_2502_ = bool();
-                                    phi_2503_ = true;
+                                    phi_2496_ = bool();
+                                    phi_2497_ = true;
                                 }
-                                let _e1491 = phi_2502_;
-                                let _e1493 = phi_2503_;
-                                if _e1493 {
-                                    phi_2507_ = false;
+                                let _e1466 = phi_2496_;
+                                let _e1468 = phi_2497_;
+                                if _e1468 {
+                                    phi_2501_ = false;
                                 } else {
-                                    phi_2507_ = true;
+                                    phi_2501_ = true;
                                 }
-                                let _e1495 = phi_2507_;
-                                phi_2508_ = _e1491;
-                                phi_2509_ = _e1495;
+                                let _e1470 = phi_2501_;
+                                phi_2502_ = _e1466;
+                                phi_2503_ = _e1470;
                             } else {
-                                phi_2508_ = false;
-                                phi_2509_ = true;
+                                phi_2502_ = false;
+                                phi_2503_ = true;
                             }
-                            let _e1497 = phi_2508_;
-                            let _e1499 = phi_2509_;
-                            phi_2510_ = _e1497;
-                            phi_2511_ = _e1499;
+                            let _e1472 = phi_2502_;
+                            let _e1474 = phi_2503_;
+                            phi_2504_ = _e1472;
+                            phi_2505_ = _e1474;
                         } else {
-                            phi_2510_ = false;
-                            phi_2511_ = true;
+                            phi_2504_ = false;
+                            phi_2505_ = true;
                         }
-                        let _e1501 = phi_2510_;
-                        let _e1503 = phi_2511_;
-                        if _e1503 {
-                            phi_2515_ = _e1501;
+                        let _e1476 = phi_2504_;
+                        let _e1478 = phi_2505_;
+                        if _e1478 {
+                            phi_2509_ = _e1476;
                         } else {
-                            phi_2515_ = true;
+                            phi_2509_ = true;
                         }
-                        let _e1505 = phi_2515_;
-                        if _e1505 {
-                            let _e1507 = atomicAdd((&counters[7u]), 1u);
-                            let _e1509 = atomicAdd((&counters[5u]), 1u);
-                            hits[_e1019] = ((2147483648u | (_e1509 << bitcast<u32>(12i))) | _e1022);
+                        let _e1480 = phi_2509_;
+                        if _e1480 {
+                            let _e1482 = atomicAdd((&counters[7u]), 1u);
+                            let _e1484 = atomicAdd((&counters[5u]), 1u);
+                            hits[_e1018] = ((2147483648u | (_e1484 << bitcast<u32>(12i))) | _e1021);
                         }
-                        phi_2530_ = true;
+                        phi_2524_ = true;
                     }
-                    let _e1516 = phi_2530_;
-                    phi_2531_ = _e1516;
+                    let _e1491 = phi_2524_;
+                    phi_2525_ = _e1491;
                 } else {
-                    phi_2531_ = false;
+                    phi_2525_ = false;
                 }
-                let _e1518 = phi_2531_;
+                let _e1493 = phi_2525_;
                 continue;
                 continuing {
-                    phi_1663_ = _e1011;
-                    break if !(_e1518);
+                    phi_1671_ = _e1010;
+                    break if !(_e1493);
                 }
             }
             workgroupBarrier();
             if (_e47 == 0u) {
-                let _e1522 = atomicLoad((&counters[5u]));
-                if (_e1522 > 0u) {
-                    let _e1525 = atomicAdd((&output.member[0u]), _e1522);
-                    if ((_e1525 + _e1522) < _e1525) {
-                        let _e1529 = atomicAdd((&output.member[2u]), 1u);
+                let _e1497 = atomicLoad((&counters[5u]));
+                if (_e1497 > 0u) {
+                    let _e1500 = atomicAdd((&output.member[0u]), _e1497);
+                    if ((_e1500 + _e1497) < _e1500) {
+                        let _e1504 = atomicAdd((&output.member[2u]), 1u);
                     }
-                    atomicStore((&counters[6u]), _e1525);
+                    atomicStore((&counters[6u]), _e1500);
                 }
             }
             workgroupBarrier();
-            let _e1532 = atomicLoad((&counters[6u]));
+            let _e1507 = atomicLoad((&counters[6u]));
             if (_e47 == 0u) {
-                let _e1535 = atomicLoad((&counters[7u]));
-                if (_e1535 > 0u) {
-                    let _e1538 = atomicAdd((&output.member[1u]), _e1535);
-                    if ((_e1538 + _e1535) < _e1538) {
-                        let _e1542 = atomicAdd((&output.member[3u]), 1u);
+                let _e1510 = atomicLoad((&counters[7u]));
+                if (_e1510 > 0u) {
+                    let _e1513 = atomicAdd((&output.member[1u]), _e1510);
+                    if ((_e1513 + _e1510) < _e1513) {
+                        let _e1517 = atomicAdd((&output.member[3u]), 1u);
                     }
                 }
             }
-            phi_2581_ = type_21(0u, 16u);
+            phi_2575_ = type_9(0u, 16u);
             loop {
-                let _e1544 = phi_2581_;
-                if (_e1544.member < _e1544.member_1) {
-                    phi_2582_ = type_21((_e1544.member + 1u), _e1544.member_1);
-                    phi_2605_ = type_21(1u, _e1544.member);
+                let _e1519 = phi_2575_;
+                if (_e1519.member < _e1519.member_1) {
+                    phi_2576_ = type_9((_e1519.member + 1u), _e1519.member_1);
+                    phi_2599_ = type_9(1u, _e1519.member);
                 } else {
-                    phi_2582_ = _e1544;
-                    phi_2605_ = type_21(0u, type_21().member_1);
+                    phi_2576_ = _e1519;
+                    phi_2599_ = type_9(0u, type_9().member_1);
                 }
-                let _e1556 = phi_2582_;
-                let _e1558 = phi_2605_;
-                if (bitcast<i32>(_e1558.member) != 0i) {
-                    let _e1564 = (_e47 + (_e1558.member_1 * 128u));
-                    if (_e1564 >= _e997) {
-                        phi_2703_ = false;
+                let _e1531 = phi_2576_;
+                let _e1533 = phi_2599_;
+                if (bitcast<i32>(_e1533.member) != 0i) {
+                    let _e1539 = (_e47 + (_e1533.member_1 * 128u));
+                    if (_e1539 >= _e996) {
+                        phi_2696_ = false;
                     } else {
-                        let _e1567 = hits[_e1564];
-                        if ((_e1567 & 2147483648u) == 0u) {
-                            phi_2628_ = 4294967295u;
+                        let _e1542 = hits[_e1539];
+                        if ((_e1542 & 2147483648u) == 0u) {
+                            phi_2622_ = 4294967295u;
                         } else {
-                            phi_2628_ = ((_e1567 & 2147483647u) >> bitcast<u32>(12i));
+                            phi_2622_ = ((_e1542 & 2147483647u) >> bitcast<u32>(12i));
                         }
-                        let _e1574 = phi_2628_;
-                        if (_e1574 != 4294967295u) {
-                            let _e1578 = ((_e1567 >> bitcast<u32>(10i)) & 3u);
-                            let _e1585 = firsts[(2u * _e1578)];
-                            let _e1588 = leaves.member[(_e1585 + ((_e1567 >> bitcast<u32>(5i)) & 31u))];
-                            let _e1592 = firsts[((2u * _e1578) + 1u)];
-                            let _e1595 = leaves.member[(_e1592 + (_e1567 & 31u))];
-                            let _e1599 = params.member.member_16;
-                            let _e1600 = (_e1532 + _e1574);
-                            if (_e76[0] == _e76[1]) {
-                                if (_e1588.member_1 < _e1595.member_1) {
-                                    phi_2682_ = type_21(_e1588.member_1, _e1595.member_1);
+                        let _e1549 = phi_2622_;
+                        if (_e1549 != 4294967295u) {
+                            let _e1553 = ((_e1542 >> bitcast<u32>(10i)) & 3u);
+                            let _e1560 = firsts[(2u * _e1553)];
+                            let _e1563 = leaves.member[(_e1560 + ((_e1542 >> bitcast<u32>(5i)) & 31u))];
+                            let _e1567 = firsts[((2u * _e1553) + 1u)];
+                            let _e1570 = leaves.member[(_e1567 + (_e1542 & 31u))];
+                            let _e1575 = params.member.member_1.member_3;
+                            let _e1576 = (_e1507 + _e1549);
+                            if (_e78[0] == _e78[1]) {
+                                if (_e1563.member_1 < _e1570.member_1) {
+                                    phi_2677_ = type_9(_e1563.member_1, _e1570.member_1);
                                 } else {
-                                    phi_2682_ = type_21(_e1595.member_1, _e1588.member_1);
+                                    phi_2677_ = type_9(_e1570.member_1, _e1563.member_1);
                                 }
-                                let _e1607 = phi_2682_;
-                                phi_2687_ = _e1607;
+                                let _e1583 = phi_2677_;
+                                phi_2682_ = _e1583;
                             } else {
-                                phi_2687_ = type_21(_e1588.member_1, _e1595.member_1);
+                                phi_2682_ = type_9(_e1563.member_1, _e1570.member_1);
                             }
-                            let _e1609 = phi_2687_;
-                            if (_e1600 < _e1599) {
-                                atomicStore((&output.member[(4u + (2u * _e1600))]), _e1609.member);
-                                atomicStore((&output.member[((2u * _e1600) + 5u)]), _e1609.member_1);
+                            let _e1585 = phi_2682_;
+                            if (_e1576 < _e1575) {
+                                let _e1589 = (2u * _e1576);
+                                atomicStore((&output.member[(4u + _e1589)]), _e1585.member);
+                                atomicStore((&output.member[(_e1589 + 5u)]), _e1585.member_1);
                             }
                         }
-                        phi_2703_ = true;
+                        phi_2696_ = true;
                     }
-                    let _e1620 = phi_2703_;
-                    phi_2704_ = _e1620;
+                    let _e1595 = phi_2696_;
+                    phi_2697_ = _e1595;
                 } else {
-                    phi_2704_ = false;
+                    phi_2697_ = false;
                 }
-                let _e1622 = phi_2704_;
+                let _e1597 = phi_2697_;
                 continue;
                 continuing {
-                    phi_2581_ = _e1556;
-                    break if !(_e1622);
+                    phi_2575_ = _e1531;
+                    break if !(_e1597);
                 }
             }
             workgroupBarrier();
         }
         continue;
         continuing {
-            phi_250_ = _e134;
-            break if !(_e140);
+            phi_257_ = _e140;
+            break if !(_e146);
         }
     }
     return;

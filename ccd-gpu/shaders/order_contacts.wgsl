@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,23 +8,21 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
+    member: u32,
+    member_1: u32,
 }
 
 struct type_11 {
@@ -32,11 +31,20 @@ struct type_11 {
 
 struct type_13 {
     member: u32,
-    member_1: u32,
+}
+
+struct type_14 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_13,
+}
+
+struct type_15 {
+    member: type_14,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_15;
 @group(0) @binding(2) 
 var<storage> order: type_11;
 @group(0) @binding(1) 
@@ -45,11 +53,11 @@ var<storage> contacts: type_11;
 var<storage, read_write> ordered: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_81_: u32;
-    var phi_86_: u32;
-    var phi_105_: type_13;
-    var phi_106_: type_13;
-    var phi_129_: type_13;
+    var phi_83_: u32;
+    var phi_88_: u32;
+    var phi_107_: type_9;
+    var phi_108_: type_9;
+    var phi_131_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -61,44 +69,44 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e16 = n_2;
     let _e17 = lane_2;
     let _e28 = ((((_e15.y * _e16.x) + _e15.x) * 256u) + _e17);
-    let _e30 = params.member.member_17;
-    let _e32 = params.member.member_15;
-    let _e34 = contacts.member[0u];
-    if (_e32 < _e34) {
-        phi_81_ = _e32;
+    let _e31 = params.member.member_1.member;
+    let _e34 = params.member.member_1.member_2;
+    let _e36 = contacts.member[0u];
+    if (_e34 < _e36) {
+        phi_83_ = _e34;
     } else {
-        phi_81_ = _e34;
+        phi_83_ = _e36;
     }
-    let _e37 = phi_81_;
-    if (_e37 < _e30) {
-        phi_86_ = _e37;
+    let _e39 = phi_83_;
+    if (_e39 < _e31) {
+        phi_88_ = _e39;
     } else {
-        phi_86_ = _e30;
+        phi_88_ = _e31;
     }
-    let _e40 = phi_86_;
-    if (_e28 < _e40) {
-        let _e43 = order.member[_e28];
-        phi_105_ = type_13(0u, 6u);
+    let _e42 = phi_88_;
+    if (_e28 < _e42) {
+        let _e45 = order.member[_e28];
+        phi_107_ = type_9(0u, 6u);
         loop {
-            let _e47 = phi_105_;
-            if (_e47.member < _e47.member_1) {
-                phi_106_ = type_13((_e47.member + 1u), _e47.member_1);
-                phi_129_ = type_13(1u, _e47.member);
+            let _e49 = phi_107_;
+            if (_e49.member < _e49.member_1) {
+                phi_108_ = type_9((_e49.member + 1u), _e49.member_1);
+                phi_131_ = type_9(1u, _e49.member);
             } else {
-                phi_106_ = _e47;
-                phi_129_ = type_13(0u, type_13().member_1);
+                phi_108_ = _e49;
+                phi_131_ = type_9(0u, type_9().member_1);
             }
-            let _e59 = phi_106_;
-            let _e61 = phi_129_;
-            let _e65 = (bitcast<i32>(_e61.member) != 0i);
-            if _e65 {
-                let _e70 = contacts.member[((4u + (6u * _e43)) + _e61.member_1)];
-                ordered.member[((6u * _e28) + _e61.member_1)] = _e70;
+            let _e61 = phi_108_;
+            let _e63 = phi_131_;
+            let _e67 = (bitcast<i32>(_e63.member) != 0i);
+            if _e67 {
+                let _e72 = contacts.member[((4u + (6u * _e45)) + _e63.member_1)];
+                ordered.member[((6u * _e28) + _e63.member_1)] = _e72;
             }
             continue;
             continuing {
-                phi_105_ = _e59;
-                break if !(_e65);
+                phi_107_ = _e61;
+                break if !(_e67);
             }
         }
     }

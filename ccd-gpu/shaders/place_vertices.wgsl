@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,200 +8,207 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_16 {
     member: u32,
     member_1: u32,
 }
 
-struct type_20 {
+struct type_15 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
+struct type_17 {
+    member: array<type_15>,
+}
+
+struct type_19 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
 struct type_21 {
+    member: array<type_19>,
+}
+
+struct type_22 {
+    member: u32,
+}
+
+struct type_23 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_22,
+}
+
+struct type_24 {
+    member: type_23,
+}
+
+struct type_27 {
+    member: array<array<array<u32, 2>, 6>>,
+}
+
+struct type_29 {
     member: array<f64, 3>,
     member_1: array<f64, 3>,
 }
 
-struct type_23 {
+struct type_31 {
     member: array<array<f64, 3>>,
 }
 
-struct type_25 {
-    member: array<type_20>,
-}
-
-struct type_28 {
-    member: array<array<array<u32, 2>, 6>>,
-}
-
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_24;
 @group(0) @binding(1) 
-var<storage> positions: type_23;
+var<storage> positions: type_31;
 @group(0) @binding(2) 
-var<storage, read_write> paths: type_25;
+var<storage, read_write> paths: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> keys: type_28;
+var<storage, read_write> keys: type_27;
 @group(0) @binding(4) 
-var<storage, read_write> boxes: type_13;
+var<storage, read_write> boxes: type_21;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_11;
-    var local_1: type_11;
+    var local: type_19;
+    var local_1: type_19;
     var local_2: array<f64, 3>;
     var local_3: array<f64, 3>;
-    var local_4: type_20;
-    var local_5: type_21;
-    var local_6: type_21;
-    var phi_167_: f64;
-    var phi_174_: f64;
-    var phi_181_: f64;
-    var phi_189_: f64;
-    var phi_196_: f64;
-    var phi_203_: f64;
-    var phi_233_: type_16;
-    var phi_234_: type_16;
-    var phi_257_: type_16;
-    var phi_284_: bool;
-    var phi_301_: f64;
-    var phi_302_: f64;
-    var phi_303_: f64;
-    var phi_330_: bool;
-    var phi_347_: f64;
-    var phi_348_: f64;
-    var phi_349_: f64;
-    var phi_403_: type_16;
-    var phi_404_: type_16;
-    var phi_427_: type_16;
-    var phi_475_: bool;
-    var phi_492_: f32;
-    var phi_493_: f32;
-    var phi_494_: f32;
-    var phi_496_: f32;
-    var phi_513_: bool;
-    var phi_530_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
-    var phi_533_: f32;
-    var phi_552_: bool;
-    var phi_553_: bool;
-    var phi_557_: bool;
-    var phi_558_: bool;
-    var phi_562_: f32;
-    var phi_594_: bool;
-    var phi_611_: f32;
-    var phi_612_: f32;
-    var phi_613_: f32;
-    var phi_615_: f32;
-    var phi_632_: bool;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_681_: f32;
-    var phi_735_: bool;
-    var phi_736_: bool;
-    var phi_743_: array<u32, 2>;
-    var phi_744_: bool;
-    var phi_745_: array<u32, 2>;
-    var phi_746_: bool;
-    var phi_752_: array<u32, 2>;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_779_: array<u32, 2>;
-    var phi_780_: bool;
-    var phi_781_: array<u32, 2>;
-    var phi_782_: bool;
-    var phi_788_: array<u32, 2>;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_815_: array<u32, 2>;
-    var phi_816_: bool;
-    var phi_817_: array<u32, 2>;
-    var phi_818_: bool;
-    var phi_824_: array<u32, 2>;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_851_: array<u32, 2>;
-    var phi_852_: bool;
-    var phi_853_: array<u32, 2>;
-    var phi_854_: bool;
-    var phi_860_: array<u32, 2>;
-    var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_887_: array<u32, 2>;
-    var phi_888_: bool;
-    var phi_889_: array<u32, 2>;
-    var phi_890_: bool;
-    var phi_896_: array<u32, 2>;
-    var phi_915_: bool;
-    var phi_916_: bool;
-    var phi_923_: array<u32, 2>;
-    var phi_924_: bool;
-    var phi_925_: array<u32, 2>;
-    var phi_926_: bool;
-    var phi_932_: array<u32, 2>;
-    var phi_938_: type_16;
-    var phi_939_: type_16;
-    var phi_962_: type_16;
-    var phi_994_: bool;
-    var phi_1011_: f32;
-    var phi_1012_: f32;
-    var phi_1013_: f32;
-    var phi_1015_: f32;
-    var phi_1021_: f32;
-    var phi_1026_: f32;
-    var phi_1057_: bool;
-    var phi_1074_: f32;
-    var phi_1075_: f32;
-    var phi_1076_: f32;
-    var phi_1077_: f32;
-    var phi_1083_: f32;
-    var phi_1088_: f32;
-    var phi_1121_: type_16;
-    var phi_1122_: type_16;
-    var phi_1145_: type_16;
-    var phi_1166_: bool;
-    var phi_1189_: bool;
-    var phi_1193_: f32;
-    var phi_1202_: f32;
-    var phi_1223_: bool;
-    var phi_1246_: bool;
-    var phi_1250_: f32;
-    var phi_1259_: f32;
+    var local_4: type_15;
+    var local_5: type_29;
+    var local_6: type_29;
+    var phi_172_: f64;
+    var phi_179_: f64;
+    var phi_186_: f64;
+    var phi_194_: f64;
+    var phi_201_: f64;
+    var phi_208_: f64;
+    var phi_238_: type_9;
+    var phi_239_: type_9;
+    var phi_262_: type_9;
+    var phi_289_: bool;
+    var phi_306_: f64;
+    var phi_307_: f64;
+    var phi_308_: f64;
+    var phi_335_: bool;
+    var phi_352_: f64;
+    var phi_353_: f64;
+    var phi_354_: f64;
+    var phi_409_: type_9;
+    var phi_410_: type_9;
+    var phi_433_: type_9;
+    var phi_491_: bool;
+    var phi_508_: f32;
+    var phi_509_: f32;
+    var phi_510_: f32;
+    var phi_512_: f32;
+    var phi_529_: bool;
+    var phi_546_: f32;
+    var phi_547_: f32;
+    var phi_548_: f32;
+    var phi_549_: f32;
+    var phi_568_: bool;
+    var phi_569_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_578_: f32;
+    var phi_611_: bool;
+    var phi_628_: f32;
+    var phi_629_: f32;
+    var phi_630_: f32;
+    var phi_632_: f32;
+    var phi_649_: bool;
+    var phi_666_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
+    var phi_698_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_760_: array<u32, 2>;
+    var phi_761_: bool;
+    var phi_762_: array<u32, 2>;
+    var phi_763_: bool;
+    var phi_769_: array<u32, 2>;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_796_: array<u32, 2>;
+    var phi_797_: bool;
+    var phi_798_: array<u32, 2>;
+    var phi_799_: bool;
+    var phi_805_: array<u32, 2>;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_832_: array<u32, 2>;
+    var phi_833_: bool;
+    var phi_834_: array<u32, 2>;
+    var phi_835_: bool;
+    var phi_841_: array<u32, 2>;
+    var phi_860_: bool;
+    var phi_861_: bool;
+    var phi_868_: array<u32, 2>;
+    var phi_869_: bool;
+    var phi_870_: array<u32, 2>;
+    var phi_871_: bool;
+    var phi_877_: array<u32, 2>;
+    var phi_896_: bool;
+    var phi_897_: bool;
+    var phi_904_: array<u32, 2>;
+    var phi_905_: bool;
+    var phi_906_: array<u32, 2>;
+    var phi_907_: bool;
+    var phi_913_: array<u32, 2>;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_940_: array<u32, 2>;
+    var phi_941_: bool;
+    var phi_942_: array<u32, 2>;
+    var phi_943_: bool;
+    var phi_949_: array<u32, 2>;
+    var phi_955_: type_9;
+    var phi_956_: type_9;
+    var phi_979_: type_9;
+    var phi_1011_: bool;
+    var phi_1028_: f32;
+    var phi_1029_: f32;
+    var phi_1030_: f32;
+    var phi_1032_: f32;
+    var phi_1038_: f32;
+    var phi_1043_: f32;
+    var phi_1074_: bool;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
+    var phi_1093_: f32;
+    var phi_1094_: f32;
+    var phi_1100_: f32;
+    var phi_1105_: f32;
+    var phi_1138_: type_9;
+    var phi_1139_: type_9;
+    var phi_1162_: type_9;
+    var phi_1183_: bool;
+    var phi_1206_: bool;
+    var phi_1210_: f32;
+    var phi_1219_: f32;
+    var phi_1240_: bool;
+    var phi_1263_: bool;
+    var phi_1267_: f32;
+    var phi_1276_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -212,801 +220,803 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e39 = n_2;
     let _e40 = lane_2;
     let _e52 = ((((_e38.y * _e39.x) + _e38.x) * 256u) + _e40);
-    let _e55 = params.member.member[0u];
-    if (_e52 < _e55) {
-        let _e58 = positions.member[_e52];
-        let _e61 = params.member.member[0u];
-        let _e64 = positions.member[(_e61 + _e52)];
-        if (_e58[0] < _e64[0]) {
-            phi_167_ = _e58[0];
+    let _e56 = params.member.member.member[0u];
+    if (_e52 < _e56) {
+        let _e60 = positions.member[_e52];
+        let _e63 = params.member.member.member[0u];
+        let _e66 = positions.member[(_e63 + _e52)];
+        if (_e60[0] < _e66[0]) {
+            phi_172_ = _e60[0];
         } else {
-            phi_167_ = _e64[0];
+            phi_172_ = _e66[0];
         }
-        let _e69 = phi_167_;
-        if (_e58[1] < _e64[1]) {
-            phi_174_ = _e58[1];
+        let _e72 = phi_172_;
+        if (_e60[1] < _e66[1]) {
+            phi_179_ = _e60[1];
         } else {
-            phi_174_ = _e64[1];
+            phi_179_ = _e66[1];
         }
-        let _e74 = phi_174_;
-        if (_e58[2] < _e64[2]) {
-            phi_181_ = _e58[2];
+        let _e77 = phi_179_;
+        if (_e60[2] < _e66[2]) {
+            phi_186_ = _e60[2];
         } else {
-            phi_181_ = _e64[2];
+            phi_186_ = _e66[2];
         }
-        let _e79 = phi_181_;
-        if (_e58[0] > _e64[0]) {
-            phi_189_ = _e58[0];
+        let _e82 = phi_186_;
+        if (_e60[0] > _e66[0]) {
+            phi_194_ = _e60[0];
         } else {
-            phi_189_ = _e64[0];
+            phi_194_ = _e66[0];
         }
-        let _e84 = phi_189_;
-        if (_e58[1] > _e64[1]) {
-            phi_196_ = _e58[1];
+        let _e87 = phi_194_;
+        if (_e60[1] > _e66[1]) {
+            phi_201_ = _e60[1];
         } else {
-            phi_196_ = _e64[1];
+            phi_201_ = _e66[1];
         }
-        let _e89 = phi_196_;
-        if (_e58[2] > _e64[2]) {
-            phi_203_ = _e58[2];
+        let _e92 = phi_201_;
+        if (_e60[2] > _e66[2]) {
+            phi_208_ = _e60[2];
         } else {
-            phi_203_ = _e64[2];
+            phi_208_ = _e66[2];
         }
-        let _e94 = phi_203_;
-        let _e96 = params.member.member_19;
-        let _e103 = bitcast<f64>(((u64(_e96[1]) * 4294967296lu) + u64(_e96[0])));
-        if (_e103 > f64(0f)) {
-            local_5 = type_21(array<f64, 3>(_e69, _e74, _e79), array<f64, 3>(_e84, _e89, _e94));
-            phi_233_ = type_16(0u, 3u);
+        let _e97 = phi_208_;
+        let _e99 = params.member.member.member_9;
+        let _e106 = bitcast<f64>(((u64(_e99[1]) * 4294967296lu) + u64(_e99[0])));
+        if (_e106 > f64(0f)) {
+            local_5 = type_29(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
+            phi_238_ = type_9(0u, 3u);
             loop {
-                let _e113 = phi_233_;
-                if (_e113.member < _e113.member_1) {
-                    phi_234_ = type_16((_e113.member + 1u), _e113.member_1);
-                    phi_257_ = type_16(1u, _e113.member);
+                let _e116 = phi_238_;
+                if (_e116.member < _e116.member_1) {
+                    phi_239_ = type_9((_e116.member + 1u), _e116.member_1);
+                    phi_262_ = type_9(1u, _e116.member);
                 } else {
-                    phi_234_ = _e113;
-                    phi_257_ = type_16(0u, type_16().member_1);
+                    phi_239_ = _e116;
+                    phi_262_ = type_9(0u, type_9().member_1);
                 }
-                let _e125 = phi_234_;
-                let _e127 = phi_257_;
-                let _e131 = (bitcast<i32>(_e127.member) != 0i);
-                if _e131 {
-                    let _e134 = local_5.member[_e127.member_1];
-                    let _e136 = -((_e134 - _e103));
-                    let _e137 = bitcast<u64>(_e136);
-                    if ((_e137 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_284_ = (_e136 < 0.0lf);
+                let _e128 = phi_239_;
+                let _e130 = phi_262_;
+                let _e134 = (bitcast<i32>(_e130.member) != 0i);
+                if _e134 {
+                    let _e137 = local_5.member[_e130.member_1];
+                    let _e139 = -((_e137 - _e106));
+                    let _e140 = bitcast<u64>(_e139);
+                    if ((_e140 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_289_ = (_e139 < 0.0lf);
                     } else {
-                        phi_284_ = true;
+                        phi_289_ = true;
                     }
-                    let _e142 = phi_284_;
-                    if _e142 {
-                        if (_e136 > 0.0lf) {
-                            phi_302_ = bitcast<f64>((_e137 + 1lu));
+                    let _e145 = phi_289_;
+                    if _e145 {
+                        if (_e139 > 0.0lf) {
+                            phi_307_ = bitcast<f64>((_e140 + 1lu));
                         } else {
-                            if (_e136 < 0.0lf) {
-                                phi_301_ = bitcast<f64>((_e137 - 1lu));
+                            if (_e139 < 0.0lf) {
+                                phi_306_ = bitcast<f64>((_e140 - 1lu));
                             } else {
-                                phi_301_ = 5e-324lf;
+                                phi_306_ = 5e-324lf;
                             }
-                            let _e148 = phi_301_;
-                            phi_302_ = _e148;
+                            let _e151 = phi_306_;
+                            phi_307_ = _e151;
                         }
-                        let _e152 = phi_302_;
-                        phi_303_ = _e152;
+                        let _e155 = phi_307_;
+                        phi_308_ = _e155;
                     } else {
-                        phi_303_ = _e136;
+                        phi_308_ = _e139;
                     }
-                    let _e154 = phi_303_;
-                    local_5.member[_e127.member_1] = -(_e154);
-                    let _e160 = local_5.member_1[_e127.member_1];
-                    let _e161 = (_e160 + _e103);
-                    let _e162 = bitcast<u64>(_e161);
-                    if ((_e162 & 9218868437227405312lu) == 9218868437227405312lu) {
-                        phi_330_ = (_e161 < 0.0lf);
+                    let _e157 = phi_308_;
+                    local_5.member[_e130.member_1] = -(_e157);
+                    let _e163 = local_5.member_1[_e130.member_1];
+                    let _e164 = (_e163 + _e106);
+                    let _e165 = bitcast<u64>(_e164);
+                    if ((_e165 & 9218868437227405312lu) == 9218868437227405312lu) {
+                        phi_335_ = (_e164 < 0.0lf);
                     } else {
-                        phi_330_ = true;
+                        phi_335_ = true;
                     }
-                    let _e167 = phi_330_;
-                    if _e167 {
-                        if (_e161 > 0.0lf) {
-                            phi_348_ = bitcast<f64>((_e162 + 1lu));
+                    let _e170 = phi_335_;
+                    if _e170 {
+                        if (_e164 > 0.0lf) {
+                            phi_353_ = bitcast<f64>((_e165 + 1lu));
                         } else {
-                            if (_e161 < 0.0lf) {
-                                phi_347_ = bitcast<f64>((_e162 - 1lu));
+                            if (_e164 < 0.0lf) {
+                                phi_352_ = bitcast<f64>((_e165 - 1lu));
                             } else {
-                                phi_347_ = 5e-324lf;
+                                phi_352_ = 5e-324lf;
                             }
-                            let _e173 = phi_347_;
-                            phi_348_ = _e173;
+                            let _e176 = phi_352_;
+                            phi_353_ = _e176;
                         }
-                        let _e177 = phi_348_;
-                        phi_349_ = _e177;
+                        let _e180 = phi_353_;
+                        phi_354_ = _e180;
                     } else {
-                        phi_349_ = _e161;
+                        phi_354_ = _e164;
                     }
-                    let _e179 = phi_349_;
-                    local_5.member_1[_e127.member_1] = _e179;
+                    let _e182 = phi_354_;
+                    local_5.member_1[_e130.member_1] = _e182;
                 }
                 continue;
                 continuing {
-                    phi_233_ = _e125;
-                    break if !(_e131);
+                    phi_238_ = _e128;
+                    break if !(_e134);
                 }
             }
         } else {
-            local_5 = type_21(array<f64, 3>(_e69, _e74, _e79), array<f64, 3>(_e84, _e89, _e94));
+            local_5 = type_29(array<f64, 3>(_e72, _e77, _e82), array<f64, 3>(_e87, _e92, _e97));
         }
-        let _e183 = local_5;
-        local_6 = _e183;
-        local_2 = array<f64, 3>(_e58[0], _e58[1], _e58[2]);
-        local_3 = array<f64, 3>(_e64[0], _e64[1], _e64[2]);
+        let _e186 = local_5;
+        local_6 = _e186;
+        local_2 = array<f64, 3>(_e60[0], _e60[1], _e60[2]);
+        local_3 = array<f64, 3>(_e66[0], _e66[1], _e66[2]);
         local_4.member = array<f32, 4>(0f, 0f, 0f, 0f);
         local_4.member_1 = array<f32, 4>(0f, 0f, 0f, 0f);
-        phi_403_ = type_16(0u, 3u);
+        phi_409_ = type_9(0u, 3u);
         loop {
-            let _e195 = phi_403_;
-            if (_e195.member < _e195.member_1) {
-                phi_404_ = type_16((_e195.member + 1u), _e195.member_1);
-                phi_427_ = type_16(1u, _e195.member);
+            let _e199 = phi_409_;
+            if (_e199.member < _e199.member_1) {
+                phi_410_ = type_9((_e199.member + 1u), _e199.member_1);
+                phi_433_ = type_9(1u, _e199.member);
             } else {
-                phi_404_ = _e195;
-                phi_427_ = type_16(0u, type_16().member_1);
+                phi_410_ = _e199;
+                phi_433_ = type_9(0u, type_9().member_1);
             }
-            let _e207 = phi_404_;
-            let _e209 = phi_427_;
-            let _e213 = (bitcast<i32>(_e209.member) != 0i);
-            if _e213 {
-                let _e216 = params.member.member_18[_e209.member_1];
-                let _e223 = bitcast<f64>(((u64(_e216[1]) * 4294967296lu) + u64(_e216[0])));
-                let _e225 = local_2[_e209.member_1];
-                let _e226 = (_e225 - _e223);
-                let _e227 = f32(_e226);
-                if (f64(_e227) > _e226) {
-                    let _e230 = -(_e227);
-                    let _e231 = bitcast<u32>(_e230);
-                    if ((_e231 & 2139095040u) == 2139095040u) {
-                        phi_475_ = (_e230 < 0f);
+            let _e211 = phi_410_;
+            let _e213 = phi_433_;
+            let _e217 = (bitcast<i32>(_e213.member) != 0i);
+            if _e217 {
+                let _e220 = params.member.member.member_8[_e213.member_1];
+                let _e227 = bitcast<f64>(((u64(_e220[1]) * 4294967296lu) + u64(_e220[0])));
+                let _e229 = params.member.member.member_10;
+                let _e236 = bitcast<f64>(((u64(_e229[1]) * 4294967296lu) + u64(_e229[0])));
+                let _e238 = local_2[_e213.member_1];
+                let _e240 = ((_e238 - _e227) * _e236);
+                let _e241 = f32(_e240);
+                if (f64(_e241) > _e240) {
+                    let _e244 = -(_e241);
+                    let _e245 = bitcast<u32>(_e244);
+                    if ((_e245 & 2139095040u) == 2139095040u) {
+                        phi_491_ = (_e244 < 0f);
                     } else {
-                        phi_475_ = true;
+                        phi_491_ = true;
                     }
-                    let _e236 = phi_475_;
-                    if _e236 {
-                        if (_e230 > 0f) {
-                            phi_493_ = bitcast<f32>((_e231 + 1u));
+                    let _e250 = phi_491_;
+                    if _e250 {
+                        if (_e244 > 0f) {
+                            phi_509_ = bitcast<f32>((_e245 + 1u));
                         } else {
-                            if (_e230 < 0f) {
-                                phi_492_ = bitcast<f32>((_e231 - 1u));
+                            if (_e244 < 0f) {
+                                phi_508_ = bitcast<f32>((_e245 - 1u));
                             } else {
-                                phi_492_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_508_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e242 = phi_492_;
-                            phi_493_ = _e242;
+                            let _e256 = phi_508_;
+                            phi_509_ = _e256;
                         }
-                        let _e246 = phi_493_;
-                        phi_494_ = _e246;
+                        let _e260 = phi_509_;
+                        phi_510_ = _e260;
                     } else {
-                        phi_494_ = _e230;
+                        phi_510_ = _e244;
                     }
-                    let _e248 = phi_494_;
-                    phi_496_ = -(_e248);
+                    let _e262 = phi_510_;
+                    phi_512_ = -(_e262);
                 } else {
-                    phi_496_ = _e227;
+                    phi_512_ = _e241;
                 }
-                let _e251 = phi_496_;
-                let _e252 = f32(_e226);
-                if (f64(_e252) < _e226) {
-                    let _e255 = bitcast<u32>(_e252);
-                    if ((_e255 & 2139095040u) == 2139095040u) {
-                        phi_513_ = (_e252 < 0f);
+                let _e265 = phi_512_;
+                let _e266 = f32(_e240);
+                if (f64(_e266) < _e240) {
+                    let _e269 = bitcast<u32>(_e266);
+                    if ((_e269 & 2139095040u) == 2139095040u) {
+                        phi_529_ = (_e266 < 0f);
                     } else {
-                        phi_513_ = true;
+                        phi_529_ = true;
                     }
-                    let _e260 = phi_513_;
-                    if _e260 {
-                        if (_e252 > 0f) {
-                            phi_531_ = bitcast<f32>((_e255 + 1u));
+                    let _e274 = phi_529_;
+                    if _e274 {
+                        if (_e266 > 0f) {
+                            phi_547_ = bitcast<f32>((_e269 + 1u));
                         } else {
-                            if (_e252 < 0f) {
-                                phi_530_ = bitcast<f32>((_e255 - 1u));
+                            if (_e266 < 0f) {
+                                phi_546_ = bitcast<f32>((_e269 - 1u));
                             } else {
-                                phi_530_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_546_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e266 = phi_530_;
-                            phi_531_ = _e266;
+                            let _e280 = phi_546_;
+                            phi_547_ = _e280;
                         }
-                        let _e270 = phi_531_;
-                        phi_532_ = _e270;
+                        let _e284 = phi_547_;
+                        phi_548_ = _e284;
                     } else {
-                        phi_532_ = _e252;
+                        phi_548_ = _e266;
                     }
-                    let _e272 = phi_532_;
-                    phi_533_ = _e272;
+                    let _e286 = phi_548_;
+                    phi_549_ = _e286;
                 } else {
-                    phi_533_ = _e252;
+                    phi_549_ = _e266;
                 }
-                let _e274 = phi_533_;
-                let _e276 = (_e226 - f64(_e251));
-                let _e278 = (f64(_e274) - _e226);
-                if (_e276 < _e278) {
-                    phi_558_ = true;
+                let _e288 = phi_549_;
+                let _e290 = (_e240 - f64(_e265));
+                let _e292 = (f64(_e288) - _e240);
+                if (_e290 < _e292) {
+                    phi_574_ = true;
                 } else {
-                    if (_e276 == _e278) {
-                        if ((bitcast<u32>(_e251) & 1u) == 0u) {
-                            phi_552_ = false;
+                    if (_e290 == _e292) {
+                        if ((bitcast<u32>(_e265) & 1u) == 0u) {
+                            phi_568_ = false;
                         } else {
-                            phi_552_ = true;
+                            phi_568_ = true;
                         }
-                        let _e285 = phi_552_;
-                        phi_553_ = _e285;
+                        let _e299 = phi_568_;
+                        phi_569_ = _e299;
                     } else {
-                        phi_553_ = true;
+                        phi_569_ = true;
                     }
-                    let _e287 = phi_553_;
-                    if _e287 {
-                        phi_557_ = false;
+                    let _e301 = phi_569_;
+                    if _e301 {
+                        phi_573_ = false;
                     } else {
-                        phi_557_ = true;
+                        phi_573_ = true;
                     }
-                    let _e289 = phi_557_;
-                    phi_558_ = _e289;
+                    let _e303 = phi_573_;
+                    phi_574_ = _e303;
                 }
-                let _e291 = phi_558_;
-                if _e291 {
-                    phi_562_ = _e251;
+                let _e305 = phi_574_;
+                if _e305 {
+                    phi_578_ = _e265;
                 } else {
-                    phi_562_ = _e274;
+                    phi_578_ = _e288;
                 }
-                let _e293 = phi_562_;
-                local_4.member[_e209.member_1] = _e293;
-                let _e297 = local_3[_e209.member_1];
-                let _e298 = (_e297 - _e223);
-                let _e299 = f32(_e298);
-                if (f64(_e299) > _e298) {
-                    let _e302 = -(_e299);
-                    let _e303 = bitcast<u32>(_e302);
-                    if ((_e303 & 2139095040u) == 2139095040u) {
-                        phi_594_ = (_e302 < 0f);
+                let _e307 = phi_578_;
+                local_4.member[_e213.member_1] = _e307;
+                let _e311 = local_3[_e213.member_1];
+                let _e313 = ((_e311 - _e227) * _e236);
+                let _e314 = f32(_e313);
+                if (f64(_e314) > _e313) {
+                    let _e317 = -(_e314);
+                    let _e318 = bitcast<u32>(_e317);
+                    if ((_e318 & 2139095040u) == 2139095040u) {
+                        phi_611_ = (_e317 < 0f);
                     } else {
-                        phi_594_ = true;
+                        phi_611_ = true;
                     }
-                    let _e308 = phi_594_;
-                    if _e308 {
-                        if (_e302 > 0f) {
-                            phi_612_ = bitcast<f32>((_e303 + 1u));
+                    let _e323 = phi_611_;
+                    if _e323 {
+                        if (_e317 > 0f) {
+                            phi_629_ = bitcast<f32>((_e318 + 1u));
                         } else {
-                            if (_e302 < 0f) {
-                                phi_611_ = bitcast<f32>((_e303 - 1u));
+                            if (_e317 < 0f) {
+                                phi_628_ = bitcast<f32>((_e318 - 1u));
                             } else {
-                                phi_611_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_628_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e314 = phi_611_;
-                            phi_612_ = _e314;
+                            let _e329 = phi_628_;
+                            phi_629_ = _e329;
                         }
-                        let _e318 = phi_612_;
-                        phi_613_ = _e318;
+                        let _e333 = phi_629_;
+                        phi_630_ = _e333;
                     } else {
-                        phi_613_ = _e302;
+                        phi_630_ = _e317;
                     }
-                    let _e320 = phi_613_;
-                    phi_615_ = -(_e320);
+                    let _e335 = phi_630_;
+                    phi_632_ = -(_e335);
                 } else {
-                    phi_615_ = _e299;
+                    phi_632_ = _e314;
                 }
-                let _e323 = phi_615_;
-                let _e324 = f32(_e298);
-                if (f64(_e324) < _e298) {
-                    let _e327 = bitcast<u32>(_e324);
-                    if ((_e327 & 2139095040u) == 2139095040u) {
-                        phi_632_ = (_e324 < 0f);
+                let _e338 = phi_632_;
+                let _e339 = f32(_e313);
+                if (f64(_e339) < _e313) {
+                    let _e342 = bitcast<u32>(_e339);
+                    if ((_e342 & 2139095040u) == 2139095040u) {
+                        phi_649_ = (_e339 < 0f);
                     } else {
-                        phi_632_ = true;
+                        phi_649_ = true;
                     }
-                    let _e332 = phi_632_;
-                    if _e332 {
-                        if (_e324 > 0f) {
-                            phi_650_ = bitcast<f32>((_e327 + 1u));
+                    let _e347 = phi_649_;
+                    if _e347 {
+                        if (_e339 > 0f) {
+                            phi_667_ = bitcast<f32>((_e342 + 1u));
                         } else {
-                            if (_e324 < 0f) {
-                                phi_649_ = bitcast<f32>((_e327 - 1u));
+                            if (_e339 < 0f) {
+                                phi_666_ = bitcast<f32>((_e342 - 1u));
                             } else {
-                                phi_649_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_666_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e338 = phi_649_;
-                            phi_650_ = _e338;
+                            let _e353 = phi_666_;
+                            phi_667_ = _e353;
                         }
-                        let _e342 = phi_650_;
-                        phi_651_ = _e342;
+                        let _e357 = phi_667_;
+                        phi_668_ = _e357;
                     } else {
-                        phi_651_ = _e324;
+                        phi_668_ = _e339;
                     }
-                    let _e344 = phi_651_;
-                    phi_652_ = _e344;
+                    let _e359 = phi_668_;
+                    phi_669_ = _e359;
                 } else {
-                    phi_652_ = _e324;
+                    phi_669_ = _e339;
                 }
-                let _e346 = phi_652_;
-                let _e348 = (_e298 - f64(_e323));
-                let _e350 = (f64(_e346) - _e298);
-                if (_e348 < _e350) {
-                    phi_677_ = true;
+                let _e361 = phi_669_;
+                let _e363 = (_e313 - f64(_e338));
+                let _e365 = (f64(_e361) - _e313);
+                if (_e363 < _e365) {
+                    phi_694_ = true;
                 } else {
-                    if (_e348 == _e350) {
-                        if ((bitcast<u32>(_e323) & 1u) == 0u) {
-                            phi_671_ = false;
+                    if (_e363 == _e365) {
+                        if ((bitcast<u32>(_e338) & 1u) == 0u) {
+                            phi_688_ = false;
                         } else {
-                            phi_671_ = true;
+                            phi_688_ = true;
                         }
-                        let _e357 = phi_671_;
-                        phi_672_ = _e357;
+                        let _e372 = phi_688_;
+                        phi_689_ = _e372;
                     } else {
-                        phi_672_ = true;
+                        phi_689_ = true;
                     }
-                    let _e359 = phi_672_;
-                    if _e359 {
-                        phi_676_ = false;
+                    let _e374 = phi_689_;
+                    if _e374 {
+                        phi_693_ = false;
                     } else {
-                        phi_676_ = true;
+                        phi_693_ = true;
                     }
-                    let _e361 = phi_676_;
-                    phi_677_ = _e361;
+                    let _e376 = phi_693_;
+                    phi_694_ = _e376;
                 }
-                let _e363 = phi_677_;
-                if _e363 {
-                    phi_681_ = _e323;
+                let _e378 = phi_694_;
+                if _e378 {
+                    phi_698_ = _e338;
                 } else {
-                    phi_681_ = _e346;
+                    phi_698_ = _e361;
                 }
-                let _e365 = phi_681_;
-                local_4.member_1[_e209.member_1] = _e365;
+                let _e380 = phi_698_;
+                local_4.member_1[_e213.member_1] = _e380;
             }
             continue;
             continuing {
-                phi_403_ = _e207;
-                break if !(_e213);
+                phi_409_ = _e211;
+                break if !(_e217);
             }
         }
-        let _e369 = local_4;
-        paths.member[_e52] = type_20(array<f32, 4>(_e369.member[0], _e369.member[1], _e369.member[2], _e369.member[3]), array<f32, 4>(_e369.member_1[0], _e369.member_1[1], _e369.member_1[2], _e369.member_1[3]));
-        let _e385 = local_6.member;
-        let _e390 = local_6.member_1;
-        let _e394 = bitcast<u64>(_e385[0]);
-        let _e395 = u32(_e394);
-        let _e397 = u32((_e394 / 4294967296lu));
-        if ((_e397 >> bitcast<u32>(31i)) == 0u) {
-            phi_745_ = array<u32, 2>();
-            phi_746_ = true;
+        let _e384 = local_4;
+        paths.member[_e52] = type_15(array<f32, 4>(_e384.member[0], _e384.member[1], _e384.member[2], _e384.member[3]), array<f32, 4>(_e384.member_1[0], _e384.member_1[1], _e384.member_1[2], _e384.member_1[3]));
+        let _e400 = local_6.member;
+        let _e405 = local_6.member_1;
+        let _e409 = bitcast<u64>(_e400[0]);
+        let _e410 = u32(_e409);
+        let _e412 = u32((_e409 / 4294967296lu));
+        if ((_e412 >> bitcast<u32>(31i)) == 0u) {
+            phi_762_ = array<u32, 2>();
+            phi_763_ = true;
         } else {
-            if (_e397 == 2147483648u) {
-                if (_e395 == 0u) {
-                    phi_735_ = false;
+            if (_e412 == 2147483648u) {
+                if (_e410 == 0u) {
+                    phi_752_ = false;
                 } else {
-                    phi_735_ = true;
+                    phi_752_ = true;
                 }
-                let _e404 = phi_735_;
-                phi_736_ = _e404;
+                let _e419 = phi_752_;
+                phi_753_ = _e419;
             } else {
-                phi_736_ = true;
+                phi_753_ = true;
             }
-            let _e406 = phi_736_;
-            if _e406 {
-                phi_743_ = array<u32, 2>(~(_e395), ~(_e397));
-                phi_744_ = false;
+            let _e421 = phi_753_;
+            if _e421 {
+                phi_760_ = array<u32, 2>(~(_e410), ~(_e412));
+                phi_761_ = false;
             } else {
-                phi_743_ = array<u32, 2>();
-                phi_744_ = true;
+                phi_760_ = array<u32, 2>();
+                phi_761_ = true;
             }
-            let _e411 = phi_743_;
-            let _e413 = phi_744_;
-            phi_745_ = _e411;
-            phi_746_ = _e413;
+            let _e426 = phi_760_;
+            let _e428 = phi_761_;
+            phi_762_ = _e426;
+            phi_763_ = _e428;
         }
-        let _e415 = phi_745_;
-        let _e417 = phi_746_;
-        if _e417 {
-            phi_752_ = array<u32, 2>(_e395, (_e397 | 2147483648u));
+        let _e430 = phi_762_;
+        let _e432 = phi_763_;
+        if _e432 {
+            phi_769_ = array<u32, 2>(_e410, (_e412 | 2147483648u));
         } else {
-            phi_752_ = _e415;
+            phi_769_ = _e430;
         }
-        let _e421 = phi_752_;
-        let _e422 = bitcast<u64>(_e385[1]);
-        let _e423 = u32(_e422);
-        let _e425 = u32((_e422 / 4294967296lu));
-        if ((_e425 >> bitcast<u32>(31i)) == 0u) {
-            phi_781_ = array<u32, 2>();
-            phi_782_ = true;
+        let _e436 = phi_769_;
+        let _e437 = bitcast<u64>(_e400[1]);
+        let _e438 = u32(_e437);
+        let _e440 = u32((_e437 / 4294967296lu));
+        if ((_e440 >> bitcast<u32>(31i)) == 0u) {
+            phi_798_ = array<u32, 2>();
+            phi_799_ = true;
         } else {
-            if (_e425 == 2147483648u) {
-                if (_e423 == 0u) {
-                    phi_771_ = false;
+            if (_e440 == 2147483648u) {
+                if (_e438 == 0u) {
+                    phi_788_ = false;
                 } else {
-                    phi_771_ = true;
+                    phi_788_ = true;
                 }
-                let _e432 = phi_771_;
-                phi_772_ = _e432;
+                let _e447 = phi_788_;
+                phi_789_ = _e447;
             } else {
-                phi_772_ = true;
+                phi_789_ = true;
             }
-            let _e434 = phi_772_;
-            if _e434 {
-                phi_779_ = array<u32, 2>(~(_e423), ~(_e425));
-                phi_780_ = false;
+            let _e449 = phi_789_;
+            if _e449 {
+                phi_796_ = array<u32, 2>(~(_e438), ~(_e440));
+                phi_797_ = false;
             } else {
-                phi_779_ = array<u32, 2>();
-                phi_780_ = true;
+                phi_796_ = array<u32, 2>();
+                phi_797_ = true;
             }
-            let _e439 = phi_779_;
-            let _e441 = phi_780_;
-            phi_781_ = _e439;
-            phi_782_ = _e441;
+            let _e454 = phi_796_;
+            let _e456 = phi_797_;
+            phi_798_ = _e454;
+            phi_799_ = _e456;
         }
-        let _e443 = phi_781_;
-        let _e445 = phi_782_;
-        if _e445 {
-            phi_788_ = array<u32, 2>(_e423, (_e425 | 2147483648u));
+        let _e458 = phi_798_;
+        let _e460 = phi_799_;
+        if _e460 {
+            phi_805_ = array<u32, 2>(_e438, (_e440 | 2147483648u));
         } else {
-            phi_788_ = _e443;
+            phi_805_ = _e458;
         }
-        let _e449 = phi_788_;
-        let _e450 = bitcast<u64>(_e385[2]);
-        let _e451 = u32(_e450);
-        let _e453 = u32((_e450 / 4294967296lu));
-        if ((_e453 >> bitcast<u32>(31i)) == 0u) {
-            phi_817_ = array<u32, 2>();
-            phi_818_ = true;
+        let _e464 = phi_805_;
+        let _e465 = bitcast<u64>(_e400[2]);
+        let _e466 = u32(_e465);
+        let _e468 = u32((_e465 / 4294967296lu));
+        if ((_e468 >> bitcast<u32>(31i)) == 0u) {
+            phi_834_ = array<u32, 2>();
+            phi_835_ = true;
         } else {
-            if (_e453 == 2147483648u) {
-                if (_e451 == 0u) {
-                    phi_807_ = false;
+            if (_e468 == 2147483648u) {
+                if (_e466 == 0u) {
+                    phi_824_ = false;
                 } else {
-                    phi_807_ = true;
+                    phi_824_ = true;
                 }
-                let _e460 = phi_807_;
-                phi_808_ = _e460;
+                let _e475 = phi_824_;
+                phi_825_ = _e475;
             } else {
-                phi_808_ = true;
+                phi_825_ = true;
             }
-            let _e462 = phi_808_;
-            if _e462 {
-                phi_815_ = array<u32, 2>(~(_e451), ~(_e453));
-                phi_816_ = false;
+            let _e477 = phi_825_;
+            if _e477 {
+                phi_832_ = array<u32, 2>(~(_e466), ~(_e468));
+                phi_833_ = false;
             } else {
-                phi_815_ = array<u32, 2>();
-                phi_816_ = true;
+                phi_832_ = array<u32, 2>();
+                phi_833_ = true;
             }
-            let _e467 = phi_815_;
-            let _e469 = phi_816_;
-            phi_817_ = _e467;
-            phi_818_ = _e469;
+            let _e482 = phi_832_;
+            let _e484 = phi_833_;
+            phi_834_ = _e482;
+            phi_835_ = _e484;
         }
-        let _e471 = phi_817_;
-        let _e473 = phi_818_;
-        if _e473 {
-            phi_824_ = array<u32, 2>(_e451, (_e453 | 2147483648u));
+        let _e486 = phi_834_;
+        let _e488 = phi_835_;
+        if _e488 {
+            phi_841_ = array<u32, 2>(_e466, (_e468 | 2147483648u));
         } else {
-            phi_824_ = _e471;
+            phi_841_ = _e486;
         }
-        let _e477 = phi_824_;
-        let _e478 = bitcast<u64>(_e390[0]);
-        let _e479 = u32(_e478);
-        let _e481 = u32((_e478 / 4294967296lu));
-        if ((_e481 >> bitcast<u32>(31i)) == 0u) {
-            phi_853_ = array<u32, 2>();
-            phi_854_ = true;
+        let _e492 = phi_841_;
+        let _e493 = bitcast<u64>(_e405[0]);
+        let _e494 = u32(_e493);
+        let _e496 = u32((_e493 / 4294967296lu));
+        if ((_e496 >> bitcast<u32>(31i)) == 0u) {
+            phi_870_ = array<u32, 2>();
+            phi_871_ = true;
         } else {
-            if (_e481 == 2147483648u) {
-                if (_e479 == 0u) {
-                    phi_843_ = false;
+            if (_e496 == 2147483648u) {
+                if (_e494 == 0u) {
+                    phi_860_ = false;
                 } else {
-                    phi_843_ = true;
+                    phi_860_ = true;
                 }
-                let _e488 = phi_843_;
-                phi_844_ = _e488;
+                let _e503 = phi_860_;
+                phi_861_ = _e503;
             } else {
-                phi_844_ = true;
+                phi_861_ = true;
             }
-            let _e490 = phi_844_;
-            if _e490 {
-                phi_851_ = array<u32, 2>(~(_e479), ~(_e481));
-                phi_852_ = false;
+            let _e505 = phi_861_;
+            if _e505 {
+                phi_868_ = array<u32, 2>(~(_e494), ~(_e496));
+                phi_869_ = false;
             } else {
-                phi_851_ = array<u32, 2>();
-                phi_852_ = true;
+                phi_868_ = array<u32, 2>();
+                phi_869_ = true;
             }
-            let _e495 = phi_851_;
-            let _e497 = phi_852_;
-            phi_853_ = _e495;
-            phi_854_ = _e497;
+            let _e510 = phi_868_;
+            let _e512 = phi_869_;
+            phi_870_ = _e510;
+            phi_871_ = _e512;
         }
-        let _e499 = phi_853_;
-        let _e501 = phi_854_;
-        if _e501 {
-            phi_860_ = array<u32, 2>(_e479, (_e481 | 2147483648u));
+        let _e514 = phi_870_;
+        let _e516 = phi_871_;
+        if _e516 {
+            phi_877_ = array<u32, 2>(_e494, (_e496 | 2147483648u));
         } else {
-            phi_860_ = _e499;
+            phi_877_ = _e514;
         }
-        let _e505 = phi_860_;
-        let _e506 = bitcast<u64>(_e390[1]);
-        let _e507 = u32(_e506);
-        let _e509 = u32((_e506 / 4294967296lu));
-        if ((_e509 >> bitcast<u32>(31i)) == 0u) {
-            phi_889_ = array<u32, 2>();
-            phi_890_ = true;
+        let _e520 = phi_877_;
+        let _e521 = bitcast<u64>(_e405[1]);
+        let _e522 = u32(_e521);
+        let _e524 = u32((_e521 / 4294967296lu));
+        if ((_e524 >> bitcast<u32>(31i)) == 0u) {
+            phi_906_ = array<u32, 2>();
+            phi_907_ = true;
         } else {
-            if (_e509 == 2147483648u) {
-                if (_e507 == 0u) {
-                    phi_879_ = false;
+            if (_e524 == 2147483648u) {
+                if (_e522 == 0u) {
+                    phi_896_ = false;
                 } else {
-                    phi_879_ = true;
+                    phi_896_ = true;
                 }
-                let _e516 = phi_879_;
-                phi_880_ = _e516;
+                let _e531 = phi_896_;
+                phi_897_ = _e531;
             } else {
-                phi_880_ = true;
+                phi_897_ = true;
             }
-            let _e518 = phi_880_;
-            if _e518 {
-                phi_887_ = array<u32, 2>(~(_e507), ~(_e509));
-                phi_888_ = false;
+            let _e533 = phi_897_;
+            if _e533 {
+                phi_904_ = array<u32, 2>(~(_e522), ~(_e524));
+                phi_905_ = false;
             } else {
-                phi_887_ = array<u32, 2>();
-                phi_888_ = true;
+                phi_904_ = array<u32, 2>();
+                phi_905_ = true;
             }
-            let _e523 = phi_887_;
-            let _e525 = phi_888_;
-            phi_889_ = _e523;
-            phi_890_ = _e525;
+            let _e538 = phi_904_;
+            let _e540 = phi_905_;
+            phi_906_ = _e538;
+            phi_907_ = _e540;
         }
-        let _e527 = phi_889_;
-        let _e529 = phi_890_;
-        if _e529 {
-            phi_896_ = array<u32, 2>(_e507, (_e509 | 2147483648u));
+        let _e542 = phi_906_;
+        let _e544 = phi_907_;
+        if _e544 {
+            phi_913_ = array<u32, 2>(_e522, (_e524 | 2147483648u));
         } else {
-            phi_896_ = _e527;
+            phi_913_ = _e542;
         }
-        let _e533 = phi_896_;
-        let _e534 = bitcast<u64>(_e390[2]);
-        let _e535 = u32(_e534);
-        let _e537 = u32((_e534 / 4294967296lu));
-        if ((_e537 >> bitcast<u32>(31i)) == 0u) {
-            phi_925_ = array<u32, 2>();
-            phi_926_ = true;
+        let _e548 = phi_913_;
+        let _e549 = bitcast<u64>(_e405[2]);
+        let _e550 = u32(_e549);
+        let _e552 = u32((_e549 / 4294967296lu));
+        if ((_e552 >> bitcast<u32>(31i)) == 0u) {
+            phi_942_ = array<u32, 2>();
+            phi_943_ = true;
         } else {
-            if (_e537 == 2147483648u) {
-                if (_e535 == 0u) {
-                    phi_915_ = false;
+            if (_e552 == 2147483648u) {
+                if (_e550 == 0u) {
+                    phi_932_ = false;
                 } else {
-                    phi_915_ = true;
+                    phi_932_ = true;
                 }
-                let _e544 = phi_915_;
-                phi_916_ = _e544;
+                let _e559 = phi_932_;
+                phi_933_ = _e559;
             } else {
-                phi_916_ = true;
+                phi_933_ = true;
             }
-            let _e546 = phi_916_;
-            if _e546 {
-                phi_923_ = array<u32, 2>(~(_e535), ~(_e537));
-                phi_924_ = false;
+            let _e561 = phi_933_;
+            if _e561 {
+                phi_940_ = array<u32, 2>(~(_e550), ~(_e552));
+                phi_941_ = false;
             } else {
-                phi_923_ = array<u32, 2>();
-                phi_924_ = true;
+                phi_940_ = array<u32, 2>();
+                phi_941_ = true;
             }
-            let _e551 = phi_923_;
-            let _e553 = phi_924_;
-            phi_925_ = _e551;
-            phi_926_ = _e553;
+            let _e566 = phi_940_;
+            let _e568 = phi_941_;
+            phi_942_ = _e566;
+            phi_943_ = _e568;
         }
-        let _e555 = phi_925_;
-        let _e557 = phi_926_;
-        if _e557 {
-            phi_932_ = array<u32, 2>(_e535, (_e537 | 2147483648u));
+        let _e570 = phi_942_;
+        let _e572 = phi_943_;
+        if _e572 {
+            phi_949_ = array<u32, 2>(_e550, (_e552 | 2147483648u));
         } else {
-            phi_932_ = _e555;
+            phi_949_ = _e570;
         }
-        let _e561 = phi_932_;
-        keys.member[_e52] = array<array<u32, 2>, 6>(_e421, _e449, _e477, _e505, _e533, _e561);
-        local_1 = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_938_ = type_16(0u, 3u);
+        let _e576 = phi_949_;
+        keys.member[_e52] = array<array<u32, 2>, 6>(_e436, _e464, _e492, _e520, _e548, _e576);
+        local_1 = type_19(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_955_ = type_9(0u, 3u);
         loop {
-            let _e565 = phi_938_;
-            if (_e565.member < _e565.member_1) {
-                phi_939_ = type_16((_e565.member + 1u), _e565.member_1);
-                phi_962_ = type_16(1u, _e565.member);
+            let _e580 = phi_955_;
+            if (_e580.member < _e580.member_1) {
+                phi_956_ = type_9((_e580.member + 1u), _e580.member_1);
+                phi_979_ = type_9(1u, _e580.member);
             } else {
-                phi_939_ = _e565;
-                phi_962_ = type_16(0u, type_16().member_1);
+                phi_956_ = _e580;
+                phi_979_ = type_9(0u, type_9().member_1);
             }
-            let _e577 = phi_939_;
-            let _e579 = phi_962_;
-            let _e583 = (bitcast<i32>(_e579.member) != 0i);
-            if _e583 {
-                let _e586 = local_6.member[_e579.member_1];
-                let _e587 = f32(_e586);
-                if (f64(_e587) > _e586) {
-                    let _e590 = -(_e587);
-                    let _e591 = bitcast<u32>(_e590);
-                    if ((_e591 & 2139095040u) == 2139095040u) {
-                        phi_994_ = (_e590 < 0f);
+            let _e592 = phi_956_;
+            let _e594 = phi_979_;
+            let _e598 = (bitcast<i32>(_e594.member) != 0i);
+            if _e598 {
+                let _e601 = local_6.member[_e594.member_1];
+                let _e602 = f32(_e601);
+                if (f64(_e602) > _e601) {
+                    let _e605 = -(_e602);
+                    let _e606 = bitcast<u32>(_e605);
+                    if ((_e606 & 2139095040u) == 2139095040u) {
+                        phi_1011_ = (_e605 < 0f);
                     } else {
-                        phi_994_ = true;
+                        phi_1011_ = true;
                     }
-                    let _e596 = phi_994_;
-                    if _e596 {
-                        if (_e590 > 0f) {
-                            phi_1012_ = bitcast<f32>((_e591 + 1u));
+                    let _e611 = phi_1011_;
+                    if _e611 {
+                        if (_e605 > 0f) {
+                            phi_1029_ = bitcast<f32>((_e606 + 1u));
                         } else {
-                            if (_e590 < 0f) {
-                                phi_1011_ = bitcast<f32>((_e591 - 1u));
+                            if (_e605 < 0f) {
+                                phi_1028_ = bitcast<f32>((_e606 - 1u));
                             } else {
-                                phi_1011_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1028_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e602 = phi_1011_;
-                            phi_1012_ = _e602;
+                            let _e617 = phi_1028_;
+                            phi_1029_ = _e617;
                         }
-                        let _e606 = phi_1012_;
-                        phi_1013_ = _e606;
+                        let _e621 = phi_1029_;
+                        phi_1030_ = _e621;
                     } else {
-                        phi_1013_ = _e590;
+                        phi_1030_ = _e605;
                     }
-                    let _e608 = phi_1013_;
-                    phi_1015_ = -(_e608);
+                    let _e623 = phi_1030_;
+                    phi_1032_ = -(_e623);
                 } else {
-                    phi_1015_ = _e587;
+                    phi_1032_ = _e602;
                 }
-                let _e611 = phi_1015_;
-                let _e612 = -(290000000000000000000000000000000000000f);
-                if (_e611 > _e612) {
-                    phi_1021_ = _e611;
+                let _e626 = phi_1032_;
+                let _e627 = -(290000000000000000000000000000000000000f);
+                if (_e626 > _e627) {
+                    phi_1038_ = _e626;
                 } else {
-                    phi_1021_ = _e612;
+                    phi_1038_ = _e627;
                 }
-                let _e615 = phi_1021_;
-                if (_e615 < 290000000000000000000000000000000000000f) {
-                    phi_1026_ = _e615;
+                let _e630 = phi_1038_;
+                if (_e630 < 290000000000000000000000000000000000000f) {
+                    phi_1043_ = _e630;
                 } else {
-                    phi_1026_ = 290000000000000000000000000000000000000f;
+                    phi_1043_ = 290000000000000000000000000000000000000f;
                 }
-                let _e618 = phi_1026_;
-                local_1.member[_e579.member_1] = _e618;
-                let _e623 = local_6.member_1[_e579.member_1];
-                let _e624 = f32(_e623);
-                if (f64(_e624) < _e623) {
-                    let _e627 = bitcast<u32>(_e624);
-                    if ((_e627 & 2139095040u) == 2139095040u) {
-                        phi_1057_ = (_e624 < 0f);
+                let _e633 = phi_1043_;
+                local_1.member[_e594.member_1] = _e633;
+                let _e638 = local_6.member_1[_e594.member_1];
+                let _e639 = f32(_e638);
+                if (f64(_e639) < _e638) {
+                    let _e642 = bitcast<u32>(_e639);
+                    if ((_e642 & 2139095040u) == 2139095040u) {
+                        phi_1074_ = (_e639 < 0f);
                     } else {
-                        phi_1057_ = true;
+                        phi_1074_ = true;
                     }
-                    let _e632 = phi_1057_;
-                    if _e632 {
-                        if (_e624 > 0f) {
-                            phi_1075_ = bitcast<f32>((_e627 + 1u));
+                    let _e647 = phi_1074_;
+                    if _e647 {
+                        if (_e639 > 0f) {
+                            phi_1092_ = bitcast<f32>((_e642 + 1u));
                         } else {
-                            if (_e624 < 0f) {
-                                phi_1074_ = bitcast<f32>((_e627 - 1u));
+                            if (_e639 < 0f) {
+                                phi_1091_ = bitcast<f32>((_e642 - 1u));
                             } else {
-                                phi_1074_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_1091_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e638 = phi_1074_;
-                            phi_1075_ = _e638;
+                            let _e653 = phi_1091_;
+                            phi_1092_ = _e653;
                         }
-                        let _e642 = phi_1075_;
-                        phi_1076_ = _e642;
+                        let _e657 = phi_1092_;
+                        phi_1093_ = _e657;
                     } else {
-                        phi_1076_ = _e624;
+                        phi_1093_ = _e639;
                     }
-                    let _e644 = phi_1076_;
-                    phi_1077_ = _e644;
+                    let _e659 = phi_1093_;
+                    phi_1094_ = _e659;
                 } else {
-                    phi_1077_ = _e624;
+                    phi_1094_ = _e639;
                 }
-                let _e646 = phi_1077_;
-                let _e647 = -(290000000000000000000000000000000000000f);
-                if (_e646 > _e647) {
-                    phi_1083_ = _e646;
+                let _e661 = phi_1094_;
+                let _e662 = -(290000000000000000000000000000000000000f);
+                if (_e661 > _e662) {
+                    phi_1100_ = _e661;
                 } else {
-                    phi_1083_ = _e647;
+                    phi_1100_ = _e662;
                 }
-                let _e650 = phi_1083_;
-                if (_e650 < 290000000000000000000000000000000000000f) {
-                    phi_1088_ = _e650;
+                let _e665 = phi_1100_;
+                if (_e665 < 290000000000000000000000000000000000000f) {
+                    phi_1105_ = _e665;
                 } else {
-                    phi_1088_ = 290000000000000000000000000000000000000f;
+                    phi_1105_ = 290000000000000000000000000000000000000f;
                 }
-                let _e653 = phi_1088_;
-                local_1.member_1[_e579.member_1] = _e653;
+                let _e668 = phi_1105_;
+                local_1.member_1[_e594.member_1] = _e668;
             }
             continue;
             continuing {
-                phi_938_ = _e577;
-                break if !(_e583);
+                phi_955_ = _e592;
+                break if !(_e598);
             }
         }
-        let _e657 = local_1;
-        local = _e657;
-        phi_1121_ = type_16(0u, 3u);
+        let _e672 = local_1;
+        local = _e672;
+        phi_1138_ = type_9(0u, 3u);
         loop {
-            let _e659 = phi_1121_;
-            if (_e659.member < _e659.member_1) {
-                phi_1122_ = type_16((_e659.member + 1u), _e659.member_1);
-                phi_1145_ = type_16(1u, _e659.member);
+            let _e674 = phi_1138_;
+            if (_e674.member < _e674.member_1) {
+                phi_1139_ = type_9((_e674.member + 1u), _e674.member_1);
+                phi_1162_ = type_9(1u, _e674.member);
             } else {
-                phi_1122_ = _e659;
-                phi_1145_ = type_16(0u, type_16().member_1);
+                phi_1139_ = _e674;
+                phi_1162_ = type_9(0u, type_9().member_1);
             }
-            let _e671 = phi_1122_;
-            let _e673 = phi_1145_;
-            let _e677 = (bitcast<i32>(_e673.member) != 0i);
-            if _e677 {
-                let _e680 = local.member[_e673.member_1];
-                if (_e680 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1166_ = (_e680 > -(0.000000000000000000000000000000000000011754944f));
+            let _e686 = phi_1139_;
+            let _e688 = phi_1162_;
+            let _e692 = (bitcast<i32>(_e688.member) != 0i);
+            if _e692 {
+                let _e695 = local.member[_e688.member_1];
+                if (_e695 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1183_ = (_e695 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1166_ = false;
+                    phi_1183_ = false;
                 }
-                let _e685 = phi_1166_;
-                if _e685 {
-                    let _e691 = local_6.member[_e673.member_1];
-                    let _e693 = bitcast<u64>(-(_e691));
-                    let _e696 = u32((_e693 / 4294967296lu));
-                    if ((_e696 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1189_ = ((u32(_e693) | _e696) != 0u);
+                let _e700 = phi_1183_;
+                if _e700 {
+                    let _e706 = local_6.member[_e688.member_1];
+                    let _e708 = bitcast<u64>(-(_e706));
+                    let _e711 = u32((_e708 / 4294967296lu));
+                    if ((_e711 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1206_ = ((u32(_e708) | _e711) != 0u);
                     } else {
-                        phi_1189_ = false;
+                        phi_1206_ = false;
                     }
-                    let _e703 = phi_1189_;
-                    if _e703 {
-                        phi_1193_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e718 = phi_1206_;
+                    if _e718 {
+                        phi_1210_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1193_ = 0f;
+                        phi_1210_ = 0f;
                     }
-                    let _e705 = phi_1193_;
-                    phi_1202_ = -(_e705);
+                    let _e720 = phi_1210_;
+                    phi_1219_ = -(_e720);
                 } else {
-                    let _e688 = local.member[_e673.member_1];
-                    phi_1202_ = _e688;
+                    let _e703 = local.member[_e688.member_1];
+                    phi_1219_ = _e703;
                 }
-                let _e708 = phi_1202_;
-                local.member[_e673.member_1] = _e708;
-                let _e713 = local.member_1[_e673.member_1];
-                if (_e713 < 0.000000000000000000000000000000000000011754944f) {
-                    phi_1223_ = (_e713 > -(0.000000000000000000000000000000000000011754944f));
+                let _e723 = phi_1219_;
+                local.member[_e688.member_1] = _e723;
+                let _e728 = local.member_1[_e688.member_1];
+                if (_e728 < 0.000000000000000000000000000000000000011754944f) {
+                    phi_1240_ = (_e728 > -(0.000000000000000000000000000000000000011754944f));
                 } else {
-                    phi_1223_ = false;
+                    phi_1240_ = false;
                 }
-                let _e718 = phi_1223_;
-                if _e718 {
-                    let _e724 = local_6.member_1[_e673.member_1];
-                    let _e725 = bitcast<u64>(_e724);
-                    let _e728 = u32((_e725 / 4294967296lu));
-                    if ((_e728 >> bitcast<u32>(31i)) == 0u) {
-                        phi_1246_ = ((u32(_e725) | _e728) != 0u);
+                let _e733 = phi_1240_;
+                if _e733 {
+                    let _e739 = local_6.member_1[_e688.member_1];
+                    let _e740 = bitcast<u64>(_e739);
+                    let _e743 = u32((_e740 / 4294967296lu));
+                    if ((_e743 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1263_ = ((u32(_e740) | _e743) != 0u);
                     } else {
-                        phi_1246_ = false;
+                        phi_1263_ = false;
                     }
-                    let _e735 = phi_1246_;
-                    if _e735 {
-                        phi_1250_ = 0.000000000000000000000000000000000000011754944f;
+                    let _e750 = phi_1263_;
+                    if _e750 {
+                        phi_1267_ = 0.000000000000000000000000000000000000011754944f;
                     } else {
-                        phi_1250_ = 0f;
+                        phi_1267_ = 0f;
                     }
-                    let _e737 = phi_1250_;
-                    phi_1259_ = _e737;
+                    let _e752 = phi_1267_;
+                    phi_1276_ = _e752;
                 } else {
-                    let _e721 = local.member_1[_e673.member_1];
-                    phi_1259_ = _e721;
+                    let _e736 = local.member_1[_e688.member_1];
+                    phi_1276_ = _e736;
                 }
-                let _e739 = phi_1259_;
-                local.member_1[_e673.member_1] = _e739;
+                let _e754 = phi_1276_;
+                local.member_1[_e688.member_1] = _e754;
             }
             continue;
             continuing {
-                phi_1121_ = _e671;
-                break if !(_e677);
+                phi_1138_ = _e686;
+                break if !(_e692);
             }
         }
-        let _e743 = local;
-        boxes.member[_e52] = type_11(array<f32, 3>(_e743.member[0], _e743.member[1], _e743.member[2]), array<f32, 3>(_e743.member_1[0], _e743.member_1[1], _e743.member_1[2]));
+        let _e758 = local;
+        boxes.member[_e52] = type_19(array<f32, 3>(_e758.member[0], _e758.member[1], _e758.member[2]), array<f32, 3>(_e758.member_1[0], _e758.member_1[1], _e758.member_1[2]));
     }
     return;
 }

@@ -1,4 +1,5 @@
-struct type_7 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_6 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,53 +8,64 @@ struct type_7 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_7 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_8 {
-    member: type_7,
+    member: u32,
+    member_1: u32,
 }
 
 struct type_10 {
     member: array<u32>,
 }
 
-struct type_11 {
-    member: array<u32, 3>,
-    member_1: u32,
-}
-
 struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_15 {
-    member: u32,
-    member_1: u32,
-}
-
-struct type_17 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_14 {
+    member: array<u32, 3>,
+    member_1: u32,
+}
+
+struct type_16 {
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
+}
+
+struct type_17 {
+    member: type_6,
+    member_1: type_7,
+    member_2: type_16,
+}
+
+struct type_18 {
+    member: type_17,
 }
 
 struct type_20 {
+    member: array<type_13>,
+}
+
+struct type_22 {
+    member: array<type_14>,
+}
+
+struct type_23 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -61,274 +73,274 @@ struct type_20 {
     member_4: array<u32, 2>,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_24 {
-    member: array<type_15>,
+struct type_27 {
+    member: array<type_8>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_8;
+var<storage> params: type_18;
 @group(0) @binding(1) 
-var<storage> paths: type_19;
+var<storage> paths: type_20;
 @group(0) @binding(2) 
-var<storage> leaves: type_13;
+var<storage> leaves: type_22;
 @group(0) @binding(3) 
-var<storage> touches: type_22;
+var<storage> touches: type_25;
 @group(0) @binding(4) 
-var<storage> pairs: type_24;
+var<storage> pairs: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> out: type_10;
+var<storage, read_write> words: type_10;
 
 fn function_(lane_1: u32) {
-    var local: type_17;
-    var local_1: type_11;
-    var phi_122_: type_15;
-    var phi_123_: type_15;
-    var phi_146_: type_15;
-    var phi_169_: type_15;
-    var phi_170_: type_15;
-    var phi_193_: type_15;
-    var phi_284_: type_15;
-    var phi_285_: type_15;
-    var phi_308_: type_15;
-    var phi_354_: type_15;
-    var phi_355_: type_15;
-    var phi_378_: type_15;
-    var phi_388_: type_15;
-    var phi_389_: type_15;
-    var phi_412_: type_15;
-    var phi_504_: type_15;
-    var phi_505_: type_15;
-    var phi_528_: type_15;
-    var phi_563_: type_15;
-    var phi_564_: type_15;
-    var phi_587_: type_15;
+    var local: type_13;
+    var local_1: type_14;
+    var phi_128_: type_8;
+    var phi_129_: type_8;
+    var phi_152_: type_8;
+    var phi_175_: type_8;
+    var phi_176_: type_8;
+    var phi_199_: type_8;
+    var phi_250_: type_8;
+    var phi_251_: type_8;
+    var phi_274_: type_8;
+    var phi_346_: type_8;
+    var phi_347_: type_8;
+    var phi_370_: type_8;
+    var phi_380_: type_8;
+    var phi_381_: type_8;
+    var phi_404_: type_8;
+    var phi_511_: type_8;
+    var phi_512_: type_8;
+    var phi_535_: type_8;
+    var phi_570_: type_8;
+    var phi_571_: type_8;
+    var phi_594_: type_8;
     var lane_2: u32;
 
     lane_2 = lane_1;
     let _e52 = lane_2;
     if (_e52 == 0u) {
-        phi_122_ = type_15(0u, 3u);
+        phi_128_ = type_8(0u, 3u);
         loop {
-            let _e61 = phi_122_;
-            if (_e61.member < _e61.member_1) {
-                phi_123_ = type_15((_e61.member + 1u), _e61.member_1);
-                phi_146_ = type_15(1u, _e61.member);
+            let _e63 = phi_128_;
+            if (_e63.member < _e63.member_1) {
+                phi_129_ = type_8((_e63.member + 1u), _e63.member_1);
+                phi_152_ = type_8(1u, _e63.member);
             } else {
-                phi_123_ = _e61;
-                phi_146_ = type_15(0u, type_15().member_1);
+                phi_129_ = _e63;
+                phi_152_ = type_8(0u, type_8().member_1);
             }
-            let _e73 = phi_123_;
-            let _e75 = phi_146_;
-            let _e79 = (bitcast<i32>(_e75.member) != 0i);
-            if _e79 {
-                let _e82 = params.member.member[_e75.member_1];
-                out.member[_e75.member_1] = _e82;
+            let _e75 = phi_129_;
+            let _e77 = phi_152_;
+            let _e81 = (bitcast<i32>(_e77.member) != 0i);
+            if _e81 {
+                let _e85 = params.member.member.member[_e77.member_1];
+                words.member[_e77.member_1] = _e85;
             }
             continue;
             continuing {
-                phi_122_ = _e73;
-                break if !(_e79);
+                phi_128_ = _e75;
+                break if !(_e81);
             }
         }
-        let _e86 = params.member.member_1;
-        out.member[3u] = _e86;
-        phi_169_ = type_15(0u, 4u);
+        let _e90 = params.member.member.member_1;
+        words.member[3u] = _e90;
+        phi_175_ = type_8(0u, 4u);
         loop {
-            let _e89 = phi_169_;
-            if (_e89.member < _e89.member_1) {
-                phi_170_ = type_15((_e89.member + 1u), _e89.member_1);
-                phi_193_ = type_15(1u, _e89.member);
+            let _e93 = phi_175_;
+            if (_e93.member < _e93.member_1) {
+                phi_176_ = type_8((_e93.member + 1u), _e93.member_1);
+                phi_199_ = type_8(1u, _e93.member);
             } else {
-                phi_170_ = _e89;
-                phi_193_ = type_15(0u, type_15().member_1);
+                phi_176_ = _e93;
+                phi_199_ = type_8(0u, type_8().member_1);
             }
-            let _e101 = phi_170_;
-            let _e103 = phi_193_;
-            let _e107 = (bitcast<i32>(_e103.member) != 0i);
-            if _e107 {
-                let _e111 = params.member.member_2[_e103.member_1];
-                out.member[(4u + _e103.member_1)] = _e111;
+            let _e105 = phi_176_;
+            let _e107 = phi_199_;
+            let _e111 = (bitcast<i32>(_e107.member) != 0i);
+            if _e111 {
+                let _e116 = params.member.member.member_2[_e107.member_1];
+                words.member[(4u + _e107.member_1)] = _e116;
             }
             continue;
             continuing {
-                phi_169_ = _e101;
-                break if !(_e107);
+                phi_175_ = _e105;
+                break if !(_e111);
             }
         }
-        let _e115 = params.member.member_3;
-        out.member[8u] = bitcast<u32>(_e115);
-        let _e119 = params.member.member_4;
-        out.member[9u] = bitcast<u32>(_e119);
-        let _e123 = params.member.member_5;
-        out.member[10u] = bitcast<u32>(_e123);
-        let _e127 = params.member.member_6;
-        out.member[11u] = bitcast<u32>(_e127);
-        let _e132 = params.member.member_7[0u];
-        out.member[12u] = _e132;
-        let _e136 = params.member.member_7[1u];
-        out.member[13u] = _e136;
-        let _e139 = params.member.member_8;
-        out.member[14u] = _e139;
-        let _e142 = params.member.member_9;
-        out.member[15u] = _e142;
-        let _e145 = params.member.member_10;
-        out.member[16u] = _e145;
-        let _e148 = params.member.member_11;
-        out.member[17u] = _e148;
-        let _e151 = params.member.member_12;
-        out.member[18u] = _e151;
-        let _e154 = params.member.member_13;
-        out.member[19u] = _e154;
-        let _e157 = params.member.member_14;
-        out.member[20u] = _e157;
-        let _e160 = params.member.member_15;
-        out.member[21u] = _e160;
-        let _e163 = params.member.member_16;
-        out.member[22u] = _e163;
-        let _e166 = params.member.member_17;
-        out.member[23u] = _e166;
-        phi_284_ = type_15(0u, 3u);
+        let _e121 = params.member.member.member_3;
+        words.member[8u] = bitcast<u32>(_e121);
+        let _e126 = params.member.member.member_4;
+        words.member[9u] = bitcast<u32>(_e126);
+        let _e131 = params.member.member.member_5;
+        words.member[10u] = bitcast<u32>(_e131);
+        let _e136 = params.member.member.member_6;
+        words.member[11u] = bitcast<u32>(_e136);
+        let _e142 = params.member.member.member_7[0u];
+        words.member[12u] = _e142;
+        let _e147 = params.member.member.member_7[1u];
+        words.member[13u] = _e147;
+        phi_250_ = type_8(0u, 3u);
         loop {
-            let _e169 = phi_284_;
-            if (_e169.member < _e169.member_1) {
-                phi_285_ = type_15((_e169.member + 1u), _e169.member_1);
-                phi_308_ = type_15(1u, _e169.member);
+            let _e150 = phi_250_;
+            if (_e150.member < _e150.member_1) {
+                phi_251_ = type_8((_e150.member + 1u), _e150.member_1);
+                phi_274_ = type_8(1u, _e150.member);
             } else {
-                phi_285_ = _e169;
-                phi_308_ = type_15(0u, type_15().member_1);
+                phi_251_ = _e150;
+                phi_274_ = type_8(0u, type_8().member_1);
             }
-            let _e181 = phi_285_;
-            let _e183 = phi_308_;
-            let _e187 = (bitcast<i32>(_e183.member) != 0i);
-            if _e187 {
-                let _e193 = params.member.member_18[_e183.member_1][0u];
-                out.member[(24u + (2u * _e183.member_1))] = _e193;
-                let _e200 = params.member.member_18[_e183.member_1][1u];
-                out.member[(25u + (2u * _e183.member_1))] = _e200;
+            let _e162 = phi_251_;
+            let _e164 = phi_274_;
+            let _e168 = (bitcast<i32>(_e164.member) != 0i);
+            if _e168 {
+                let _e175 = params.member.member.member_8[_e164.member_1][0u];
+                words.member[(14u + (2u * _e164.member_1))] = _e175;
+                let _e183 = params.member.member.member_8[_e164.member_1][1u];
+                words.member[(15u + (2u * _e164.member_1))] = _e183;
             }
             continue;
             continuing {
-                phi_284_ = _e181;
-                break if !(_e187);
+                phi_250_ = _e162;
+                break if !(_e168);
             }
         }
-        let _e205 = params.member.member_19[0u];
-        out.member[30u] = _e205;
-        let _e209 = params.member.member_19[1u];
-        out.member[31u] = _e209;
-        phi_354_ = type_15(0u, 8u);
+        let _e189 = params.member.member.member_9[0u];
+        words.member[20u] = _e189;
+        let _e194 = params.member.member.member_9[1u];
+        words.member[21u] = _e194;
+        let _e199 = params.member.member.member_10[0u];
+        words.member[22u] = _e199;
+        let _e204 = params.member.member.member_10[1u];
+        words.member[23u] = _e204;
+        let _e207 = params.member.member_1.member;
+        words.member[24u] = _e207;
+        let _e210 = params.member.member_1.member_1;
+        words.member[25u] = _e210;
+        let _e213 = params.member.member_1.member_2;
+        words.member[26u] = _e213;
+        let _e216 = params.member.member_1.member_3;
+        words.member[27u] = _e216;
+        phi_346_ = type_8(0u, 8u);
         loop {
-            let _e212 = phi_354_;
-            if (_e212.member < _e212.member_1) {
-                phi_355_ = type_15((_e212.member + 1u), _e212.member_1);
-                phi_378_ = type_15(1u, _e212.member);
+            let _e219 = phi_346_;
+            if (_e219.member < _e219.member_1) {
+                phi_347_ = type_8((_e219.member + 1u), _e219.member_1);
+                phi_370_ = type_8(1u, _e219.member);
             } else {
-                phi_355_ = _e212;
-                phi_378_ = type_15(0u, type_15().member_1);
+                phi_347_ = _e219;
+                phi_370_ = type_8(0u, type_8().member_1);
             }
-            let _e224 = phi_355_;
-            let _e226 = phi_378_;
-            let _e230 = (bitcast<i32>(_e226.member) != 0i);
-            if _e230 {
-                phi_388_ = type_15(0u, 4u);
+            let _e231 = phi_347_;
+            let _e233 = phi_370_;
+            let _e237 = (bitcast<i32>(_e233.member) != 0i);
+            if _e237 {
+                phi_380_ = type_8(0u, 4u);
                 loop {
-                    let _e232 = phi_388_;
-                    if (_e232.member < _e232.member_1) {
-                        phi_389_ = type_15((_e232.member + 1u), _e232.member_1);
-                        phi_412_ = type_15(1u, _e232.member);
+                    let _e239 = phi_380_;
+                    if (_e239.member < _e239.member_1) {
+                        phi_381_ = type_8((_e239.member + 1u), _e239.member_1);
+                        phi_404_ = type_8(1u, _e239.member);
                     } else {
-                        phi_389_ = _e232;
-                        phi_412_ = type_15(0u, type_15().member_1);
+                        phi_381_ = _e239;
+                        phi_404_ = type_8(0u, type_8().member_1);
                     }
-                    let _e244 = phi_389_;
-                    let _e246 = phi_412_;
-                    let _e250 = (bitcast<i32>(_e246.member) != 0i);
-                    if _e250 {
-                        let _e257 = params.member.member_20[_e226.member_1][_e246.member_1];
-                        out.member[((32u + (4u * _e226.member_1)) + _e246.member_1)] = _e257;
+                    let _e251 = phi_381_;
+                    let _e253 = phi_404_;
+                    let _e257 = (bitcast<i32>(_e253.member) != 0i);
+                    if _e257 {
+                        let _e264 = params.member.member_2.member[_e233.member_1][_e253.member_1];
+                        words.member[((28u + (4u * _e233.member_1)) + _e253.member_1)] = _e264;
                     }
                     continue;
                     continuing {
-                        phi_388_ = _e244;
-                        break if !(_e250);
+                        phi_380_ = _e251;
+                        break if !(_e257);
                     }
                 }
             }
             continue;
             continuing {
-                phi_354_ = _e224;
-                break if !(_e230);
+                phi_346_ = _e231;
+                break if !(_e237);
             }
         }
-        let _e262 = paths.member[1u];
-        local = type_17(array<f32, 4>(_e262.member[0], _e262.member[1], _e262.member[2], _e262.member[3]), array<f32, 4>(_e262.member_1[0], _e262.member_1[1], _e262.member_1[2], _e262.member_1[3]));
-        let _e277 = leaves.member[1u];
-        local_1 = type_11(array<u32, 3>(_e277.member[0], _e277.member[1], _e277.member[2]), _e277.member_1);
-        let _e286 = touches.member[1u];
-        let _e289 = pairs.member[1u].member;
-        let _e291 = pairs.member[1u].member_1;
-        phi_504_ = type_15(0u, 4u);
+        let _e269 = params.member.member_2.member_1;
+        words.member[60u] = _e269;
+        let _e272 = params.member.member_2.member_2;
+        words.member[61u] = _e272;
+        let _e275 = params.member.member_2.member_3;
+        words.member[62u] = _e275;
+        let _e278 = params.member.member_2.member_4;
+        words.member[63u] = _e278;
+        let _e281 = paths.member[1u];
+        local = type_13(array<f32, 4>(_e281.member[0], _e281.member[1], _e281.member[2], _e281.member[3]), array<f32, 4>(_e281.member_1[0], _e281.member_1[1], _e281.member_1[2], _e281.member_1[3]));
+        let _e296 = leaves.member[1u];
+        local_1 = type_14(array<u32, 3>(_e296.member[0], _e296.member[1], _e296.member[2]), _e296.member_1);
+        let _e305 = touches.member[1u];
+        let _e308 = pairs.member[1u].member;
+        let _e310 = pairs.member[1u].member_1;
+        phi_511_ = type_8(0u, 4u);
         loop {
-            let _e293 = phi_504_;
-            if (_e293.member < _e293.member_1) {
-                phi_505_ = type_15((_e293.member + 1u), _e293.member_1);
-                phi_528_ = type_15(1u, _e293.member);
+            let _e312 = phi_511_;
+            if (_e312.member < _e312.member_1) {
+                phi_512_ = type_8((_e312.member + 1u), _e312.member_1);
+                phi_535_ = type_8(1u, _e312.member);
             } else {
-                phi_505_ = _e293;
-                phi_528_ = type_15(0u, type_15().member_1);
+                phi_512_ = _e312;
+                phi_535_ = type_8(0u, type_8().member_1);
             }
-            let _e305 = phi_505_;
-            let _e307 = phi_528_;
-            let _e311 = (bitcast<i32>(_e307.member) != 0i);
-            if _e311 {
-                let _e315 = local.member[_e307.member_1];
-                out.member[(64u + _e307.member_1)] = bitcast<u32>(_e315);
-                let _e321 = local.member_1[_e307.member_1];
-                out.member[(68u + _e307.member_1)] = bitcast<u32>(_e321);
+            let _e324 = phi_512_;
+            let _e326 = phi_535_;
+            let _e330 = (bitcast<i32>(_e326.member) != 0i);
+            if _e330 {
+                let _e334 = local.member[_e326.member_1];
+                words.member[(64u + _e326.member_1)] = bitcast<u32>(_e334);
+                let _e340 = local.member_1[_e326.member_1];
+                words.member[(68u + _e326.member_1)] = bitcast<u32>(_e340);
             }
             continue;
             continuing {
-                phi_504_ = _e305;
-                break if !(_e311);
+                phi_511_ = _e324;
+                break if !(_e330);
             }
         }
-        phi_563_ = type_15(0u, 3u);
+        phi_570_ = type_8(0u, 3u);
         loop {
-            let _e326 = phi_563_;
-            if (_e326.member < _e326.member_1) {
-                phi_564_ = type_15((_e326.member + 1u), _e326.member_1);
-                phi_587_ = type_15(1u, _e326.member);
+            let _e345 = phi_570_;
+            if (_e345.member < _e345.member_1) {
+                phi_571_ = type_8((_e345.member + 1u), _e345.member_1);
+                phi_594_ = type_8(1u, _e345.member);
             } else {
-                phi_564_ = _e326;
-                phi_587_ = type_15(0u, type_15().member_1);
+                phi_571_ = _e345;
+                phi_594_ = type_8(0u, type_8().member_1);
             }
-            let _e338 = phi_564_;
-            let _e340 = phi_587_;
-            let _e344 = (bitcast<i32>(_e340.member) != 0i);
-            if _e344 {
-                let _e348 = local_1.member[_e340.member_1];
-                out.member[(72u + _e340.member_1)] = _e348;
+            let _e357 = phi_571_;
+            let _e359 = phi_594_;
+            let _e363 = (bitcast<i32>(_e359.member) != 0i);
+            if _e363 {
+                let _e367 = local_1.member[_e359.member_1];
+                words.member[(72u + _e359.member_1)] = _e367;
             }
             continue;
             continuing {
-                phi_563_ = _e338;
-                break if !(_e344);
+                phi_570_ = _e357;
+                break if !(_e363);
             }
         }
-        let _e352 = local_1.member_1;
-        out.member[75u] = _e352;
-        out.member[76u] = _e286.member;
-        out.member[77u] = _e286.member_1;
-        out.member[78u] = _e286.member_2;
-        out.member[79u] = _e286.member_3;
-        out.member[80u] = _e286.member_4[0];
-        out.member[81u] = _e286.member_4[1];
-        out.member[82u] = _e289;
-        out.member[83u] = _e291;
+        let _e371 = local_1.member_1;
+        words.member[75u] = _e371;
+        words.member[76u] = _e305.member;
+        words.member[77u] = _e305.member_1;
+        words.member[78u] = _e305.member_2;
+        words.member[79u] = _e305.member_3;
+        words.member[80u] = _e305.member_4[0];
+        words.member[81u] = _e305.member_4[1];
+        words.member[82u] = _e308;
+        words.member[83u] = _e310;
     }
     return;
 }

@@ -1,36 +1,37 @@
-struct type_5 {
-    member: array<array<u32, 2>>,
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_8 {
+    member: array<array<u32, 24>>,
 }
 
-struct type_8 {
+struct type_9 {
     member: i32,
     member_1: i32,
 }
 
-struct type_9 {
+struct type_10 {
     member: u32,
     member_1: i32,
 }
 
 struct type_12 {
-    member: array<array<u32, 24>>,
+    member: array<array<u32, 2>>,
 }
 
 @group(0) @binding(1) 
-var<storage, read_write> out: type_12;
+var<storage, read_write> results: type_8;
 @group(0) @binding(0) 
-var<storage> inputs: type_5;
+var<storage> inputs: type_12;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_108_: f32;
     var phi_114_: f32;
     var phi_120_: f32;
-    var phi_148_: type_8;
+    var phi_148_: type_9;
     var phi_151_: f32;
     var phi_172_: bool;
-    var phi_178_: type_9;
-    var phi_149_: type_8;
-    var phi_192_: type_9;
+    var phi_178_: type_10;
+    var phi_149_: type_9;
+    var phi_192_: type_10;
     var phi_152_: f32;
     var local: f32;
     var phi_141_: f32;
@@ -92,7 +93,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e137 = phi_141_;
             phi_205_ = _e137;
         } else {
-            phi_148_ = type_8(0i, 5i);
+            phi_148_ = type_9(0i, 5i);
             phi_151_ = bitcast<f32>(((bitcast<u32>(_e54) >> bitcast<u32>(1i)) + 532369198u));
             loop {
                 let _e92 = phi_148_;
@@ -107,16 +108,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e106 = phi_172_;
                     if _e106 {
-                        phi_178_ = type_9(0u, type_9().member_1);
+                        phi_178_ = type_10(0u, type_10().member_1);
                     } else {
-                        phi_178_ = type_9(1u, _e101);
+                        phi_178_ = type_10(1u, _e101);
                     }
                     let _e111 = phi_178_;
-                    phi_149_ = type_8(_e111.member_1, _e92.member_1);
-                    phi_192_ = type_9(1u, _e92.member);
+                    phi_149_ = type_9(_e111.member_1, _e92.member_1);
+                    phi_192_ = type_10(1u, _e92.member);
                 } else {
                     phi_149_ = _e92;
-                    phi_192_ = type_9(0u, type_9().member_1);
+                    phi_192_ = type_10(0u, type_10().member_1);
                 }
                 let _e117 = phi_149_;
                 let _e119 = phi_192_;
@@ -226,7 +227,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             phi_316_ = ~(_e51[0]);
         }
         let _e218 = phi_316_;
-        out.member[_e48] = array<u32, 24>(bitcast<u32>((_e54 + _e55)), bitcast<u32>((_e54 - _e55)), bitcast<u32>((_e54 * _e55)), bitcast<u32>((_e54 / _e55)), bitcast<u32>(-(_e54)), bitcast<u32>(_e69), bitcast<u32>(_e73), bitcast<u32>(_e77), select(0u, 1u, (_e54 < _e55)), select(0u, 1u, (_e54 <= _e55)), select(0u, 1u, (_e54 == _e55)), bitcast<u32>(_e139), bitcast<u32>(_e158), bitcast<u32>(-(_e178)), select(0u, 1u, ((bitcast<u32>(_e54) & 2139095040u) != 2139095040u)), _e201, bitcast<u32>(f32(_e51[0])), _e211, bitcast<u32>(bitcast<f32>(_e218)), select((bitcast<u32>(31i) - firstLeadingBit(_e51[0])), 32u, (_e51[0] == 0u)), select(firstTrailingBit(_e51[0]), 32u, (_e51[0] == 0u)), countOneBits(_e51[0]), (_e51[0] * _e51[1]), ((_e51[0] << bitcast<u32>(((_e51[1] & 31u) & 31u))) ^ (_e51[0] >> bitcast<u32>(((_e51[1] & 31u) & 31u)))));
+        results.member[_e48] = array<u32, 24>(bitcast<u32>((_e54 + _e55)), bitcast<u32>((_e54 - _e55)), bitcast<u32>((_e54 * _e55)), bitcast<u32>((_e54 / _e55)), bitcast<u32>(-(_e54)), bitcast<u32>(_e69), bitcast<u32>(_e73), bitcast<u32>(_e77), select(0u, 1u, (_e54 < _e55)), select(0u, 1u, (_e54 <= _e55)), select(0u, 1u, (_e54 == _e55)), bitcast<u32>(_e139), bitcast<u32>(_e158), bitcast<u32>(-(_e178)), select(0u, 1u, ((bitcast<u32>(_e54) & 2139095040u) != 2139095040u)), _e201, bitcast<u32>(f32(_e51[0])), _e211, bitcast<u32>(bitcast<f32>(_e218)), select((bitcast<u32>(31i) - firstLeadingBit(_e51[0])), 32u, (_e51[0] == 0u)), select(firstTrailingBit(_e51[0]), 32u, (_e51[0] == 0u)), countOneBits(_e51[0]), (_e51[0] * _e51[1]), ((_e51[0] << bitcast<u32>(((_e51[1] & 31u) & 31u))) ^ (_e51[0] >> bitcast<u32>(((_e51[1] & 31u) & 31u)))));
     }
     return;
 }

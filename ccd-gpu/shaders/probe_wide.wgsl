@@ -1,30 +1,31 @@
-struct type_6 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_7 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
-struct type_15 {
+struct type_11 {
     member: array<array<u32, 4>>,
 }
 
-struct type_17 {
+struct type_13 {
     member: array<array<u32, 24>>,
 }
 
+struct type_16 {
+    member: i32,
+    member_1: i32,
+}
+
+struct type_17 {
+    member: u32,
+    member_1: i32,
+}
+
 @group(0) @binding(0) 
-var<storage> inputs: type_15;
+var<storage> inputs: type_11;
 @group(0) @binding(1) 
-var<storage, read_write> out: type_17;
+var<storage, read_write> results: type_13;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 24>;
@@ -32,12 +33,12 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_151_: f64;
     var phi_161_: f64;
     var phi_171_: f64;
-    var phi_202_: type_6;
+    var phi_202_: type_16;
     var phi_205_: f64;
     var phi_226_: bool;
-    var phi_232_: type_7;
-    var phi_203_: type_6;
-    var phi_246_: type_7;
+    var phi_232_: type_17;
+    var phi_203_: type_16;
+    var phi_246_: type_17;
     var phi_206_: f64;
     var local_2: f64;
     var phi_195_: f64;
@@ -55,9 +56,9 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_372_: f32;
     var phi_373_: f32;
     var phi_375_: f32;
-    var phi_432_: type_8;
-    var phi_433_: type_8;
-    var phi_456_: type_8;
+    var phi_432_: type_4;
+    var phi_433_: type_4;
+    var phi_456_: type_4;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -107,7 +108,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             let _e175 = phi_195_;
             phi_259_ = _e175;
         } else {
-            phi_202_ = type_6(0i, 5i);
+            phi_202_ = type_16(0i, 5i);
             phi_205_ = bitcast<f64>(((bitcast<u64>(_e70) / 2lu) + 2303426169912950784lu));
             loop {
                 let _e130 = phi_202_;
@@ -122,16 +123,16 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                     }
                     let _e144 = phi_226_;
                     if _e144 {
-                        phi_232_ = type_7(0u, type_7().member_1);
+                        phi_232_ = type_17(0u, type_17().member_1);
                     } else {
-                        phi_232_ = type_7(1u, _e139);
+                        phi_232_ = type_17(1u, _e139);
                     }
                     let _e149 = phi_232_;
-                    phi_203_ = type_6(_e149.member_1, _e130.member_1);
-                    phi_246_ = type_7(1u, _e130.member);
+                    phi_203_ = type_16(_e149.member_1, _e130.member_1);
+                    phi_246_ = type_17(1u, _e130.member);
                 } else {
                     phi_203_ = _e130;
-                    phi_246_ = type_7(0u, type_7().member_1);
+                    phi_246_ = type_17(0u, type_17().member_1);
                 }
                 let _e155 = phi_203_;
                 let _e157 = phi_246_;
@@ -253,15 +254,15 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         local_1[10u] = array<u32, 2>(u32(_e224), u32((_e224 / 4294967296lu)));
         local_1[11u] = array<u32, 2>(bitcast<u32>(_e252), select(0u, 1u, ((bitcast<u64>(_e70) & 9218868437227405312lu) != 9218868437227405312lu)));
         local = array<u32, 24>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-        phi_432_ = type_8(0u, 12u);
+        phi_432_ = type_4(0u, 12u);
         loop {
             let _e283 = phi_432_;
             if (_e283.member < _e283.member_1) {
-                phi_433_ = type_8((_e283.member + 1u), _e283.member_1);
-                phi_456_ = type_8(1u, _e283.member);
+                phi_433_ = type_4((_e283.member + 1u), _e283.member_1);
+                phi_456_ = type_4(1u, _e283.member);
             } else {
                 phi_433_ = _e283;
-                phi_456_ = type_8(0u, type_8().member_1);
+                phi_456_ = type_4(0u, type_4().member_1);
             }
             let _e295 = phi_433_;
             let _e297 = phi_456_;
@@ -279,7 +280,7 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
             }
         }
         let _e314 = local;
-        out.member[_e60] = array<u32, 24>(_e314[0], _e314[1], _e314[2], _e314[3], _e314[4], _e314[5], _e314[6], _e314[7], _e314[8], _e314[9], _e314[10], _e314[11], _e314[12], _e314[13], _e314[14], _e314[15], _e314[16], _e314[17], _e314[18], _e314[19], _e314[20], _e314[21], _e314[22], _e314[23]);
+        results.member[_e60] = array<u32, 24>(_e314[0], _e314[1], _e314[2], _e314[3], _e314[4], _e314[5], _e314[6], _e314[7], _e314[8], _e314[9], _e314[10], _e314[11], _e314[12], _e314[13], _e314[14], _e314[15], _e314[16], _e314[17], _e314[18], _e314[19], _e314[20], _e314[21], _e314[22], _e314[23]);
     }
     return;
 }

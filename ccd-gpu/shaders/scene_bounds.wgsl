@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,98 +8,105 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_17 {
-    member: i32,
-    member_1: i32,
-}
-
-struct type_18 {
-    member: u32,
-    member_1: i32,
-}
-
-struct type_19 {
     member: u32,
     member_1: u32,
 }
 
-struct type_22 {
+struct type_12 {
+    member: i32,
+    member_1: i32,
+}
+
+struct type_13 {
+    member: u32,
+    member_1: i32,
+}
+
+struct type_15 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_17 {
+    member: array<type_15>,
+}
+
+struct type_18 {
+    member: u32,
+}
+
+struct type_19 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_18,
+}
+
+struct type_20 {
+    member: type_19,
+}
+
+struct type_24 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_20;
 @group(0) @binding(1) 
-var<storage> boxes: type_13;
-var<workgroup> shared_: array<type_11, 256>;
+var<storage> boxes: type_17;
 @group(0) @binding(2) 
-var<storage, read_write> words: type_22;
+var<storage, read_write> words: type_24;
+var<workgroup> shared_: array<type_15, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_11;
-    var phi_98_: type_19;
-    var phi_101_: type_11;
-    var phi_99_: type_19;
-    var phi_124_: type_19;
-    var phi_154_: f32;
-    var phi_161_: f32;
-    var phi_168_: f32;
-    var phi_176_: f32;
-    var phi_183_: f32;
-    var phi_190_: f32;
-    var phi_193_: type_11;
-    var phi_102_: type_11;
-    var local_1: type_11;
-    var local_2: type_11;
-    var local_3: type_11;
-    var local_4: type_11;
-    var phi_231_: type_17;
-    var phi_234_: u32;
-    var phi_255_: bool;
-    var phi_261_: type_18;
-    var phi_232_: type_17;
-    var phi_275_: type_18;
-    var phi_307_: f32;
-    var phi_315_: f32;
-    var phi_323_: f32;
-    var phi_333_: f32;
-    var phi_342_: f32;
-    var phi_351_: f32;
-    var phi_235_: u32;
-    var phi_396_: type_19;
-    var phi_397_: type_19;
-    var phi_420_: type_19;
-    var phi_466_: u32;
-    var phi_447_: u32;
-    var phi_467_: u32;
+    var local: type_15;
+    var phi_101_: type_9;
+    var phi_104_: type_15;
+    var phi_102_: type_9;
+    var phi_127_: type_9;
+    var phi_157_: f32;
+    var phi_164_: f32;
+    var phi_171_: f32;
+    var phi_179_: f32;
+    var phi_186_: f32;
+    var phi_193_: f32;
+    var phi_196_: type_15;
+    var phi_105_: type_15;
+    var local_1: type_15;
+    var local_2: type_15;
+    var local_3: type_15;
+    var local_4: type_15;
+    var phi_234_: type_12;
+    var phi_237_: u32;
+    var phi_258_: bool;
+    var phi_264_: type_13;
+    var phi_235_: type_12;
+    var phi_278_: type_13;
+    var phi_310_: f32;
+    var phi_318_: f32;
+    var phi_326_: f32;
+    var phi_336_: f32;
+    var phi_345_: f32;
+    var phi_354_: f32;
+    var phi_238_: u32;
+    var phi_399_: type_9;
+    var phi_400_: type_9;
+    var phi_423_: type_9;
+    var phi_469_: u32;
+    var phi_450_: u32;
+    var phi_470_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -109,221 +117,221 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e29 = id_2;
     let _e30 = n_2;
     let _e31 = lane_2;
-    let _e43 = params.member.member_17;
-    phi_98_ = type_19(0u, 8u);
-    phi_101_ = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+    let _e44 = params.member.member_1.member;
+    phi_101_ = type_9(0u, 8u);
+    phi_104_ = type_15(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
     loop {
-        let _e45 = phi_98_;
-        let _e47 = phi_101_;
-        local_1 = _e47;
-        local_2 = _e47;
-        local_3 = _e47;
-        local_4 = _e47;
-        if (_e45.member < _e45.member_1) {
-            phi_99_ = type_19((_e45.member + 1u), _e45.member_1);
-            phi_124_ = type_19(1u, _e45.member);
+        let _e46 = phi_101_;
+        let _e48 = phi_104_;
+        local_1 = _e48;
+        local_2 = _e48;
+        local_3 = _e48;
+        local_4 = _e48;
+        if (_e46.member < _e46.member_1) {
+            phi_102_ = type_9((_e46.member + 1u), _e46.member_1);
+            phi_127_ = type_9(1u, _e46.member);
         } else {
-            phi_99_ = _e45;
-            phi_124_ = type_19(0u, type_19().member_1);
+            phi_102_ = _e46;
+            phi_127_ = type_9(0u, type_9().member_1);
         }
-        let _e59 = phi_99_;
-        let _e61 = phi_124_;
-        let _e65 = (bitcast<i32>(_e61.member) != 0i);
-        if _e65 {
-            let _e67 = (((((_e29.y * _e30.x) + _e29.x) * 2048u) + _e31) + (_e61.member_1 * 256u));
-            if (_e67 < _e43) {
-                let _e70 = boxes.member[_e67];
-                if (_e47.member[0] < _e70.member[0]) {
-                    phi_154_ = _e47.member[0];
+        let _e60 = phi_102_;
+        let _e62 = phi_127_;
+        let _e66 = (bitcast<i32>(_e62.member) != 0i);
+        if _e66 {
+            let _e68 = (((((_e29.y * _e30.x) + _e29.x) * 2048u) + _e31) + (_e62.member_1 * 256u));
+            if (_e68 < _e44) {
+                let _e71 = boxes.member[_e68];
+                if (_e48.member[0] < _e71.member[0]) {
+                    phi_157_ = _e48.member[0];
                 } else {
-                    phi_154_ = _e70.member[0];
+                    phi_157_ = _e71.member[0];
                 }
-                let _e77 = phi_154_;
-                if (_e47.member[1] < _e70.member[1]) {
-                    phi_161_ = _e47.member[1];
+                let _e78 = phi_157_;
+                if (_e48.member[1] < _e71.member[1]) {
+                    phi_164_ = _e48.member[1];
                 } else {
-                    phi_161_ = _e70.member[1];
+                    phi_164_ = _e71.member[1];
                 }
-                let _e84 = phi_161_;
-                if (_e47.member[2] < _e70.member[2]) {
-                    phi_168_ = _e47.member[2];
+                let _e85 = phi_164_;
+                if (_e48.member[2] < _e71.member[2]) {
+                    phi_171_ = _e48.member[2];
                 } else {
-                    phi_168_ = _e70.member[2];
+                    phi_171_ = _e71.member[2];
                 }
-                let _e91 = phi_168_;
-                if (_e47.member_1[0] > _e70.member_1[0]) {
-                    phi_176_ = _e47.member_1[0];
+                let _e92 = phi_171_;
+                if (_e48.member_1[0] > _e71.member_1[0]) {
+                    phi_179_ = _e48.member_1[0];
                 } else {
-                    phi_176_ = _e70.member_1[0];
+                    phi_179_ = _e71.member_1[0];
                 }
-                let _e99 = phi_176_;
-                if (_e47.member_1[1] > _e70.member_1[1]) {
-                    phi_183_ = _e47.member_1[1];
+                let _e100 = phi_179_;
+                if (_e48.member_1[1] > _e71.member_1[1]) {
+                    phi_186_ = _e48.member_1[1];
                 } else {
-                    phi_183_ = _e70.member_1[1];
+                    phi_186_ = _e71.member_1[1];
                 }
-                let _e106 = phi_183_;
-                if (_e47.member_1[2] > _e70.member_1[2]) {
-                    phi_190_ = _e47.member_1[2];
+                let _e107 = phi_186_;
+                if (_e48.member_1[2] > _e71.member_1[2]) {
+                    phi_193_ = _e48.member_1[2];
                 } else {
-                    phi_190_ = _e70.member_1[2];
+                    phi_193_ = _e71.member_1[2];
                 }
-                let _e113 = phi_190_;
-                phi_193_ = type_11(array<f32, 3>(_e77, _e84, _e91), array<f32, 3>(_e99, _e106, _e113));
+                let _e114 = phi_193_;
+                phi_196_ = type_15(array<f32, 3>(_e78, _e85, _e92), array<f32, 3>(_e100, _e107, _e114));
             } else {
-                phi_193_ = _e47;
+                phi_196_ = _e48;
             }
-            let _e117 = phi_193_;
-            phi_102_ = _e117;
+            let _e118 = phi_196_;
+            phi_105_ = _e118;
         } else {
-            phi_102_ = type_11();
+            phi_105_ = type_15();
         }
-        let _e119 = phi_102_;
+        let _e120 = phi_105_;
         continue;
         continuing {
-            phi_98_ = _e59;
-            phi_101_ = _e119;
-            break if !(_e65);
+            phi_101_ = _e60;
+            phi_104_ = _e120;
+            break if !(_e66);
         }
     }
-    let _e122 = local_1;
-    let _e129 = local_2;
-    local = type_11(array<f32, 3>(_e122.member[0], _e122.member[1], _e122.member[2]), array<f32, 3>(_e129.member_1[0], _e129.member_1[1], _e129.member_1[2]));
-    let _e138 = local_3;
-    let _e145 = local_4;
-    shared_[_e31] = type_11(array<f32, 3>(_e138.member[0], _e138.member[1], _e138.member[2]), array<f32, 3>(_e145.member_1[0], _e145.member_1[1], _e145.member_1[2]));
-    phi_231_ = type_17(0i, 8i);
-    phi_234_ = 128u;
+    let _e123 = local_1;
+    let _e130 = local_2;
+    local = type_15(array<f32, 3>(_e123.member[0], _e123.member[1], _e123.member[2]), array<f32, 3>(_e130.member_1[0], _e130.member_1[1], _e130.member_1[2]));
+    let _e139 = local_3;
+    let _e146 = local_4;
+    shared_[_e31] = type_15(array<f32, 3>(_e139.member[0], _e139.member[1], _e139.member[2]), array<f32, 3>(_e146.member_1[0], _e146.member_1[1], _e146.member_1[2]));
+    phi_234_ = type_12(0i, 8i);
+    phi_237_ = 128u;
     loop {
-        let _e153 = phi_231_;
-        let _e155 = phi_234_;
-        if (_e153.member < _e153.member_1) {
-            let _e162 = (_e153.member + 1i);
-            if ((false == (_e162 > _e153.member)) != false) {
-                phi_255_ = true;
+        let _e154 = phi_234_;
+        let _e156 = phi_237_;
+        if (_e154.member < _e154.member_1) {
+            let _e163 = (_e154.member + 1i);
+            if ((false == (_e163 > _e154.member)) != false) {
+                phi_258_ = true;
             } else {
-                phi_255_ = false;
+                phi_258_ = false;
             }
-            let _e167 = phi_255_;
-            if _e167 {
-                phi_261_ = type_18(0u, type_18().member_1);
+            let _e168 = phi_258_;
+            if _e168 {
+                phi_264_ = type_13(0u, type_13().member_1);
             } else {
-                phi_261_ = type_18(1u, _e162);
+                phi_264_ = type_13(1u, _e163);
             }
-            let _e172 = phi_261_;
-            phi_232_ = type_17(_e172.member_1, _e153.member_1);
-            phi_275_ = type_18(1u, _e153.member);
+            let _e173 = phi_264_;
+            phi_235_ = type_12(_e173.member_1, _e154.member_1);
+            phi_278_ = type_13(1u, _e154.member);
         } else {
-            phi_232_ = _e153;
-            phi_275_ = type_18(0u, type_18().member_1);
+            phi_235_ = _e154;
+            phi_278_ = type_13(0u, type_13().member_1);
         }
-        let _e178 = phi_232_;
-        let _e180 = phi_275_;
-        let _e183 = (bitcast<i32>(_e180.member) != 0i);
-        if _e183 {
+        let _e179 = phi_235_;
+        let _e181 = phi_278_;
+        let _e184 = (bitcast<i32>(_e181.member) != 0i);
+        if _e184 {
             workgroupBarrier();
-            if (_e31 < _e155) {
-                let _e187 = shared_[(_e31 + _e155)];
-                let _e198 = local.member[0u];
-                if (_e198 < _e187.member[0]) {
-                    phi_307_ = _e198;
+            if (_e31 < _e156) {
+                let _e188 = shared_[(_e31 + _e156)];
+                let _e199 = local.member[0u];
+                if (_e199 < _e188.member[0]) {
+                    phi_310_ = _e199;
                 } else {
-                    phi_307_ = _e187.member[0];
+                    phi_310_ = _e188.member[0];
                 }
-                let _e201 = phi_307_;
-                let _e204 = local.member[1u];
-                if (_e204 < _e187.member[1]) {
-                    phi_315_ = _e204;
+                let _e202 = phi_310_;
+                let _e205 = local.member[1u];
+                if (_e205 < _e188.member[1]) {
+                    phi_318_ = _e205;
                 } else {
-                    phi_315_ = _e187.member[1];
+                    phi_318_ = _e188.member[1];
                 }
-                let _e207 = phi_315_;
-                let _e210 = local.member[2u];
-                if (_e210 < _e187.member[2]) {
-                    phi_323_ = _e210;
+                let _e208 = phi_318_;
+                let _e211 = local.member[2u];
+                if (_e211 < _e188.member[2]) {
+                    phi_326_ = _e211;
                 } else {
-                    phi_323_ = _e187.member[2];
+                    phi_326_ = _e188.member[2];
                 }
-                let _e213 = phi_323_;
-                let _e216 = local.member_1[0u];
-                if (_e216 > _e187.member_1[0]) {
-                    phi_333_ = _e216;
+                let _e214 = phi_326_;
+                let _e217 = local.member_1[0u];
+                if (_e217 > _e188.member_1[0]) {
+                    phi_336_ = _e217;
                 } else {
-                    phi_333_ = _e187.member_1[0];
+                    phi_336_ = _e188.member_1[0];
                 }
-                let _e219 = phi_333_;
-                let _e222 = local.member_1[1u];
-                if (_e222 > _e187.member_1[1]) {
-                    phi_342_ = _e222;
+                let _e220 = phi_336_;
+                let _e223 = local.member_1[1u];
+                if (_e223 > _e188.member_1[1]) {
+                    phi_345_ = _e223;
                 } else {
-                    phi_342_ = _e187.member_1[1];
+                    phi_345_ = _e188.member_1[1];
                 }
-                let _e225 = phi_342_;
-                let _e228 = local.member_1[2u];
-                if (_e228 > _e187.member_1[2]) {
-                    phi_351_ = _e228;
+                let _e226 = phi_345_;
+                let _e229 = local.member_1[2u];
+                if (_e229 > _e188.member_1[2]) {
+                    phi_354_ = _e229;
                 } else {
-                    phi_351_ = _e187.member_1[2];
+                    phi_354_ = _e188.member_1[2];
                 }
-                let _e231 = phi_351_;
-                local = type_11(array<f32, 3>(_e201, _e207, _e213), array<f32, 3>(_e219, _e225, _e231));
-                shared_[_e31] = type_11(array<f32, 3>(_e201, _e207, _e213), array<f32, 3>(_e219, _e225, _e231));
+                let _e232 = phi_354_;
+                local = type_15(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
+                shared_[_e31] = type_15(array<f32, 3>(_e202, _e208, _e214), array<f32, 3>(_e220, _e226, _e232));
             }
-            phi_235_ = (_e155 / 2u);
+            phi_238_ = (_e156 / 2u);
         } else {
-            phi_235_ = u32();
+            phi_238_ = u32();
         }
-        let _e241 = phi_235_;
+        let _e242 = phi_238_;
         continue;
         continuing {
-            phi_231_ = _e178;
-            phi_234_ = _e241;
-            break if !(_e183);
+            phi_234_ = _e179;
+            phi_237_ = _e242;
+            break if !(_e184);
         }
     }
     if (_e31 == 0u) {
-        phi_396_ = type_19(0u, 6u);
+        phi_399_ = type_9(0u, 6u);
         loop {
-            let _e245 = phi_396_;
-            if (_e245.member < _e245.member_1) {
-                phi_397_ = type_19((_e245.member + 1u), _e245.member_1);
-                phi_420_ = type_19(1u, _e245.member);
+            let _e246 = phi_399_;
+            if (_e246.member < _e246.member_1) {
+                phi_400_ = type_9((_e246.member + 1u), _e246.member_1);
+                phi_423_ = type_9(1u, _e246.member);
             } else {
-                phi_397_ = _e245;
-                phi_420_ = type_19(0u, type_19().member_1);
+                phi_400_ = _e246;
+                phi_423_ = type_9(0u, type_9().member_1);
             }
-            let _e257 = phi_397_;
-            let _e259 = phi_420_;
-            let _e263 = (bitcast<i32>(_e259.member) != 0i);
-            if _e263 {
-                if (_e259.member_1 < 3u) {
-                    let _e279 = local.member[_e259.member_1];
-                    let _e280 = bitcast<u32>(_e279);
-                    if ((_e280 >> bitcast<u32>(31i)) == 1u) {
-                        phi_447_ = ~(_e280);
+            let _e258 = phi_400_;
+            let _e260 = phi_423_;
+            let _e264 = (bitcast<i32>(_e260.member) != 0i);
+            if _e264 {
+                if (_e260.member_1 < 3u) {
+                    let _e280 = local.member[_e260.member_1];
+                    let _e281 = bitcast<u32>(_e280);
+                    if ((_e281 >> bitcast<u32>(31i)) == 1u) {
+                        phi_450_ = ~(_e281);
                     } else {
-                        phi_447_ = (_e280 | 2147483648u);
+                        phi_450_ = (_e281 | 2147483648u);
                     }
-                    let _e287 = phi_447_;
-                    phi_467_ = ~(_e287);
+                    let _e288 = phi_450_;
+                    phi_470_ = ~(_e288);
                 } else {
-                    let _e268 = local.member_1[(_e259.member_1 - 3u)];
-                    let _e269 = bitcast<u32>(_e268);
-                    if ((_e269 >> bitcast<u32>(31i)) == 1u) {
-                        phi_466_ = ~(_e269);
+                    let _e269 = local.member_1[(_e260.member_1 - 3u)];
+                    let _e270 = bitcast<u32>(_e269);
+                    if ((_e270 >> bitcast<u32>(31i)) == 1u) {
+                        phi_469_ = ~(_e270);
                     } else {
-                        phi_466_ = (_e269 | 2147483648u);
+                        phi_469_ = (_e270 | 2147483648u);
                     }
-                    let _e276 = phi_466_;
-                    phi_467_ = _e276;
+                    let _e277 = phi_469_;
+                    phi_470_ = _e277;
                 }
-                let _e290 = phi_467_;
-                let _e292 = atomicMax((&words.member[_e259.member_1]), _e290);
+                let _e291 = phi_470_;
+                let _e293 = atomicMax((&words.member[_e260.member_1]), _e291);
             }
             continue;
             continuing {
-                phi_396_ = _e257;
-                break if !(_e263);
+                phi_399_ = _e258;
+                break if !(_e264);
             }
         }
     }

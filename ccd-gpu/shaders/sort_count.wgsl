@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,62 +8,65 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_13 {
     member: u32,
     member_1: u32,
 }
 
+struct type_10 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_9,
+}
+
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> keys: type_11;
+var<storage> keys: type_13;
 @group(0) @binding(2) 
-var<storage, read_write> table: type_11;
+var<storage, read_write> table: type_13;
 var<workgroup> counts: array<atomic<u32>, 256>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_104_: u32;
-    var phi_122_: u32;
-    var phi_140_: u32;
-    var phi_158_: u32;
-    var phi_176_: u32;
-    var phi_194_: u32;
-    var phi_212_: u32;
-    var phi_230_: u32;
-    var phi_248_: u32;
-    var phi_266_: u32;
-    var phi_284_: u32;
-    var phi_302_: u32;
-    var phi_320_: u32;
-    var phi_338_: u32;
-    var phi_356_: u32;
-    var phi_374_: u32;
-    var phi_575_: type_13;
-    var phi_576_: type_13;
-    var phi_599_: type_13;
+    var phi_105_: u32;
+    var phi_124_: u32;
+    var phi_143_: u32;
+    var phi_162_: u32;
+    var phi_181_: u32;
+    var phi_200_: u32;
+    var phi_219_: u32;
+    var phi_238_: u32;
+    var phi_257_: u32;
+    var phi_276_: u32;
+    var phi_295_: u32;
+    var phi_314_: u32;
+    var phi_333_: u32;
+    var phi_352_: u32;
+    var phi_371_: u32;
+    var phi_390_: u32;
+    var phi_608_: type_9;
+    var phi_609_: type_9;
+    var phi_632_: type_9;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -78,240 +82,240 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     atomicStore((&counts[(_e32 + 128u)]), 0u);
     workgroupBarrier();
     let _e45 = ((_e40 * 2048u) + _e32);
-    let _e47 = params.member.member_10;
-    let _e49 = params.member.member_17;
-    if (_e45 < _e49) {
-        let _e52 = keys.member[_e45];
-        phi_104_ = _e52;
+    let _e48 = params.member.member_2.member;
+    let _e51 = params.member.member_1.member;
+    if (_e45 < _e51) {
+        let _e54 = keys.member[_e45];
+        phi_105_ = _e54;
     } else {
-        phi_104_ = 0u;
+        phi_105_ = 0u;
     }
-    let _e54 = phi_104_;
-    let _e56 = params.member.member_17;
-    let _e57 = (_e45 + 128u);
-    if (_e57 < _e56) {
-        let _e60 = keys.member[_e57];
-        phi_122_ = _e60;
+    let _e56 = phi_105_;
+    let _e59 = params.member.member_1.member;
+    let _e60 = (_e45 + 128u);
+    if (_e60 < _e59) {
+        let _e63 = keys.member[_e60];
+        phi_124_ = _e63;
     } else {
-        phi_122_ = 0u;
+        phi_124_ = 0u;
     }
-    let _e62 = phi_122_;
-    let _e64 = params.member.member_17;
-    let _e65 = (_e45 + 256u);
-    if (_e65 < _e64) {
-        let _e68 = keys.member[_e65];
-        phi_140_ = _e68;
+    let _e65 = phi_124_;
+    let _e68 = params.member.member_1.member;
+    let _e69 = (_e45 + 256u);
+    if (_e69 < _e68) {
+        let _e72 = keys.member[_e69];
+        phi_143_ = _e72;
     } else {
-        phi_140_ = 0u;
+        phi_143_ = 0u;
     }
-    let _e70 = phi_140_;
-    let _e72 = params.member.member_17;
-    let _e73 = (_e45 + 384u);
-    if (_e73 < _e72) {
-        let _e76 = keys.member[_e73];
-        phi_158_ = _e76;
+    let _e74 = phi_143_;
+    let _e77 = params.member.member_1.member;
+    let _e78 = (_e45 + 384u);
+    if (_e78 < _e77) {
+        let _e81 = keys.member[_e78];
+        phi_162_ = _e81;
     } else {
-        phi_158_ = 0u;
+        phi_162_ = 0u;
     }
-    let _e78 = phi_158_;
-    let _e80 = params.member.member_17;
-    let _e81 = (_e45 + 512u);
-    if (_e81 < _e80) {
-        let _e84 = keys.member[_e81];
-        phi_176_ = _e84;
+    let _e83 = phi_162_;
+    let _e86 = params.member.member_1.member;
+    let _e87 = (_e45 + 512u);
+    if (_e87 < _e86) {
+        let _e90 = keys.member[_e87];
+        phi_181_ = _e90;
     } else {
-        phi_176_ = 0u;
+        phi_181_ = 0u;
     }
-    let _e86 = phi_176_;
-    let _e88 = params.member.member_17;
-    let _e89 = (_e45 + 640u);
-    if (_e89 < _e88) {
-        let _e92 = keys.member[_e89];
-        phi_194_ = _e92;
+    let _e92 = phi_181_;
+    let _e95 = params.member.member_1.member;
+    let _e96 = (_e45 + 640u);
+    if (_e96 < _e95) {
+        let _e99 = keys.member[_e96];
+        phi_200_ = _e99;
     } else {
-        phi_194_ = 0u;
+        phi_200_ = 0u;
     }
-    let _e94 = phi_194_;
-    let _e96 = params.member.member_17;
-    let _e97 = (_e45 + 768u);
-    if (_e97 < _e96) {
-        let _e100 = keys.member[_e97];
-        phi_212_ = _e100;
-    } else {
-        phi_212_ = 0u;
-    }
-    let _e102 = phi_212_;
-    let _e104 = params.member.member_17;
-    let _e105 = (_e45 + 896u);
+    let _e101 = phi_200_;
+    let _e104 = params.member.member_1.member;
+    let _e105 = (_e45 + 768u);
     if (_e105 < _e104) {
         let _e108 = keys.member[_e105];
-        phi_230_ = _e108;
+        phi_219_ = _e108;
     } else {
-        phi_230_ = 0u;
+        phi_219_ = 0u;
     }
-    let _e110 = phi_230_;
-    let _e112 = params.member.member_17;
-    let _e113 = (_e45 + 1024u);
-    if (_e113 < _e112) {
-        let _e116 = keys.member[_e113];
-        phi_248_ = _e116;
+    let _e110 = phi_219_;
+    let _e113 = params.member.member_1.member;
+    let _e114 = (_e45 + 896u);
+    if (_e114 < _e113) {
+        let _e117 = keys.member[_e114];
+        phi_238_ = _e117;
     } else {
-        phi_248_ = 0u;
+        phi_238_ = 0u;
     }
-    let _e118 = phi_248_;
-    let _e120 = params.member.member_17;
-    let _e121 = (_e45 + 1152u);
-    if (_e121 < _e120) {
-        let _e124 = keys.member[_e121];
-        phi_266_ = _e124;
+    let _e119 = phi_238_;
+    let _e122 = params.member.member_1.member;
+    let _e123 = (_e45 + 1024u);
+    if (_e123 < _e122) {
+        let _e126 = keys.member[_e123];
+        phi_257_ = _e126;
     } else {
-        phi_266_ = 0u;
+        phi_257_ = 0u;
     }
-    let _e126 = phi_266_;
-    let _e128 = params.member.member_17;
-    let _e129 = (_e45 + 1280u);
-    if (_e129 < _e128) {
-        let _e132 = keys.member[_e129];
-        phi_284_ = _e132;
+    let _e128 = phi_257_;
+    let _e131 = params.member.member_1.member;
+    let _e132 = (_e45 + 1152u);
+    if (_e132 < _e131) {
+        let _e135 = keys.member[_e132];
+        phi_276_ = _e135;
     } else {
-        phi_284_ = 0u;
+        phi_276_ = 0u;
     }
-    let _e134 = phi_284_;
-    let _e136 = params.member.member_17;
-    let _e137 = (_e45 + 1408u);
-    if (_e137 < _e136) {
-        let _e140 = keys.member[_e137];
-        phi_302_ = _e140;
+    let _e137 = phi_276_;
+    let _e140 = params.member.member_1.member;
+    let _e141 = (_e45 + 1280u);
+    if (_e141 < _e140) {
+        let _e144 = keys.member[_e141];
+        phi_295_ = _e144;
     } else {
-        phi_302_ = 0u;
+        phi_295_ = 0u;
     }
-    let _e142 = phi_302_;
-    let _e144 = params.member.member_17;
-    let _e145 = (_e45 + 1536u);
-    if (_e145 < _e144) {
-        let _e148 = keys.member[_e145];
-        phi_320_ = _e148;
+    let _e146 = phi_295_;
+    let _e149 = params.member.member_1.member;
+    let _e150 = (_e45 + 1408u);
+    if (_e150 < _e149) {
+        let _e153 = keys.member[_e150];
+        phi_314_ = _e153;
     } else {
-        phi_320_ = 0u;
+        phi_314_ = 0u;
     }
-    let _e150 = phi_320_;
-    let _e152 = params.member.member_17;
-    let _e153 = (_e45 + 1664u);
-    if (_e153 < _e152) {
-        let _e156 = keys.member[_e153];
-        phi_338_ = _e156;
+    let _e155 = phi_314_;
+    let _e158 = params.member.member_1.member;
+    let _e159 = (_e45 + 1536u);
+    if (_e159 < _e158) {
+        let _e162 = keys.member[_e159];
+        phi_333_ = _e162;
     } else {
-        phi_338_ = 0u;
+        phi_333_ = 0u;
     }
-    let _e158 = phi_338_;
-    let _e160 = params.member.member_17;
-    let _e161 = (_e45 + 1792u);
-    if (_e161 < _e160) {
-        let _e164 = keys.member[_e161];
-        phi_356_ = _e164;
+    let _e164 = phi_333_;
+    let _e167 = params.member.member_1.member;
+    let _e168 = (_e45 + 1664u);
+    if (_e168 < _e167) {
+        let _e171 = keys.member[_e168];
+        phi_352_ = _e171;
     } else {
-        phi_356_ = 0u;
+        phi_352_ = 0u;
     }
-    let _e166 = phi_356_;
-    let _e168 = params.member.member_17;
-    let _e169 = (_e45 + 1920u);
-    if (_e169 < _e168) {
-        let _e172 = keys.member[_e169];
-        phi_374_ = _e172;
+    let _e173 = phi_352_;
+    let _e176 = params.member.member_1.member;
+    let _e177 = (_e45 + 1792u);
+    if (_e177 < _e176) {
+        let _e180 = keys.member[_e177];
+        phi_371_ = _e180;
     } else {
-        phi_374_ = 0u;
+        phi_371_ = 0u;
     }
-    let _e174 = phi_374_;
-    let _e176 = params.member.member_17;
-    if (_e45 < _e176) {
-        let _e183 = atomicAdd((&counts[((_e54 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e182 = phi_371_;
+    let _e185 = params.member.member_1.member;
+    let _e186 = (_e45 + 1920u);
+    if (_e186 < _e185) {
+        let _e189 = keys.member[_e186];
+        phi_390_ = _e189;
+    } else {
+        phi_390_ = 0u;
     }
-    let _e186 = params.member.member_17;
-    if ((_e45 + 128u) < _e186) {
-        let _e193 = atomicAdd((&counts[((_e62 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e191 = phi_390_;
+    let _e194 = params.member.member_1.member;
+    if (_e45 < _e194) {
+        let _e201 = atomicAdd((&counts[((_e56 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e196 = params.member.member_17;
-    if ((_e45 + 256u) < _e196) {
-        let _e203 = atomicAdd((&counts[((_e70 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e205 = params.member.member_1.member;
+    if ((_e45 + 128u) < _e205) {
+        let _e212 = atomicAdd((&counts[((_e65 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e206 = params.member.member_17;
-    if ((_e45 + 384u) < _e206) {
-        let _e213 = atomicAdd((&counts[((_e78 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e216 = params.member.member_1.member;
+    if ((_e45 + 256u) < _e216) {
+        let _e223 = atomicAdd((&counts[((_e74 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e216 = params.member.member_17;
-    if ((_e45 + 512u) < _e216) {
-        let _e223 = atomicAdd((&counts[((_e86 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e227 = params.member.member_1.member;
+    if ((_e45 + 384u) < _e227) {
+        let _e234 = atomicAdd((&counts[((_e83 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e226 = params.member.member_17;
-    if ((_e45 + 640u) < _e226) {
-        let _e233 = atomicAdd((&counts[((_e94 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e238 = params.member.member_1.member;
+    if ((_e45 + 512u) < _e238) {
+        let _e245 = atomicAdd((&counts[((_e92 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e236 = params.member.member_17;
-    if ((_e45 + 768u) < _e236) {
-        let _e243 = atomicAdd((&counts[((_e102 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e249 = params.member.member_1.member;
+    if ((_e45 + 640u) < _e249) {
+        let _e256 = atomicAdd((&counts[((_e101 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e246 = params.member.member_17;
-    if ((_e45 + 896u) < _e246) {
-        let _e253 = atomicAdd((&counts[((_e110 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e260 = params.member.member_1.member;
+    if ((_e45 + 768u) < _e260) {
+        let _e267 = atomicAdd((&counts[((_e110 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e256 = params.member.member_17;
-    if ((_e45 + 1024u) < _e256) {
-        let _e263 = atomicAdd((&counts[((_e118 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e271 = params.member.member_1.member;
+    if ((_e45 + 896u) < _e271) {
+        let _e278 = atomicAdd((&counts[((_e119 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e266 = params.member.member_17;
-    if ((_e45 + 1152u) < _e266) {
-        let _e273 = atomicAdd((&counts[((_e126 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e282 = params.member.member_1.member;
+    if ((_e45 + 1024u) < _e282) {
+        let _e289 = atomicAdd((&counts[((_e128 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e276 = params.member.member_17;
-    if ((_e45 + 1280u) < _e276) {
-        let _e283 = atomicAdd((&counts[((_e134 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e293 = params.member.member_1.member;
+    if ((_e45 + 1152u) < _e293) {
+        let _e300 = atomicAdd((&counts[((_e137 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e286 = params.member.member_17;
-    if ((_e45 + 1408u) < _e286) {
-        let _e293 = atomicAdd((&counts[((_e142 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e304 = params.member.member_1.member;
+    if ((_e45 + 1280u) < _e304) {
+        let _e311 = atomicAdd((&counts[((_e146 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e296 = params.member.member_17;
-    if ((_e45 + 1536u) < _e296) {
-        let _e303 = atomicAdd((&counts[((_e150 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e315 = params.member.member_1.member;
+    if ((_e45 + 1408u) < _e315) {
+        let _e322 = atomicAdd((&counts[((_e155 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e306 = params.member.member_17;
-    if ((_e45 + 1664u) < _e306) {
-        let _e313 = atomicAdd((&counts[((_e158 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e326 = params.member.member_1.member;
+    if ((_e45 + 1536u) < _e326) {
+        let _e333 = atomicAdd((&counts[((_e164 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e316 = params.member.member_17;
-    if ((_e45 + 1792u) < _e316) {
-        let _e323 = atomicAdd((&counts[((_e166 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e337 = params.member.member_1.member;
+    if ((_e45 + 1664u) < _e337) {
+        let _e344 = atomicAdd((&counts[((_e173 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
-    let _e326 = params.member.member_17;
-    if ((_e45 + 1920u) < _e326) {
-        let _e333 = atomicAdd((&counts[((_e174 >> bitcast<u32>((_e47 & 31u))) & 255u)]), 1u);
+    let _e348 = params.member.member_1.member;
+    if ((_e45 + 1792u) < _e348) {
+        let _e355 = atomicAdd((&counts[((_e182 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
+    }
+    let _e359 = params.member.member_1.member;
+    if ((_e45 + 1920u) < _e359) {
+        let _e366 = atomicAdd((&counts[((_e191 >> bitcast<u32>((_e48 & 31u))) & 255u)]), 1u);
     }
     workgroupBarrier();
-    let _e335 = params.member.member_11;
-    if (_e40 < _e335) {
-        phi_575_ = type_13(0u, 2u);
+    let _e369 = params.member.member_2.member_1;
+    if (_e40 < _e369) {
+        phi_608_ = type_9(0u, 2u);
         loop {
-            let _e338 = phi_575_;
-            if (_e338.member < _e338.member_1) {
-                phi_576_ = type_13((_e338.member + 1u), _e338.member_1);
-                phi_599_ = type_13(1u, _e338.member);
+            let _e372 = phi_608_;
+            if (_e372.member < _e372.member_1) {
+                phi_609_ = type_9((_e372.member + 1u), _e372.member_1);
+                phi_632_ = type_9(1u, _e372.member);
             } else {
-                phi_576_ = _e338;
-                phi_599_ = type_13(0u, type_13().member_1);
+                phi_609_ = _e372;
+                phi_632_ = type_9(0u, type_9().member_1);
             }
-            let _e350 = phi_576_;
-            let _e352 = phi_599_;
-            let _e356 = (bitcast<i32>(_e352.member) != 0i);
-            if _e356 {
-                let _e358 = (_e32 + (_e352.member_1 * 128u));
-                let _e360 = params.member.member_11;
-                let _e364 = atomicLoad((&counts[_e358]));
-                table.member[((_e358 * _e360) + _e40)] = _e364;
+            let _e384 = phi_609_;
+            let _e386 = phi_632_;
+            let _e390 = (bitcast<i32>(_e386.member) != 0i);
+            if _e390 {
+                let _e392 = (_e32 + (_e386.member_1 * 128u));
+                let _e395 = params.member.member_2.member_1;
+                let _e399 = atomicLoad((&counts[_e392]));
+                table.member[((_e392 * _e395) + _e40)] = _e399;
             }
             continue;
             continuing {
-                phi_575_ = _e350;
-                break if !(_e356);
+                phi_608_ = _e384;
+                break if !(_e390);
             }
         }
     }

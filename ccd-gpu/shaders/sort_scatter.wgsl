@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,107 +8,110 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_13 {
     member: u32,
     member_1: u32,
 }
 
+struct type_10 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_9,
+}
+
+struct type_11 {
+    member: type_10,
+}
+
+struct type_13 {
+    member: array<u32>,
+}
+
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_11;
 @group(0) @binding(1) 
-var<storage> table: type_11;
+var<storage> table: type_13;
 @group(0) @binding(2) 
-var<storage> keys: type_11;
+var<storage> keys: type_13;
 @group(0) @binding(3) 
-var<storage> values: type_11;
+var<storage> values: type_13;
 @group(0) @binding(4) 
-var<storage, read_write> keys_out: type_11;
+var<storage, read_write> keys_out: type_13;
 @group(0) @binding(5) 
-var<storage, read_write> values_out: type_11;
+var<storage, read_write> values_out: type_13;
 var<workgroup> masks: array<atomic<u32>, 2048>;
 var<workgroup> counts: array<atomic<u32>, 1024>;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_118_: u32;
-    var phi_141_: u32;
-    var phi_164_: u32;
-    var phi_187_: u32;
-    var phi_210_: u32;
-    var phi_233_: u32;
-    var phi_256_: u32;
-    var phi_279_: u32;
-    var phi_302_: u32;
-    var phi_325_: u32;
-    var phi_348_: u32;
-    var phi_371_: u32;
-    var phi_394_: u32;
-    var phi_417_: u32;
-    var phi_440_: u32;
-    var phi_463_: u32;
-    var phi_486_: u32;
-    var phi_509_: u32;
-    var phi_532_: u32;
-    var phi_555_: u32;
-    var phi_578_: u32;
-    var phi_601_: u32;
-    var phi_624_: u32;
-    var phi_647_: u32;
-    var phi_670_: u32;
-    var phi_693_: u32;
-    var phi_716_: u32;
-    var phi_739_: u32;
-    var phi_762_: u32;
-    var phi_785_: u32;
-    var phi_808_: u32;
-    var phi_831_: u32;
-    var phi_834_: type_13;
-    var phi_835_: type_13;
-    var phi_858_: type_13;
-    var phi_1652_: type_13;
-    var phi_1655_: u32;
-    var phi_1657_: u32;
-    var phi_1659_: u32;
-    var phi_1656_: u32;
-    var phi_1653_: type_13;
-    var phi_1682_: type_13;
-    var phi_1698_: u32;
-    var phi_1658_: u32;
+    var phi_122_: u32;
+    var phi_145_: u32;
+    var phi_168_: u32;
+    var phi_191_: u32;
+    var phi_214_: u32;
+    var phi_237_: u32;
+    var phi_260_: u32;
+    var phi_283_: u32;
+    var phi_306_: u32;
+    var phi_329_: u32;
+    var phi_352_: u32;
+    var phi_375_: u32;
+    var phi_398_: u32;
+    var phi_421_: u32;
+    var phi_444_: u32;
+    var phi_467_: u32;
+    var phi_490_: u32;
+    var phi_513_: u32;
+    var phi_536_: u32;
+    var phi_559_: u32;
+    var phi_582_: u32;
+    var phi_605_: u32;
+    var phi_628_: u32;
+    var phi_651_: u32;
+    var phi_674_: u32;
+    var phi_697_: u32;
+    var phi_720_: u32;
+    var phi_743_: u32;
+    var phi_766_: u32;
+    var phi_789_: u32;
+    var phi_812_: u32;
+    var phi_835_: u32;
+    var phi_838_: type_9;
+    var phi_839_: type_9;
+    var phi_862_: type_9;
+    var phi_1657_: type_9;
     var phi_1660_: u32;
+    var phi_1662_: u32;
+    var phi_1664_: u32;
+    var phi_1661_: u32;
+    var phi_1658_: type_9;
+    var phi_1687_: type_9;
+    var phi_1703_: u32;
+    var phi_1663_: u32;
+    var phi_1665_: u32;
     var local: u32;
-    var phi_1705_: type_13;
-    var phi_1708_: u32;
-    var phi_1706_: type_13;
-    var phi_1731_: type_13;
-    var phi_1761_: u32;
-    var phi_1765_: type_13;
+    var phi_1710_: type_9;
+    var phi_1713_: u32;
+    var phi_1711_: type_9;
+    var phi_1736_: type_9;
     var phi_1768_: u32;
-    var phi_1766_: type_13;
-    var phi_1791_: type_13;
-    var phi_1769_: u32;
-    var phi_1709_: u32;
+    var phi_1772_: type_9;
+    var phi_1775_: u32;
+    var phi_1773_: type_9;
+    var phi_1798_: type_9;
+    var phi_1776_: u32;
+    var phi_1714_: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -120,768 +124,768 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e43 = lane_2;
     let _e54 = ((_e41.y * _e42.x) + _e41.x);
     let _e56 = ((_e43 / 32u) * 256u);
-    let _e58 = params.member.member_10;
-    let _e60 = params.member.member_17;
-    let _e66 = ((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u)));
-    if (_e66 < _e60) {
-        let _e69 = keys.member[_e66];
-        phi_118_ = _e69;
+    let _e59 = params.member.member_2.member;
+    let _e62 = params.member.member_1.member;
+    let _e68 = ((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u)));
+    if (_e68 < _e62) {
+        let _e71 = keys.member[_e68];
+        phi_122_ = _e71;
     } else {
-        phi_118_ = 0u;
+        phi_122_ = 0u;
     }
-    let _e71 = phi_118_;
-    let _e78 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u)));
-    if (_e78 < _e60) {
-        let _e81 = keys.member[_e78];
-        phi_141_ = _e81;
+    let _e73 = phi_122_;
+    let _e80 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u)));
+    if (_e80 < _e62) {
+        let _e83 = keys.member[_e80];
+        phi_145_ = _e83;
     } else {
-        phi_141_ = 0u;
+        phi_145_ = 0u;
     }
-    let _e83 = phi_141_;
-    let _e89 = ((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u)));
-    if (_e89 < _e60) {
-        let _e92 = values.member[_e89];
-        phi_164_ = _e92;
+    let _e85 = phi_145_;
+    let _e91 = ((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u)));
+    if (_e91 < _e62) {
+        let _e94 = values.member[_e91];
+        phi_168_ = _e94;
     } else {
-        phi_164_ = 0u;
+        phi_168_ = 0u;
     }
-    let _e94 = phi_164_;
-    let _e101 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u)));
-    if (_e101 < _e60) {
-        let _e104 = values.member[_e101];
-        phi_187_ = _e104;
+    let _e96 = phi_168_;
+    let _e103 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u)));
+    if (_e103 < _e62) {
+        let _e106 = values.member[_e103];
+        phi_191_ = _e106;
     } else {
-        phi_187_ = 0u;
+        phi_191_ = 0u;
     }
-    let _e106 = phi_187_;
-    let _e113 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u)));
-    if (_e113 < _e60) {
-        let _e116 = keys.member[_e113];
-        phi_210_ = _e116;
+    let _e108 = phi_191_;
+    let _e115 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u)));
+    if (_e115 < _e62) {
+        let _e118 = keys.member[_e115];
+        phi_214_ = _e118;
     } else {
-        phi_210_ = 0u;
+        phi_214_ = 0u;
     }
-    let _e118 = phi_210_;
-    let _e125 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u)));
-    if (_e125 < _e60) {
-        let _e128 = keys.member[_e125];
-        phi_233_ = _e128;
+    let _e120 = phi_214_;
+    let _e127 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u)));
+    if (_e127 < _e62) {
+        let _e130 = keys.member[_e127];
+        phi_237_ = _e130;
     } else {
-        phi_233_ = 0u;
+        phi_237_ = 0u;
     }
-    let _e130 = phi_233_;
-    let _e137 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u)));
-    if (_e137 < _e60) {
-        let _e140 = values.member[_e137];
-        phi_256_ = _e140;
+    let _e132 = phi_237_;
+    let _e139 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u)));
+    if (_e139 < _e62) {
+        let _e142 = values.member[_e139];
+        phi_260_ = _e142;
     } else {
-        phi_256_ = 0u;
+        phi_260_ = 0u;
     }
-    let _e142 = phi_256_;
-    let _e149 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u)));
-    if (_e149 < _e60) {
-        let _e152 = values.member[_e149];
-        phi_279_ = _e152;
+    let _e144 = phi_260_;
+    let _e151 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u)));
+    if (_e151 < _e62) {
+        let _e154 = values.member[_e151];
+        phi_283_ = _e154;
     } else {
-        phi_279_ = 0u;
+        phi_283_ = 0u;
     }
-    let _e154 = phi_279_;
-    let _e161 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u)));
-    if (_e161 < _e60) {
-        let _e164 = keys.member[_e161];
-        phi_302_ = _e164;
+    let _e156 = phi_283_;
+    let _e163 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u)));
+    if (_e163 < _e62) {
+        let _e166 = keys.member[_e163];
+        phi_306_ = _e166;
     } else {
-        phi_302_ = 0u;
+        phi_306_ = 0u;
     }
-    let _e166 = phi_302_;
-    let _e173 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u)));
-    if (_e173 < _e60) {
-        let _e176 = keys.member[_e173];
-        phi_325_ = _e176;
+    let _e168 = phi_306_;
+    let _e175 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u)));
+    if (_e175 < _e62) {
+        let _e178 = keys.member[_e175];
+        phi_329_ = _e178;
     } else {
-        phi_325_ = 0u;
+        phi_329_ = 0u;
     }
-    let _e178 = phi_325_;
-    let _e185 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u)));
-    if (_e185 < _e60) {
-        let _e188 = values.member[_e185];
-        phi_348_ = _e188;
+    let _e180 = phi_329_;
+    let _e187 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u)));
+    if (_e187 < _e62) {
+        let _e190 = values.member[_e187];
+        phi_352_ = _e190;
     } else {
-        phi_348_ = 0u;
+        phi_352_ = 0u;
     }
-    let _e190 = phi_348_;
-    let _e197 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u)));
-    if (_e197 < _e60) {
-        let _e200 = values.member[_e197];
-        phi_371_ = _e200;
+    let _e192 = phi_352_;
+    let _e199 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u)));
+    if (_e199 < _e62) {
+        let _e202 = values.member[_e199];
+        phi_375_ = _e202;
     } else {
-        phi_371_ = 0u;
+        phi_375_ = 0u;
     }
-    let _e202 = phi_371_;
-    let _e209 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u)));
-    if (_e209 < _e60) {
-        let _e212 = keys.member[_e209];
-        phi_394_ = _e212;
+    let _e204 = phi_375_;
+    let _e211 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u)));
+    if (_e211 < _e62) {
+        let _e214 = keys.member[_e211];
+        phi_398_ = _e214;
     } else {
-        phi_394_ = 0u;
+        phi_398_ = 0u;
     }
-    let _e214 = phi_394_;
-    let _e221 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u)));
-    if (_e221 < _e60) {
-        let _e224 = keys.member[_e221];
-        phi_417_ = _e224;
+    let _e216 = phi_398_;
+    let _e223 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u)));
+    if (_e223 < _e62) {
+        let _e226 = keys.member[_e223];
+        phi_421_ = _e226;
     } else {
-        phi_417_ = 0u;
+        phi_421_ = 0u;
     }
-    let _e226 = phi_417_;
-    let _e233 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u)));
-    if (_e233 < _e60) {
-        let _e236 = values.member[_e233];
-        phi_440_ = _e236;
+    let _e228 = phi_421_;
+    let _e235 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u)));
+    if (_e235 < _e62) {
+        let _e238 = values.member[_e235];
+        phi_444_ = _e238;
     } else {
-        phi_440_ = 0u;
+        phi_444_ = 0u;
     }
-    let _e238 = phi_440_;
-    let _e245 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u)));
-    if (_e245 < _e60) {
-        let _e248 = values.member[_e245];
-        phi_463_ = _e248;
+    let _e240 = phi_444_;
+    let _e247 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u)));
+    if (_e247 < _e62) {
+        let _e250 = values.member[_e247];
+        phi_467_ = _e250;
     } else {
-        phi_463_ = 0u;
+        phi_467_ = 0u;
     }
-    let _e250 = phi_463_;
-    let _e257 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u)));
-    if (_e257 < _e60) {
-        let _e260 = keys.member[_e257];
-        phi_486_ = _e260;
+    let _e252 = phi_467_;
+    let _e259 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u)));
+    if (_e259 < _e62) {
+        let _e262 = keys.member[_e259];
+        phi_490_ = _e262;
     } else {
-        phi_486_ = 0u;
+        phi_490_ = 0u;
     }
-    let _e262 = phi_486_;
-    let _e269 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u)));
-    if (_e269 < _e60) {
-        let _e272 = keys.member[_e269];
-        phi_509_ = _e272;
+    let _e264 = phi_490_;
+    let _e271 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u)));
+    if (_e271 < _e62) {
+        let _e274 = keys.member[_e271];
+        phi_513_ = _e274;
     } else {
-        phi_509_ = 0u;
+        phi_513_ = 0u;
     }
-    let _e274 = phi_509_;
-    let _e281 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u)));
-    if (_e281 < _e60) {
-        let _e284 = values.member[_e281];
-        phi_532_ = _e284;
+    let _e276 = phi_513_;
+    let _e283 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u)));
+    if (_e283 < _e62) {
+        let _e286 = values.member[_e283];
+        phi_536_ = _e286;
     } else {
-        phi_532_ = 0u;
+        phi_536_ = 0u;
     }
-    let _e286 = phi_532_;
-    let _e293 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u)));
-    if (_e293 < _e60) {
-        let _e296 = values.member[_e293];
-        phi_555_ = _e296;
+    let _e288 = phi_536_;
+    let _e295 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u)));
+    if (_e295 < _e62) {
+        let _e298 = values.member[_e295];
+        phi_559_ = _e298;
     } else {
-        phi_555_ = 0u;
+        phi_559_ = 0u;
     }
-    let _e298 = phi_555_;
-    let _e305 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u)));
-    if (_e305 < _e60) {
-        let _e308 = keys.member[_e305];
-        phi_578_ = _e308;
+    let _e300 = phi_559_;
+    let _e307 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u)));
+    if (_e307 < _e62) {
+        let _e310 = keys.member[_e307];
+        phi_582_ = _e310;
     } else {
-        phi_578_ = 0u;
+        phi_582_ = 0u;
     }
-    let _e310 = phi_578_;
-    let _e317 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u)));
-    if (_e317 < _e60) {
-        let _e320 = keys.member[_e317];
-        phi_601_ = _e320;
+    let _e312 = phi_582_;
+    let _e319 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u)));
+    if (_e319 < _e62) {
+        let _e322 = keys.member[_e319];
+        phi_605_ = _e322;
     } else {
-        phi_601_ = 0u;
+        phi_605_ = 0u;
     }
-    let _e322 = phi_601_;
-    let _e329 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u)));
-    if (_e329 < _e60) {
-        let _e332 = values.member[_e329];
-        phi_624_ = _e332;
+    let _e324 = phi_605_;
+    let _e331 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u)));
+    if (_e331 < _e62) {
+        let _e334 = values.member[_e331];
+        phi_628_ = _e334;
     } else {
-        phi_624_ = 0u;
+        phi_628_ = 0u;
     }
-    let _e334 = phi_624_;
-    let _e341 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u)));
-    if (_e341 < _e60) {
-        let _e344 = values.member[_e341];
-        phi_647_ = _e344;
+    let _e336 = phi_628_;
+    let _e343 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u)));
+    if (_e343 < _e62) {
+        let _e346 = values.member[_e343];
+        phi_651_ = _e346;
     } else {
-        phi_647_ = 0u;
+        phi_651_ = 0u;
     }
-    let _e346 = phi_647_;
-    let _e353 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u)));
-    if (_e353 < _e60) {
-        let _e356 = keys.member[_e353];
-        phi_670_ = _e356;
+    let _e348 = phi_651_;
+    let _e355 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u)));
+    if (_e355 < _e62) {
+        let _e358 = keys.member[_e355];
+        phi_674_ = _e358;
     } else {
-        phi_670_ = 0u;
+        phi_674_ = 0u;
     }
-    let _e358 = phi_670_;
-    let _e365 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u)));
-    if (_e365 < _e60) {
-        let _e368 = keys.member[_e365];
-        phi_693_ = _e368;
+    let _e360 = phi_674_;
+    let _e367 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u)));
+    if (_e367 < _e62) {
+        let _e370 = keys.member[_e367];
+        phi_697_ = _e370;
     } else {
-        phi_693_ = 0u;
+        phi_697_ = 0u;
     }
-    let _e370 = phi_693_;
-    let _e377 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u)));
-    if (_e377 < _e60) {
-        let _e380 = values.member[_e377];
-        phi_716_ = _e380;
+    let _e372 = phi_697_;
+    let _e379 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u)));
+    if (_e379 < _e62) {
+        let _e382 = values.member[_e379];
+        phi_720_ = _e382;
     } else {
-        phi_716_ = 0u;
+        phi_720_ = 0u;
     }
-    let _e382 = phi_716_;
-    let _e389 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u)));
-    if (_e389 < _e60) {
-        let _e392 = values.member[_e389];
-        phi_739_ = _e392;
+    let _e384 = phi_720_;
+    let _e391 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u)));
+    if (_e391 < _e62) {
+        let _e394 = values.member[_e391];
+        phi_743_ = _e394;
     } else {
-        phi_739_ = 0u;
+        phi_743_ = 0u;
     }
-    let _e394 = phi_739_;
-    let _e401 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u)));
-    if (_e401 < _e60) {
-        let _e404 = keys.member[_e401];
-        phi_762_ = _e404;
+    let _e396 = phi_743_;
+    let _e403 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u)));
+    if (_e403 < _e62) {
+        let _e406 = keys.member[_e403];
+        phi_766_ = _e406;
     } else {
-        phi_762_ = 0u;
+        phi_766_ = 0u;
     }
-    let _e406 = phi_762_;
-    let _e413 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u)));
-    if (_e413 < _e60) {
-        let _e416 = keys.member[_e413];
-        phi_785_ = _e416;
+    let _e408 = phi_766_;
+    let _e415 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u)));
+    if (_e415 < _e62) {
+        let _e418 = keys.member[_e415];
+        phi_789_ = _e418;
     } else {
-        phi_785_ = 0u;
+        phi_789_ = 0u;
     }
-    let _e418 = phi_785_;
-    let _e425 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u)));
-    if (_e425 < _e60) {
-        let _e428 = values.member[_e425];
-        phi_808_ = _e428;
+    let _e420 = phi_789_;
+    let _e427 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u)));
+    if (_e427 < _e62) {
+        let _e430 = values.member[_e427];
+        phi_812_ = _e430;
     } else {
-        phi_808_ = 0u;
+        phi_812_ = 0u;
     }
-    let _e430 = phi_808_;
-    let _e437 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u)));
-    if (_e437 < _e60) {
-        let _e440 = values.member[_e437];
-        phi_831_ = _e440;
+    let _e432 = phi_812_;
+    let _e439 = ((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u)));
+    if (_e439 < _e62) {
+        let _e442 = values.member[_e439];
+        phi_835_ = _e442;
     } else {
-        phi_831_ = 0u;
+        phi_835_ = 0u;
     }
-    let _e442 = phi_831_;
-    phi_834_ = type_13(0u, 8u);
+    let _e444 = phi_835_;
+    phi_838_ = type_9(0u, 8u);
     loop {
-        let _e444 = phi_834_;
-        if (_e444.member < _e444.member_1) {
-            phi_835_ = type_13((_e444.member + 1u), _e444.member_1);
-            phi_858_ = type_13(1u, _e444.member);
+        let _e446 = phi_838_;
+        if (_e446.member < _e446.member_1) {
+            phi_839_ = type_9((_e446.member + 1u), _e446.member_1);
+            phi_862_ = type_9(1u, _e446.member);
         } else {
-            phi_835_ = _e444;
-            phi_858_ = type_13(0u, type_13().member_1);
+            phi_839_ = _e446;
+            phi_862_ = type_9(0u, type_9().member_1);
         }
-        let _e456 = phi_835_;
-        let _e458 = phi_858_;
-        let _e462 = (bitcast<i32>(_e458.member) != 0i);
-        if _e462 {
-            atomicStore((&masks[((_e458.member_1 * 128u) + _e43)]), 0u);
-            atomicStore((&masks[((1024u + (_e458.member_1 * 128u)) + _e43)]), 0u);
-            atomicStore((&counts[((_e458.member_1 * 128u) + _e43)]), 0u);
+        let _e458 = phi_839_;
+        let _e460 = phi_862_;
+        let _e464 = (bitcast<i32>(_e460.member) != 0i);
+        if _e464 {
+            atomicStore((&masks[((_e460.member_1 * 128u) + _e43)]), 0u);
+            atomicStore((&masks[((1024u + (_e460.member_1 * 128u)) + _e43)]), 0u);
+            atomicStore((&counts[((_e460.member_1 * 128u) + _e43)]), 0u);
         }
         continue;
         continuing {
-            phi_834_ = _e456;
-            break if !(_e462);
+            phi_838_ = _e458;
+            break if !(_e464);
         }
     }
     workgroupBarrier();
-    let _e480 = (((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u))) < _e60);
-    let _e488 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u))) < _e60);
-    let _e493 = (_e56 + ((_e71 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e498 = (_e56 + ((_e83 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e480 {
-        let _e504 = atomicOr((&masks[_e493]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e482 = (((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u))) < _e62);
+    let _e490 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u))) < _e62);
+    let _e495 = (_e56 + ((_e73 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e500 = (_e56 + ((_e85 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e482 {
+        let _e506 = atomicOr((&masks[_e495]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
-    if _e488 {
-        let _e511 = atomicOr((&masks[(1024u + _e498)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    if _e490 {
+        let _e513 = atomicOr((&masks[(1024u + _e500)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e513 = atomicLoad((&masks[_e493]));
-    let _e516 = atomicLoad((&masks[(1024u + _e498)]));
-    let _e523 = countOneBits((_e513 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e530 = countOneBits((_e516 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e532 = atomicLoad((&counts[_e493]));
-    let _e535 = atomicLoad((&counts[_e498]));
-    let _e537 = atomicLoad((&masks[_e498]));
+    let _e515 = atomicLoad((&masks[_e495]));
+    let _e518 = atomicLoad((&masks[(1024u + _e500)]));
+    let _e525 = countOneBits((_e515 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e532 = countOneBits((_e518 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e534 = atomicLoad((&counts[_e495]));
+    let _e537 = atomicLoad((&counts[_e500]));
+    let _e539 = atomicLoad((&masks[_e500]));
     workgroupBarrier();
-    if _e480 {
-        if (_e523 == 0u) {
-            let _e544 = atomicAdd((&counts[_e493]), countOneBits(_e513));
-            atomicStore((&masks[_e493]), 0u);
+    if _e482 {
+        if (_e525 == 0u) {
+            let _e546 = atomicAdd((&counts[_e495]), countOneBits(_e515));
+            atomicStore((&masks[_e495]), 0u);
         }
     }
-    if _e488 {
-        if (_e530 == 0u) {
-            let _e549 = atomicAdd((&counts[_e498]), countOneBits(_e516));
-            atomicStore((&masks[(1024u + _e498)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e559 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u))) < _e60);
-    let _e567 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u))) < _e60);
-    let _e572 = (_e56 + ((_e118 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e577 = (_e56 + ((_e130 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e559 {
-        let _e583 = atomicOr((&masks[_e572]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    if _e567 {
-        let _e590 = atomicOr((&masks[(1024u + _e577)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e592 = atomicLoad((&masks[_e572]));
-    let _e595 = atomicLoad((&masks[(1024u + _e577)]));
-    let _e602 = countOneBits((_e592 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e609 = countOneBits((_e595 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e611 = atomicLoad((&counts[_e572]));
-    let _e614 = atomicLoad((&counts[_e577]));
-    let _e616 = atomicLoad((&masks[_e577]));
-    workgroupBarrier();
-    if _e559 {
-        if (_e602 == 0u) {
-            let _e623 = atomicAdd((&counts[_e572]), countOneBits(_e592));
-            atomicStore((&masks[_e572]), 0u);
-        }
-    }
-    if _e567 {
-        if (_e609 == 0u) {
-            let _e628 = atomicAdd((&counts[_e577]), countOneBits(_e595));
-            atomicStore((&masks[(1024u + _e577)]), 0u);
+    if _e490 {
+        if (_e532 == 0u) {
+            let _e551 = atomicAdd((&counts[_e500]), countOneBits(_e518));
+            atomicStore((&masks[(1024u + _e500)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e638 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u))) < _e60);
-    let _e646 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u))) < _e60);
-    let _e651 = (_e56 + ((_e166 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e656 = (_e56 + ((_e178 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e638 {
-        let _e662 = atomicOr((&masks[_e651]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e561 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u))) < _e62);
+    let _e569 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u))) < _e62);
+    let _e574 = (_e56 + ((_e120 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e579 = (_e56 + ((_e132 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e561 {
+        let _e585 = atomicOr((&masks[_e574]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
-    if _e646 {
-        let _e669 = atomicOr((&masks[(1024u + _e656)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    if _e569 {
+        let _e592 = atomicOr((&masks[(1024u + _e579)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e671 = atomicLoad((&masks[_e651]));
-    let _e674 = atomicLoad((&masks[(1024u + _e656)]));
-    let _e681 = countOneBits((_e671 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e688 = countOneBits((_e674 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e690 = atomicLoad((&counts[_e651]));
-    let _e693 = atomicLoad((&counts[_e656]));
-    let _e695 = atomicLoad((&masks[_e656]));
+    let _e594 = atomicLoad((&masks[_e574]));
+    let _e597 = atomicLoad((&masks[(1024u + _e579)]));
+    let _e604 = countOneBits((_e594 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e611 = countOneBits((_e597 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e613 = atomicLoad((&counts[_e574]));
+    let _e616 = atomicLoad((&counts[_e579]));
+    let _e618 = atomicLoad((&masks[_e579]));
     workgroupBarrier();
-    if _e638 {
-        if (_e681 == 0u) {
-            let _e702 = atomicAdd((&counts[_e651]), countOneBits(_e671));
-            atomicStore((&masks[_e651]), 0u);
+    if _e561 {
+        if (_e604 == 0u) {
+            let _e625 = atomicAdd((&counts[_e574]), countOneBits(_e594));
+            atomicStore((&masks[_e574]), 0u);
         }
     }
-    if _e646 {
-        if (_e688 == 0u) {
-            let _e707 = atomicAdd((&counts[_e656]), countOneBits(_e674));
-            atomicStore((&masks[(1024u + _e656)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e717 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u))) < _e60);
-    let _e725 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u))) < _e60);
-    let _e730 = (_e56 + ((_e214 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e735 = (_e56 + ((_e226 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e717 {
-        let _e741 = atomicOr((&masks[_e730]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    if _e725 {
-        let _e748 = atomicOr((&masks[(1024u + _e735)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e750 = atomicLoad((&masks[_e730]));
-    let _e753 = atomicLoad((&masks[(1024u + _e735)]));
-    let _e760 = countOneBits((_e750 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e767 = countOneBits((_e753 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e769 = atomicLoad((&counts[_e730]));
-    let _e772 = atomicLoad((&counts[_e735]));
-    let _e774 = atomicLoad((&masks[_e735]));
-    workgroupBarrier();
-    if _e717 {
-        if (_e760 == 0u) {
-            let _e781 = atomicAdd((&counts[_e730]), countOneBits(_e750));
-            atomicStore((&masks[_e730]), 0u);
-        }
-    }
-    if _e725 {
-        if (_e767 == 0u) {
-            let _e786 = atomicAdd((&counts[_e735]), countOneBits(_e753));
-            atomicStore((&masks[(1024u + _e735)]), 0u);
+    if _e569 {
+        if (_e611 == 0u) {
+            let _e630 = atomicAdd((&counts[_e579]), countOneBits(_e597));
+            atomicStore((&masks[(1024u + _e579)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e796 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u))) < _e60);
-    let _e804 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u))) < _e60);
-    let _e809 = (_e56 + ((_e262 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e814 = (_e56 + ((_e274 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e796 {
-        let _e820 = atomicOr((&masks[_e809]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e640 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u))) < _e62);
+    let _e648 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u))) < _e62);
+    let _e653 = (_e56 + ((_e168 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e658 = (_e56 + ((_e180 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e640 {
+        let _e664 = atomicOr((&masks[_e653]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
-    if _e804 {
-        let _e827 = atomicOr((&masks[(1024u + _e814)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    if _e648 {
+        let _e671 = atomicOr((&masks[(1024u + _e658)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e829 = atomicLoad((&masks[_e809]));
-    let _e832 = atomicLoad((&masks[(1024u + _e814)]));
-    let _e839 = countOneBits((_e829 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e846 = countOneBits((_e832 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e848 = atomicLoad((&counts[_e809]));
-    let _e851 = atomicLoad((&counts[_e814]));
-    let _e853 = atomicLoad((&masks[_e814]));
+    let _e673 = atomicLoad((&masks[_e653]));
+    let _e676 = atomicLoad((&masks[(1024u + _e658)]));
+    let _e683 = countOneBits((_e673 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e690 = countOneBits((_e676 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e692 = atomicLoad((&counts[_e653]));
+    let _e695 = atomicLoad((&counts[_e658]));
+    let _e697 = atomicLoad((&masks[_e658]));
     workgroupBarrier();
-    if _e796 {
-        if (_e839 == 0u) {
-            let _e860 = atomicAdd((&counts[_e809]), countOneBits(_e829));
-            atomicStore((&masks[_e809]), 0u);
+    if _e640 {
+        if (_e683 == 0u) {
+            let _e704 = atomicAdd((&counts[_e653]), countOneBits(_e673));
+            atomicStore((&masks[_e653]), 0u);
         }
     }
-    if _e804 {
-        if (_e846 == 0u) {
-            let _e865 = atomicAdd((&counts[_e814]), countOneBits(_e832));
-            atomicStore((&masks[(1024u + _e814)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e875 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u))) < _e60);
-    let _e883 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u))) < _e60);
-    let _e888 = (_e56 + ((_e310 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e893 = (_e56 + ((_e322 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e875 {
-        let _e899 = atomicOr((&masks[_e888]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    if _e883 {
-        let _e906 = atomicOr((&masks[(1024u + _e893)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e908 = atomicLoad((&masks[_e888]));
-    let _e911 = atomicLoad((&masks[(1024u + _e893)]));
-    let _e918 = countOneBits((_e908 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e925 = countOneBits((_e911 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e927 = atomicLoad((&counts[_e888]));
-    let _e930 = atomicLoad((&counts[_e893]));
-    let _e932 = atomicLoad((&masks[_e893]));
-    workgroupBarrier();
-    if _e875 {
-        if (_e918 == 0u) {
-            let _e939 = atomicAdd((&counts[_e888]), countOneBits(_e908));
-            atomicStore((&masks[_e888]), 0u);
-        }
-    }
-    if _e883 {
-        if (_e925 == 0u) {
-            let _e944 = atomicAdd((&counts[_e893]), countOneBits(_e911));
-            atomicStore((&masks[(1024u + _e893)]), 0u);
+    if _e648 {
+        if (_e690 == 0u) {
+            let _e709 = atomicAdd((&counts[_e658]), countOneBits(_e676));
+            atomicStore((&masks[(1024u + _e658)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e954 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u))) < _e60);
-    let _e962 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u))) < _e60);
-    let _e967 = (_e56 + ((_e358 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e972 = (_e56 + ((_e370 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e954 {
-        let _e978 = atomicOr((&masks[_e967]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    let _e719 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u))) < _e62);
+    let _e727 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u))) < _e62);
+    let _e732 = (_e56 + ((_e216 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e737 = (_e56 + ((_e228 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e719 {
+        let _e743 = atomicOr((&masks[_e732]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
-    if _e962 {
-        let _e985 = atomicOr((&masks[(1024u + _e972)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    if _e727 {
+        let _e750 = atomicOr((&masks[(1024u + _e737)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
     }
     workgroupBarrier();
-    let _e987 = atomicLoad((&masks[_e967]));
-    let _e990 = atomicLoad((&masks[(1024u + _e972)]));
-    let _e997 = countOneBits((_e987 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e1004 = countOneBits((_e990 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e1006 = atomicLoad((&counts[_e967]));
-    let _e1009 = atomicLoad((&counts[_e972]));
-    let _e1011 = atomicLoad((&masks[_e972]));
+    let _e752 = atomicLoad((&masks[_e732]));
+    let _e755 = atomicLoad((&masks[(1024u + _e737)]));
+    let _e762 = countOneBits((_e752 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e769 = countOneBits((_e755 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e771 = atomicLoad((&counts[_e732]));
+    let _e774 = atomicLoad((&counts[_e737]));
+    let _e776 = atomicLoad((&masks[_e737]));
     workgroupBarrier();
-    if _e954 {
-        if (_e997 == 0u) {
-            let _e1018 = atomicAdd((&counts[_e967]), countOneBits(_e987));
-            atomicStore((&masks[_e967]), 0u);
+    if _e719 {
+        if (_e762 == 0u) {
+            let _e783 = atomicAdd((&counts[_e732]), countOneBits(_e752));
+            atomicStore((&masks[_e732]), 0u);
         }
     }
-    if _e962 {
-        if (_e1004 == 0u) {
-            let _e1023 = atomicAdd((&counts[_e972]), countOneBits(_e990));
-            atomicStore((&masks[(1024u + _e972)]), 0u);
-        }
-    }
-    workgroupBarrier();
-    let _e1033 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u))) < _e60);
-    let _e1041 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u))) < _e60);
-    let _e1046 = (_e56 + ((_e406 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    let _e1051 = (_e56 + ((_e418 >> bitcast<u32>((_e58 & 31u))) & 255u));
-    if _e1033 {
-        let _e1057 = atomicOr((&masks[_e1046]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    if _e1041 {
-        let _e1064 = atomicOr((&masks[(1024u + _e1051)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
-    }
-    workgroupBarrier();
-    let _e1066 = atomicLoad((&masks[_e1046]));
-    let _e1069 = atomicLoad((&masks[(1024u + _e1051)]));
-    let _e1076 = countOneBits((_e1066 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e1083 = countOneBits((_e1069 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
-    let _e1085 = atomicLoad((&counts[_e1046]));
-    let _e1088 = atomicLoad((&counts[_e1051]));
-    let _e1090 = atomicLoad((&masks[_e1051]));
-    workgroupBarrier();
-    if _e1033 {
-        if (_e1076 == 0u) {
-            let _e1097 = atomicAdd((&counts[_e1046]), countOneBits(_e1066));
-            atomicStore((&masks[_e1046]), 0u);
-        }
-    }
-    if _e1041 {
-        if (_e1083 == 0u) {
-            let _e1102 = atomicAdd((&counts[_e1051]), countOneBits(_e1069));
-            atomicStore((&masks[(1024u + _e1051)]), 0u);
+    if _e727 {
+        if (_e769 == 0u) {
+            let _e788 = atomicAdd((&counts[_e737]), countOneBits(_e755));
+            atomicStore((&masks[(1024u + _e737)]), 0u);
         }
     }
     workgroupBarrier();
-    let _e1106 = params.member.member_11;
-    let _e1107 = (256u * _e1106);
-    let _e1111 = table.member[(_e1107 + (2u * _e43))];
-    let _e1116 = table.member[((_e1107 + (2u * _e43)) + 1u)];
-    let _e1117 = (_e1111 + _e1116);
-    atomicStore((&masks[_e43]), _e1117);
-    phi_1652_ = type_13(0u, 7u);
-    phi_1655_ = 0u;
-    phi_1657_ = 1u;
-    phi_1659_ = _e1117;
-    phi_1656_ = 1024u;
+    let _e798 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u))) < _e62);
+    let _e806 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u))) < _e62);
+    let _e811 = (_e56 + ((_e264 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e816 = (_e56 + ((_e276 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e798 {
+        let _e822 = atomicOr((&masks[_e811]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    if _e806 {
+        let _e829 = atomicOr((&masks[(1024u + _e816)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e831 = atomicLoad((&masks[_e811]));
+    let _e834 = atomicLoad((&masks[(1024u + _e816)]));
+    let _e841 = countOneBits((_e831 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e848 = countOneBits((_e834 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e850 = atomicLoad((&counts[_e811]));
+    let _e853 = atomicLoad((&counts[_e816]));
+    let _e855 = atomicLoad((&masks[_e816]));
+    workgroupBarrier();
+    if _e798 {
+        if (_e841 == 0u) {
+            let _e862 = atomicAdd((&counts[_e811]), countOneBits(_e831));
+            atomicStore((&masks[_e811]), 0u);
+        }
+    }
+    if _e806 {
+        if (_e848 == 0u) {
+            let _e867 = atomicAdd((&counts[_e816]), countOneBits(_e834));
+            atomicStore((&masks[(1024u + _e816)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e877 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u))) < _e62);
+    let _e885 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u))) < _e62);
+    let _e890 = (_e56 + ((_e312 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e895 = (_e56 + ((_e324 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e877 {
+        let _e901 = atomicOr((&masks[_e890]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    if _e885 {
+        let _e908 = atomicOr((&masks[(1024u + _e895)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e910 = atomicLoad((&masks[_e890]));
+    let _e913 = atomicLoad((&masks[(1024u + _e895)]));
+    let _e920 = countOneBits((_e910 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e927 = countOneBits((_e913 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e929 = atomicLoad((&counts[_e890]));
+    let _e932 = atomicLoad((&counts[_e895]));
+    let _e934 = atomicLoad((&masks[_e895]));
+    workgroupBarrier();
+    if _e877 {
+        if (_e920 == 0u) {
+            let _e941 = atomicAdd((&counts[_e890]), countOneBits(_e910));
+            atomicStore((&masks[_e890]), 0u);
+        }
+    }
+    if _e885 {
+        if (_e927 == 0u) {
+            let _e946 = atomicAdd((&counts[_e895]), countOneBits(_e913));
+            atomicStore((&masks[(1024u + _e895)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e956 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u))) < _e62);
+    let _e964 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u))) < _e62);
+    let _e969 = (_e56 + ((_e360 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e974 = (_e56 + ((_e372 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e956 {
+        let _e980 = atomicOr((&masks[_e969]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    if _e964 {
+        let _e987 = atomicOr((&masks[(1024u + _e974)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e989 = atomicLoad((&masks[_e969]));
+    let _e992 = atomicLoad((&masks[(1024u + _e974)]));
+    let _e999 = countOneBits((_e989 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e1006 = countOneBits((_e992 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e1008 = atomicLoad((&counts[_e969]));
+    let _e1011 = atomicLoad((&counts[_e974]));
+    let _e1013 = atomicLoad((&masks[_e974]));
+    workgroupBarrier();
+    if _e956 {
+        if (_e999 == 0u) {
+            let _e1020 = atomicAdd((&counts[_e969]), countOneBits(_e989));
+            atomicStore((&masks[_e969]), 0u);
+        }
+    }
+    if _e964 {
+        if (_e1006 == 0u) {
+            let _e1025 = atomicAdd((&counts[_e974]), countOneBits(_e992));
+            atomicStore((&masks[(1024u + _e974)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e1035 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u))) < _e62);
+    let _e1043 = (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u))) < _e62);
+    let _e1048 = (_e56 + ((_e408 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    let _e1053 = (_e56 + ((_e420 >> bitcast<u32>((_e59 & 31u))) & 255u));
+    if _e1035 {
+        let _e1059 = atomicOr((&masks[_e1048]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    if _e1043 {
+        let _e1066 = atomicOr((&masks[(1024u + _e1053)]), (1u << bitcast<u32>(((_e43 % 32u) & 31u))));
+    }
+    workgroupBarrier();
+    let _e1068 = atomicLoad((&masks[_e1048]));
+    let _e1071 = atomicLoad((&masks[(1024u + _e1053)]));
+    let _e1078 = countOneBits((_e1068 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e1085 = countOneBits((_e1071 & ((1u << bitcast<u32>(((_e43 % 32u) & 31u))) - 1u)));
+    let _e1087 = atomicLoad((&counts[_e1048]));
+    let _e1090 = atomicLoad((&counts[_e1053]));
+    let _e1092 = atomicLoad((&masks[_e1053]));
+    workgroupBarrier();
+    if _e1035 {
+        if (_e1078 == 0u) {
+            let _e1099 = atomicAdd((&counts[_e1048]), countOneBits(_e1068));
+            atomicStore((&masks[_e1048]), 0u);
+        }
+    }
+    if _e1043 {
+        if (_e1085 == 0u) {
+            let _e1104 = atomicAdd((&counts[_e1053]), countOneBits(_e1071));
+            atomicStore((&masks[(1024u + _e1053)]), 0u);
+        }
+    }
+    workgroupBarrier();
+    let _e1109 = params.member.member_2.member_1;
+    let _e1110 = (256u * _e1109);
+    let _e1114 = table.member[(_e1110 + (2u * _e43))];
+    let _e1119 = table.member[((_e1110 + (2u * _e43)) + 1u)];
+    let _e1120 = (_e1114 + _e1119);
+    atomicStore((&masks[_e43]), _e1120);
+    phi_1657_ = type_9(0u, 7u);
+    phi_1660_ = 0u;
+    phi_1662_ = 1u;
+    phi_1664_ = _e1120;
+    phi_1661_ = 1024u;
     loop {
-        let _e1120 = phi_1652_;
-        let _e1122 = phi_1655_;
-        let _e1124 = phi_1657_;
-        let _e1126 = phi_1659_;
-        let _e1128 = phi_1656_;
-        local = _e1126;
-        if (_e1120.member < _e1120.member_1) {
-            phi_1653_ = type_13((_e1120.member + 1u), _e1120.member_1);
-            phi_1682_ = type_13(1u, _e1120.member);
+        let _e1123 = phi_1657_;
+        let _e1125 = phi_1660_;
+        let _e1127 = phi_1662_;
+        let _e1129 = phi_1664_;
+        let _e1131 = phi_1661_;
+        local = _e1129;
+        if (_e1123.member < _e1123.member_1) {
+            phi_1658_ = type_9((_e1123.member + 1u), _e1123.member_1);
+            phi_1687_ = type_9(1u, _e1123.member);
         } else {
-            phi_1653_ = _e1120;
-            phi_1682_ = type_13(0u, type_13().member_1);
+            phi_1658_ = _e1123;
+            phi_1687_ = type_9(0u, type_9().member_1);
         }
-        let _e1140 = phi_1653_;
-        let _e1142 = phi_1682_;
-        let _e1145 = (bitcast<i32>(_e1142.member) != 0i);
-        if _e1145 {
+        let _e1143 = phi_1658_;
+        let _e1145 = phi_1687_;
+        let _e1148 = (bitcast<i32>(_e1145.member) != 0i);
+        if _e1148 {
             workgroupBarrier();
-            if (_e43 >= _e1124) {
-                let _e1150 = atomicLoad((&masks[((_e1122 + _e43) - _e1124)]));
-                phi_1698_ = (_e1126 + _e1150);
+            if (_e43 >= _e1127) {
+                let _e1153 = atomicLoad((&masks[((_e1125 + _e43) - _e1127)]));
+                phi_1703_ = (_e1129 + _e1153);
             } else {
-                phi_1698_ = _e1126;
+                phi_1703_ = _e1129;
             }
-            let _e1153 = phi_1698_;
-            atomicStore((&masks[(_e1128 + _e43)]), _e1153);
-            phi_1658_ = (_e1124 * 2u);
-            phi_1660_ = _e1153;
+            let _e1156 = phi_1703_;
+            atomicStore((&masks[(_e1131 + _e43)]), _e1156);
+            phi_1663_ = (_e1127 * 2u);
+            phi_1665_ = _e1156;
         } else {
-            phi_1658_ = u32();
-            phi_1660_ = u32();
+            phi_1663_ = u32();
+            phi_1665_ = u32();
         }
-        let _e1158 = phi_1658_;
-        let _e1160 = phi_1660_;
+        let _e1161 = phi_1663_;
+        let _e1163 = phi_1665_;
         continue;
         continuing {
-            phi_1652_ = _e1140;
-            phi_1655_ = _e1128;
-            phi_1657_ = _e1158;
-            phi_1659_ = _e1160;
-            phi_1656_ = _e1122;
-            break if !(_e1145);
+            phi_1657_ = _e1143;
+            phi_1660_ = _e1131;
+            phi_1662_ = _e1161;
+            phi_1664_ = _e1163;
+            phi_1661_ = _e1125;
+            break if !(_e1148);
         }
     }
     workgroupBarrier();
-    let _e1163 = local;
-    phi_1705_ = type_13(0u, 2u);
-    phi_1708_ = (_e1163 - _e1117);
+    let _e1166 = local;
+    phi_1710_ = type_9(0u, 2u);
+    phi_1713_ = (_e1166 - _e1120);
     loop {
-        let _e1166 = phi_1705_;
-        let _e1168 = phi_1708_;
-        if (_e1166.member < _e1166.member_1) {
-            phi_1706_ = type_13((_e1166.member + 1u), _e1166.member_1);
-            phi_1731_ = type_13(1u, _e1166.member);
+        let _e1169 = phi_1710_;
+        let _e1171 = phi_1713_;
+        if (_e1169.member < _e1169.member_1) {
+            phi_1711_ = type_9((_e1169.member + 1u), _e1169.member_1);
+            phi_1736_ = type_9(1u, _e1169.member);
         } else {
-            phi_1706_ = _e1166;
-            phi_1731_ = type_13(0u, type_13().member_1);
+            phi_1711_ = _e1169;
+            phi_1736_ = type_9(0u, type_9().member_1);
         }
-        let _e1180 = phi_1706_;
-        let _e1182 = phi_1731_;
-        let _e1186 = (bitcast<i32>(_e1182.member) != 0i);
-        if _e1186 {
-            let _e1188 = ((2u * _e43) + _e1182.member_1);
-            let _e1190 = params.member.member_11;
-            if (_e54 < _e1190) {
-                let _e1193 = params.member.member_11;
-                let _e1197 = table.member[((_e1188 * _e1193) + _e54)];
-                phi_1761_ = _e1197;
+        let _e1183 = phi_1711_;
+        let _e1185 = phi_1736_;
+        let _e1189 = (bitcast<i32>(_e1185.member) != 0i);
+        if _e1189 {
+            let _e1191 = ((2u * _e43) + _e1185.member_1);
+            let _e1194 = params.member.member_2.member_1;
+            if (_e54 < _e1194) {
+                let _e1198 = params.member.member_2.member_1;
+                let _e1202 = table.member[((_e1191 * _e1198) + _e54)];
+                phi_1768_ = _e1202;
             } else {
-                phi_1761_ = 0u;
+                phi_1768_ = 0u;
             }
-            let _e1199 = phi_1761_;
-            phi_1765_ = type_13(0u, 4u);
-            phi_1768_ = (_e1168 + _e1199);
+            let _e1204 = phi_1768_;
+            phi_1772_ = type_9(0u, 4u);
+            phi_1775_ = (_e1171 + _e1204);
             loop {
-                let _e1202 = phi_1765_;
-                let _e1204 = phi_1768_;
-                if (_e1202.member < _e1202.member_1) {
-                    phi_1766_ = type_13((_e1202.member + 1u), _e1202.member_1);
-                    phi_1791_ = type_13(1u, _e1202.member);
+                let _e1207 = phi_1772_;
+                let _e1209 = phi_1775_;
+                if (_e1207.member < _e1207.member_1) {
+                    phi_1773_ = type_9((_e1207.member + 1u), _e1207.member_1);
+                    phi_1798_ = type_9(1u, _e1207.member);
                 } else {
-                    phi_1766_ = _e1202;
-                    phi_1791_ = type_13(0u, type_13().member_1);
+                    phi_1773_ = _e1207;
+                    phi_1798_ = type_9(0u, type_9().member_1);
                 }
-                let _e1216 = phi_1766_;
-                let _e1218 = phi_1791_;
-                let _e1222 = (bitcast<i32>(_e1218.member) != 0i);
-                if _e1222 {
-                    let _e1224 = ((_e1218.member_1 * 256u) + _e1188);
-                    let _e1226 = atomicLoad((&counts[_e1224]));
-                    atomicStore((&counts[_e1224]), _e1204);
-                    phi_1769_ = (_e1204 + _e1226);
+                let _e1221 = phi_1773_;
+                let _e1223 = phi_1798_;
+                let _e1227 = (bitcast<i32>(_e1223.member) != 0i);
+                if _e1227 {
+                    let _e1229 = ((_e1223.member_1 * 256u) + _e1191);
+                    let _e1231 = atomicLoad((&counts[_e1229]));
+                    atomicStore((&counts[_e1229]), _e1209);
+                    phi_1776_ = (_e1209 + _e1231);
                 } else {
-                    phi_1769_ = u32();
+                    phi_1776_ = u32();
                 }
-                let _e1230 = phi_1769_;
+                let _e1235 = phi_1776_;
                 continue;
                 continuing {
-                    phi_1765_ = _e1216;
-                    phi_1768_ = _e1230;
-                    break if !(_e1222);
+                    phi_1772_ = _e1221;
+                    phi_1775_ = _e1235;
+                    break if !(_e1227);
                 }
             }
-            phi_1709_ = (_e1168 + _e1111);
+            phi_1714_ = (_e1171 + _e1114);
         } else {
-            phi_1709_ = u32();
+            phi_1714_ = u32();
         }
-        let _e1234 = phi_1709_;
+        let _e1239 = phi_1714_;
         continue;
         continuing {
-            phi_1705_ = _e1180;
-            phi_1708_ = _e1234;
-            break if !(_e1186);
+            phi_1710_ = _e1183;
+            phi_1713_ = _e1239;
+            break if !(_e1189);
         }
     }
     workgroupBarrier();
-    if (((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u))) < _e60) {
-        let _e1249 = atomicLoad((&counts[(_e56 + ((_e71 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1250 = (_e1249 + (_e532 + _e523));
-        keys_out.member[_e1250] = _e71;
-        values_out.member[_e1250] = _e94;
+    if (((_e54 * 2048u) + (((_e43 / 32u) * 512u) + (_e43 % 32u))) < _e62) {
+        let _e1254 = atomicLoad((&counts[(_e56 + ((_e73 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1255 = (_e1254 + (_e534 + _e525));
+        keys_out.member[_e1255] = _e73;
+        values_out.member[_e1255] = _e96;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u))) < _e60) {
-        let _e1267 = atomicLoad((&counts[(_e56 + ((_e83 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1268 = (_e1267 + ((_e535 + countOneBits(_e537)) + _e530));
-        keys_out.member[_e1268] = _e83;
-        values_out.member[_e1268] = _e106;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 32u) + (_e43 % 32u))) < _e62) {
+        let _e1272 = atomicLoad((&counts[(_e56 + ((_e85 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1273 = (_e1272 + ((_e537 + countOneBits(_e539)) + _e532));
+        keys_out.member[_e1273] = _e85;
+        values_out.member[_e1273] = _e108;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u))) < _e60) {
-        let _e1285 = atomicLoad((&counts[(_e56 + ((_e118 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1286 = (_e1285 + (_e611 + _e602));
-        keys_out.member[_e1286] = _e118;
-        values_out.member[_e1286] = _e142;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 64u) + (_e43 % 32u))) < _e62) {
+        let _e1290 = atomicLoad((&counts[(_e56 + ((_e120 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1291 = (_e1290 + (_e613 + _e604));
+        keys_out.member[_e1291] = _e120;
+        values_out.member[_e1291] = _e144;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u))) < _e60) {
-        let _e1303 = atomicLoad((&counts[(_e56 + ((_e130 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1304 = (_e1303 + ((_e614 + countOneBits(_e616)) + _e609));
-        keys_out.member[_e1304] = _e130;
-        values_out.member[_e1304] = _e154;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 96u) + (_e43 % 32u))) < _e62) {
+        let _e1308 = atomicLoad((&counts[(_e56 + ((_e132 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1309 = (_e1308 + ((_e616 + countOneBits(_e618)) + _e611));
+        keys_out.member[_e1309] = _e132;
+        values_out.member[_e1309] = _e156;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u))) < _e60) {
-        let _e1321 = atomicLoad((&counts[(_e56 + ((_e166 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1322 = (_e1321 + (_e690 + _e681));
-        keys_out.member[_e1322] = _e166;
-        values_out.member[_e1322] = _e190;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 128u) + (_e43 % 32u))) < _e62) {
+        let _e1326 = atomicLoad((&counts[(_e56 + ((_e168 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1327 = (_e1326 + (_e692 + _e683));
+        keys_out.member[_e1327] = _e168;
+        values_out.member[_e1327] = _e192;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u))) < _e60) {
-        let _e1339 = atomicLoad((&counts[(_e56 + ((_e178 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1340 = (_e1339 + ((_e693 + countOneBits(_e695)) + _e688));
-        keys_out.member[_e1340] = _e178;
-        values_out.member[_e1340] = _e202;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 160u) + (_e43 % 32u))) < _e62) {
+        let _e1344 = atomicLoad((&counts[(_e56 + ((_e180 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1345 = (_e1344 + ((_e695 + countOneBits(_e697)) + _e690));
+        keys_out.member[_e1345] = _e180;
+        values_out.member[_e1345] = _e204;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u))) < _e60) {
-        let _e1357 = atomicLoad((&counts[(_e56 + ((_e214 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1358 = (_e1357 + (_e769 + _e760));
-        keys_out.member[_e1358] = _e214;
-        values_out.member[_e1358] = _e238;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 192u) + (_e43 % 32u))) < _e62) {
+        let _e1362 = atomicLoad((&counts[(_e56 + ((_e216 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1363 = (_e1362 + (_e771 + _e762));
+        keys_out.member[_e1363] = _e216;
+        values_out.member[_e1363] = _e240;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u))) < _e60) {
-        let _e1375 = atomicLoad((&counts[(_e56 + ((_e226 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1376 = (_e1375 + ((_e772 + countOneBits(_e774)) + _e767));
-        keys_out.member[_e1376] = _e226;
-        values_out.member[_e1376] = _e250;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 224u) + (_e43 % 32u))) < _e62) {
+        let _e1380 = atomicLoad((&counts[(_e56 + ((_e228 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1381 = (_e1380 + ((_e774 + countOneBits(_e776)) + _e769));
+        keys_out.member[_e1381] = _e228;
+        values_out.member[_e1381] = _e252;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u))) < _e60) {
-        let _e1393 = atomicLoad((&counts[(_e56 + ((_e262 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1394 = (_e1393 + (_e848 + _e839));
-        keys_out.member[_e1394] = _e262;
-        values_out.member[_e1394] = _e286;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 256u) + (_e43 % 32u))) < _e62) {
+        let _e1398 = atomicLoad((&counts[(_e56 + ((_e264 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1399 = (_e1398 + (_e850 + _e841));
+        keys_out.member[_e1399] = _e264;
+        values_out.member[_e1399] = _e288;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u))) < _e60) {
-        let _e1411 = atomicLoad((&counts[(_e56 + ((_e274 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1412 = (_e1411 + ((_e851 + countOneBits(_e853)) + _e846));
-        keys_out.member[_e1412] = _e274;
-        values_out.member[_e1412] = _e298;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 288u) + (_e43 % 32u))) < _e62) {
+        let _e1416 = atomicLoad((&counts[(_e56 + ((_e276 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1417 = (_e1416 + ((_e853 + countOneBits(_e855)) + _e848));
+        keys_out.member[_e1417] = _e276;
+        values_out.member[_e1417] = _e300;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u))) < _e60) {
-        let _e1429 = atomicLoad((&counts[(_e56 + ((_e310 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1430 = (_e1429 + (_e927 + _e918));
-        keys_out.member[_e1430] = _e310;
-        values_out.member[_e1430] = _e334;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 320u) + (_e43 % 32u))) < _e62) {
+        let _e1434 = atomicLoad((&counts[(_e56 + ((_e312 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1435 = (_e1434 + (_e929 + _e920));
+        keys_out.member[_e1435] = _e312;
+        values_out.member[_e1435] = _e336;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u))) < _e60) {
-        let _e1447 = atomicLoad((&counts[(_e56 + ((_e322 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1448 = (_e1447 + ((_e930 + countOneBits(_e932)) + _e925));
-        keys_out.member[_e1448] = _e322;
-        values_out.member[_e1448] = _e346;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 352u) + (_e43 % 32u))) < _e62) {
+        let _e1452 = atomicLoad((&counts[(_e56 + ((_e324 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1453 = (_e1452 + ((_e932 + countOneBits(_e934)) + _e927));
+        keys_out.member[_e1453] = _e324;
+        values_out.member[_e1453] = _e348;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u))) < _e60) {
-        let _e1465 = atomicLoad((&counts[(_e56 + ((_e358 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1466 = (_e1465 + (_e1006 + _e997));
-        keys_out.member[_e1466] = _e358;
-        values_out.member[_e1466] = _e382;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 384u) + (_e43 % 32u))) < _e62) {
+        let _e1470 = atomicLoad((&counts[(_e56 + ((_e360 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1471 = (_e1470 + (_e1008 + _e999));
+        keys_out.member[_e1471] = _e360;
+        values_out.member[_e1471] = _e384;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u))) < _e60) {
-        let _e1483 = atomicLoad((&counts[(_e56 + ((_e370 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1484 = (_e1483 + ((_e1009 + countOneBits(_e1011)) + _e1004));
-        keys_out.member[_e1484] = _e370;
-        values_out.member[_e1484] = _e394;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 416u) + (_e43 % 32u))) < _e62) {
+        let _e1488 = atomicLoad((&counts[(_e56 + ((_e372 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1489 = (_e1488 + ((_e1011 + countOneBits(_e1013)) + _e1006));
+        keys_out.member[_e1489] = _e372;
+        values_out.member[_e1489] = _e396;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u))) < _e60) {
-        let _e1501 = atomicLoad((&counts[(_e56 + ((_e406 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1502 = (_e1501 + (_e1085 + _e1076));
-        keys_out.member[_e1502] = _e406;
-        values_out.member[_e1502] = _e430;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 448u) + (_e43 % 32u))) < _e62) {
+        let _e1506 = atomicLoad((&counts[(_e56 + ((_e408 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1507 = (_e1506 + (_e1087 + _e1078));
+        keys_out.member[_e1507] = _e408;
+        values_out.member[_e1507] = _e432;
     }
-    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u))) < _e60) {
-        let _e1519 = atomicLoad((&counts[(_e56 + ((_e418 >> bitcast<u32>((_e58 & 31u))) & 255u))]));
-        let _e1520 = (_e1519 + ((_e1088 + countOneBits(_e1090)) + _e1083));
-        keys_out.member[_e1520] = _e418;
-        values_out.member[_e1520] = _e442;
+    if (((_e54 * 2048u) + ((((_e43 / 32u) * 512u) + 480u) + (_e43 % 32u))) < _e62) {
+        let _e1524 = atomicLoad((&counts[(_e56 + ((_e420 >> bitcast<u32>((_e59 & 31u))) & 255u))]));
+        let _e1525 = (_e1524 + ((_e1090 + countOneBits(_e1092)) + _e1085));
+        keys_out.member[_e1525] = _e420;
+        values_out.member[_e1525] = _e444;
     }
     return;
 }

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,52 +8,59 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
 }
 
-struct type_9 {
-    member: type_8,
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
-struct type_11 {
+struct type_10 {
+    member: array<array<u32, 2>>,
+}
+
+struct type_12 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_13 {
-    member: array<type_11>,
+struct type_14 {
+    member: array<type_12>,
 }
 
 struct type_15 {
-    member: array<array<u32, 2>>,
+    member: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
+}
+
+struct type_17 {
+    member: type_16,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_9;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> edges: type_15;
+var<storage> edges: type_10;
 @group(0) @binding(2) 
-var<storage, read_write> boxes: type_13;
+var<storage, read_write> boxes: type_14;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_107_: f32;
-    var phi_114_: f32;
-    var phi_121_: f32;
-    var phi_129_: f32;
-    var phi_136_: f32;
-    var phi_143_: f32;
+    var phi_108_: f32;
+    var phi_115_: f32;
+    var phi_122_: f32;
+    var phi_130_: f32;
+    var phi_137_: f32;
+    var phi_144_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -64,49 +72,49 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e9 = n_2;
     let _e10 = lane_2;
     let _e20 = ((((_e8.y * _e9.x) + _e8.x) * 256u) + _e10);
-    let _e23 = params.member.member[1u];
-    if (_e20 < _e23) {
-        let _e26 = edges.member[_e20];
-        let _e30 = boxes.member[_e26[0]];
-        let _e32 = boxes.member[_e26[1]];
-        if (_e30.member[0] < _e32.member[0]) {
-            phi_107_ = _e30.member[0];
+    let _e24 = params.member.member.member[1u];
+    if (_e20 < _e24) {
+        let _e27 = edges.member[_e20];
+        let _e31 = boxes.member[_e27[0]];
+        let _e33 = boxes.member[_e27[1]];
+        if (_e31.member[0] < _e33.member[0]) {
+            phi_108_ = _e31.member[0];
         } else {
-            phi_107_ = _e32.member[0];
+            phi_108_ = _e33.member[0];
         }
-        let _e39 = phi_107_;
-        if (_e30.member[1] < _e32.member[1]) {
-            phi_114_ = _e30.member[1];
+        let _e40 = phi_108_;
+        if (_e31.member[1] < _e33.member[1]) {
+            phi_115_ = _e31.member[1];
         } else {
-            phi_114_ = _e32.member[1];
+            phi_115_ = _e33.member[1];
         }
-        let _e46 = phi_114_;
-        if (_e30.member[2] < _e32.member[2]) {
-            phi_121_ = _e30.member[2];
+        let _e47 = phi_115_;
+        if (_e31.member[2] < _e33.member[2]) {
+            phi_122_ = _e31.member[2];
         } else {
-            phi_121_ = _e32.member[2];
+            phi_122_ = _e33.member[2];
         }
-        let _e53 = phi_121_;
-        if (_e30.member_1[0] > _e32.member_1[0]) {
-            phi_129_ = _e30.member_1[0];
+        let _e54 = phi_122_;
+        if (_e31.member_1[0] > _e33.member_1[0]) {
+            phi_130_ = _e31.member_1[0];
         } else {
-            phi_129_ = _e32.member_1[0];
+            phi_130_ = _e33.member_1[0];
         }
-        let _e61 = phi_129_;
-        if (_e30.member_1[1] > _e32.member_1[1]) {
-            phi_136_ = _e30.member_1[1];
+        let _e62 = phi_130_;
+        if (_e31.member_1[1] > _e33.member_1[1]) {
+            phi_137_ = _e31.member_1[1];
         } else {
-            phi_136_ = _e32.member_1[1];
+            phi_137_ = _e33.member_1[1];
         }
-        let _e68 = phi_136_;
-        if (_e30.member_1[2] > _e32.member_1[2]) {
-            phi_143_ = _e30.member_1[2];
+        let _e69 = phi_137_;
+        if (_e31.member_1[2] > _e33.member_1[2]) {
+            phi_144_ = _e31.member_1[2];
         } else {
-            phi_143_ = _e32.member_1[2];
+            phi_144_ = _e33.member_1[2];
         }
-        let _e75 = phi_143_;
-        let _e80 = params.member.member_2[1u];
-        boxes.member[(_e80 + _e20)] = type_11(array<f32, 3>(_e39, _e46, _e53), array<f32, 3>(_e61, _e68, _e75));
+        let _e76 = phi_144_;
+        let _e82 = params.member.member.member_2[1u];
+        boxes.member[(_e82 + _e20)] = type_12(array<f32, 3>(_e40, _e47, _e54), array<f32, 3>(_e62, _e69, _e76));
     }
     return;
 }

@@ -1,4 +1,5 @@
-struct type_8 {
+// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.
+struct type_7 {
     member: array<u32, 3>,
     member_1: u32,
     member_2: array<u32, 4>,
@@ -7,93 +8,100 @@ struct type_8 {
     member_5: f32,
     member_6: f32,
     member_7: array<u32, 2>,
-    member_8: u32,
-    member_9: u32,
-    member_10: u32,
-    member_11: u32,
-    member_12: u32,
-    member_13: u32,
-    member_14: u32,
-    member_15: u32,
-    member_16: u32,
-    member_17: u32,
-    member_18: array<array<u32, 2>, 3>,
-    member_19: array<u32, 2>,
-    member_20: array<array<u32, 4>, 8>,
+    member_8: array<array<u32, 2>, 3>,
+    member_9: array<u32, 2>,
+    member_10: array<u32, 2>,
+}
+
+struct type_8 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
 }
 
 struct type_9 {
-    member: type_8,
-}
-
-struct type_11 {
-    member: array<f32, 3>,
-    member_1: array<f32, 3>,
-}
-
-struct type_13 {
-    member: array<type_11>,
-}
-
-struct type_16 {
     member: u32,
     member_1: u32,
 }
 
-struct type_18 {
+struct type_13 {
     member: array<f32, 4>,
     member_1: array<f32, 4>,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_15 {
+    member: array<type_13>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_9;
-@group(0) @binding(2) 
-var<storage, read_write> boxes: type_13;
+struct type_17 {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+}
+
+struct type_19 {
+    member: array<type_17>,
+}
+
+struct type_20 {
+    member: u32,
+}
+
+struct type_21 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_20,
+}
+
+struct type_22 {
+    member: type_21,
+}
+
 @group(0) @binding(1) 
-var<storage> paths: type_20;
+var<storage> paths: type_15;
+@group(0) @binding(0) 
+var<storage> params: type_22;
+@group(0) @binding(2) 
+var<storage, read_write> boxes: type_19;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_11;
-    var local_1: type_11;
-    var local_2: type_11;
-    var phi_115_: f32;
-    var phi_120_: f32;
-    var phi_125_: f32;
-    var phi_131_: f32;
-    var phi_136_: f32;
-    var phi_141_: f32;
-    var phi_161_: type_16;
-    var phi_162_: type_16;
-    var phi_185_: type_16;
-    var phi_212_: bool;
-    var phi_229_: f32;
+    var local: type_17;
+    var local_1: type_17;
+    var local_2: type_17;
+    var phi_116_: f32;
+    var phi_121_: f32;
+    var phi_126_: f32;
+    var phi_132_: f32;
+    var phi_137_: f32;
+    var phi_142_: f32;
+    var phi_162_: type_9;
+    var phi_163_: type_9;
+    var phi_186_: type_9;
+    var phi_213_: bool;
     var phi_230_: f32;
     var phi_231_: f32;
-    var phi_258_: bool;
-    var phi_275_: f32;
+    var phi_232_: f32;
+    var phi_259_: bool;
     var phi_276_: f32;
     var phi_277_: f32;
-    var phi_321_: type_16;
-    var phi_322_: type_16;
-    var phi_345_: type_16;
-    var phi_375_: bool;
-    var phi_392_: f32;
+    var phi_278_: f32;
+    var phi_322_: type_9;
+    var phi_323_: type_9;
+    var phi_346_: type_9;
+    var phi_376_: bool;
     var phi_393_: f32;
     var phi_394_: f32;
-    var phi_396_: f32;
-    var phi_402_: f32;
-    var phi_407_: f32;
-    var phi_436_: bool;
-    var phi_453_: f32;
+    var phi_395_: f32;
+    var phi_397_: f32;
+    var phi_403_: f32;
+    var phi_408_: f32;
+    var phi_437_: bool;
     var phi_454_: f32;
     var phi_455_: f32;
     var phi_456_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
+    var phi_457_: f32;
+    var phi_463_: f32;
+    var phi_468_: f32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -105,247 +113,247 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     let _e22 = n_2;
     let _e23 = lane_2;
     let _e33 = ((((_e21.y * _e22.x) + _e21.x) * 256u) + _e23);
-    let _e36 = params.member.member[0u];
-    if (_e33 < _e36) {
-        let _e39 = paths.member[_e33];
-        let _e41 = params.member.member_3;
-        if (_e39.member[0] < _e39.member_1[0]) {
-            phi_115_ = _e39.member[0];
+    let _e37 = params.member.member.member[0u];
+    if (_e33 < _e37) {
+        let _e40 = paths.member[_e33];
+        let _e43 = params.member.member.member_3;
+        if (_e40.member[0] < _e40.member_1[0]) {
+            phi_116_ = _e40.member[0];
         } else {
-            phi_115_ = _e39.member_1[0];
+            phi_116_ = _e40.member_1[0];
         }
-        let _e52 = phi_115_;
-        if (_e39.member[1] < _e39.member_1[1]) {
-            phi_120_ = _e39.member[1];
+        let _e54 = phi_116_;
+        if (_e40.member[1] < _e40.member_1[1]) {
+            phi_121_ = _e40.member[1];
         } else {
-            phi_120_ = _e39.member_1[1];
+            phi_121_ = _e40.member_1[1];
         }
-        let _e55 = phi_120_;
-        if (_e39.member[2] < _e39.member_1[2]) {
-            phi_125_ = _e39.member[2];
+        let _e57 = phi_121_;
+        if (_e40.member[2] < _e40.member_1[2]) {
+            phi_126_ = _e40.member[2];
         } else {
-            phi_125_ = _e39.member_1[2];
+            phi_126_ = _e40.member_1[2];
         }
-        let _e58 = phi_125_;
-        if (_e39.member[0] > _e39.member_1[0]) {
-            phi_131_ = _e39.member[0];
+        let _e60 = phi_126_;
+        if (_e40.member[0] > _e40.member_1[0]) {
+            phi_132_ = _e40.member[0];
         } else {
-            phi_131_ = _e39.member_1[0];
+            phi_132_ = _e40.member_1[0];
         }
-        let _e61 = phi_131_;
-        if (_e39.member[1] > _e39.member_1[1]) {
-            phi_136_ = _e39.member[1];
+        let _e63 = phi_132_;
+        if (_e40.member[1] > _e40.member_1[1]) {
+            phi_137_ = _e40.member[1];
         } else {
-            phi_136_ = _e39.member_1[1];
+            phi_137_ = _e40.member_1[1];
         }
-        let _e64 = phi_136_;
-        if (_e39.member[2] > _e39.member_1[2]) {
-            phi_141_ = _e39.member[2];
+        let _e66 = phi_137_;
+        if (_e40.member[2] > _e40.member_1[2]) {
+            phi_142_ = _e40.member[2];
         } else {
-            phi_141_ = _e39.member_1[2];
+            phi_142_ = _e40.member_1[2];
         }
-        let _e67 = phi_141_;
-        if (_e41 > 0f) {
-            local_1 = type_11(array<f32, 3>(_e52, _e55, _e58), array<f32, 3>(_e61, _e64, _e67));
-            phi_161_ = type_16(0u, 3u);
+        let _e69 = phi_142_;
+        if (_e43 > 0f) {
+            local_1 = type_17(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
+            phi_162_ = type_9(0u, 3u);
             loop {
-                let _e76 = phi_161_;
-                if (_e76.member < _e76.member_1) {
-                    phi_162_ = type_16((_e76.member + 1u), _e76.member_1);
-                    phi_185_ = type_16(1u, _e76.member);
+                let _e78 = phi_162_;
+                if (_e78.member < _e78.member_1) {
+                    phi_163_ = type_9((_e78.member + 1u), _e78.member_1);
+                    phi_186_ = type_9(1u, _e78.member);
                 } else {
-                    phi_162_ = _e76;
-                    phi_185_ = type_16(0u, type_16().member_1);
+                    phi_163_ = _e78;
+                    phi_186_ = type_9(0u, type_9().member_1);
                 }
-                let _e88 = phi_162_;
-                let _e90 = phi_185_;
-                let _e94 = (bitcast<i32>(_e90.member) != 0i);
-                if _e94 {
-                    let _e97 = local_1.member[_e90.member_1];
-                    let _e99 = -((_e97 - _e41));
-                    let _e100 = bitcast<u32>(_e99);
-                    if ((_e100 & 2139095040u) == 2139095040u) {
-                        phi_212_ = (_e99 < 0f);
+                let _e90 = phi_163_;
+                let _e92 = phi_186_;
+                let _e96 = (bitcast<i32>(_e92.member) != 0i);
+                if _e96 {
+                    let _e99 = local_1.member[_e92.member_1];
+                    let _e101 = -((_e99 - _e43));
+                    let _e102 = bitcast<u32>(_e101);
+                    if ((_e102 & 2139095040u) == 2139095040u) {
+                        phi_213_ = (_e101 < 0f);
                     } else {
-                        phi_212_ = true;
+                        phi_213_ = true;
                     }
-                    let _e105 = phi_212_;
-                    if _e105 {
-                        if (_e99 > 0f) {
-                            phi_230_ = bitcast<f32>((_e100 + 1u));
+                    let _e107 = phi_213_;
+                    if _e107 {
+                        if (_e101 > 0f) {
+                            phi_231_ = bitcast<f32>((_e102 + 1u));
                         } else {
-                            if (_e99 < 0f) {
-                                phi_229_ = bitcast<f32>((_e100 - 1u));
+                            if (_e101 < 0f) {
+                                phi_230_ = bitcast<f32>((_e102 - 1u));
                             } else {
-                                phi_229_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_230_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e111 = phi_229_;
-                            phi_230_ = _e111;
+                            let _e113 = phi_230_;
+                            phi_231_ = _e113;
                         }
-                        let _e115 = phi_230_;
-                        phi_231_ = _e115;
+                        let _e117 = phi_231_;
+                        phi_232_ = _e117;
                     } else {
-                        phi_231_ = _e99;
+                        phi_232_ = _e101;
                     }
-                    let _e117 = phi_231_;
-                    local_1.member[_e90.member_1] = -(_e117);
-                    let _e123 = local_1.member_1[_e90.member_1];
-                    let _e124 = (_e123 + _e41);
-                    let _e125 = bitcast<u32>(_e124);
-                    if ((_e125 & 2139095040u) == 2139095040u) {
-                        phi_258_ = (_e124 < 0f);
+                    let _e119 = phi_232_;
+                    local_1.member[_e92.member_1] = -(_e119);
+                    let _e125 = local_1.member_1[_e92.member_1];
+                    let _e126 = (_e125 + _e43);
+                    let _e127 = bitcast<u32>(_e126);
+                    if ((_e127 & 2139095040u) == 2139095040u) {
+                        phi_259_ = (_e126 < 0f);
                     } else {
-                        phi_258_ = true;
+                        phi_259_ = true;
                     }
-                    let _e130 = phi_258_;
-                    if _e130 {
-                        if (_e124 > 0f) {
-                            phi_276_ = bitcast<f32>((_e125 + 1u));
+                    let _e132 = phi_259_;
+                    if _e132 {
+                        if (_e126 > 0f) {
+                            phi_277_ = bitcast<f32>((_e127 + 1u));
                         } else {
-                            if (_e124 < 0f) {
-                                phi_275_ = bitcast<f32>((_e125 - 1u));
+                            if (_e126 < 0f) {
+                                phi_276_ = bitcast<f32>((_e127 - 1u));
                             } else {
-                                phi_275_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_276_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e136 = phi_275_;
-                            phi_276_ = _e136;
+                            let _e138 = phi_276_;
+                            phi_277_ = _e138;
                         }
-                        let _e140 = phi_276_;
-                        phi_277_ = _e140;
+                        let _e142 = phi_277_;
+                        phi_278_ = _e142;
                     } else {
-                        phi_277_ = _e124;
+                        phi_278_ = _e126;
                     }
-                    let _e142 = phi_277_;
-                    local_1.member_1[_e90.member_1] = _e142;
+                    let _e144 = phi_278_;
+                    local_1.member_1[_e92.member_1] = _e144;
                 }
                 continue;
                 continuing {
-                    phi_161_ = _e88;
-                    break if !(_e94);
+                    phi_162_ = _e90;
+                    break if !(_e96);
                 }
             }
         } else {
-            local_1 = type_11(array<f32, 3>(_e52, _e55, _e58), array<f32, 3>(_e61, _e64, _e67));
+            local_1 = type_17(array<f32, 3>(_e54, _e57, _e60), array<f32, 3>(_e63, _e66, _e69));
         }
-        let _e146 = local_1;
-        local_2 = _e146;
-        local = type_11(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_321_ = type_16(0u, 3u);
+        let _e148 = local_1;
+        local_2 = _e148;
+        local = type_17(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_322_ = type_9(0u, 3u);
         loop {
-            let _e148 = phi_321_;
-            if (_e148.member < _e148.member_1) {
-                phi_322_ = type_16((_e148.member + 1u), _e148.member_1);
-                phi_345_ = type_16(1u, _e148.member);
+            let _e150 = phi_322_;
+            if (_e150.member < _e150.member_1) {
+                phi_323_ = type_9((_e150.member + 1u), _e150.member_1);
+                phi_346_ = type_9(1u, _e150.member);
             } else {
-                phi_322_ = _e148;
-                phi_345_ = type_16(0u, type_16().member_1);
+                phi_323_ = _e150;
+                phi_346_ = type_9(0u, type_9().member_1);
             }
-            let _e160 = phi_322_;
-            let _e162 = phi_345_;
-            let _e166 = (bitcast<i32>(_e162.member) != 0i);
-            if _e166 {
-                let _e169 = local_2.member[_e162.member_1];
-                if (_e169 > _e169) {
-                    let _e171 = -(_e169);
-                    let _e172 = bitcast<u32>(_e171);
-                    if ((_e172 & 2139095040u) == 2139095040u) {
-                        phi_375_ = (_e171 < 0f);
+            let _e162 = phi_323_;
+            let _e164 = phi_346_;
+            let _e168 = (bitcast<i32>(_e164.member) != 0i);
+            if _e168 {
+                let _e171 = local_2.member[_e164.member_1];
+                if (_e171 > _e171) {
+                    let _e173 = -(_e171);
+                    let _e174 = bitcast<u32>(_e173);
+                    if ((_e174 & 2139095040u) == 2139095040u) {
+                        phi_376_ = (_e173 < 0f);
                     } else {
-                        phi_375_ = true;
+                        phi_376_ = true;
                     }
-                    let _e177 = phi_375_;
-                    if _e177 {
-                        if (_e171 > 0f) {
-                            phi_393_ = bitcast<f32>((_e172 + 1u));
+                    let _e179 = phi_376_;
+                    if _e179 {
+                        if (_e173 > 0f) {
+                            phi_394_ = bitcast<f32>((_e174 + 1u));
                         } else {
-                            if (_e171 < 0f) {
-                                phi_392_ = bitcast<f32>((_e172 - 1u));
+                            if (_e173 < 0f) {
+                                phi_393_ = bitcast<f32>((_e174 - 1u));
                             } else {
-                                phi_392_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_393_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e183 = phi_392_;
-                            phi_393_ = _e183;
+                            let _e185 = phi_393_;
+                            phi_394_ = _e185;
                         }
-                        let _e187 = phi_393_;
-                        phi_394_ = _e187;
+                        let _e189 = phi_394_;
+                        phi_395_ = _e189;
                     } else {
-                        phi_394_ = _e171;
+                        phi_395_ = _e173;
                     }
-                    let _e189 = phi_394_;
-                    phi_396_ = -(_e189);
+                    let _e191 = phi_395_;
+                    phi_397_ = -(_e191);
                 } else {
-                    phi_396_ = _e169;
+                    phi_397_ = _e171;
                 }
-                let _e192 = phi_396_;
-                let _e193 = -(290000000000000000000000000000000000000f);
-                if (_e192 > _e193) {
-                    phi_402_ = _e192;
+                let _e194 = phi_397_;
+                let _e195 = -(290000000000000000000000000000000000000f);
+                if (_e194 > _e195) {
+                    phi_403_ = _e194;
                 } else {
-                    phi_402_ = _e193;
+                    phi_403_ = _e195;
                 }
-                let _e196 = phi_402_;
-                if (_e196 < 290000000000000000000000000000000000000f) {
-                    phi_407_ = _e196;
+                let _e198 = phi_403_;
+                if (_e198 < 290000000000000000000000000000000000000f) {
+                    phi_408_ = _e198;
                 } else {
-                    phi_407_ = 290000000000000000000000000000000000000f;
+                    phi_408_ = 290000000000000000000000000000000000000f;
                 }
-                let _e199 = phi_407_;
-                local.member[_e162.member_1] = _e199;
-                let _e204 = local_2.member_1[_e162.member_1];
-                if (_e204 < _e204) {
-                    let _e206 = bitcast<u32>(_e204);
-                    if ((_e206 & 2139095040u) == 2139095040u) {
-                        phi_436_ = (_e204 < 0f);
+                let _e201 = phi_408_;
+                local.member[_e164.member_1] = _e201;
+                let _e206 = local_2.member_1[_e164.member_1];
+                if (_e206 < _e206) {
+                    let _e208 = bitcast<u32>(_e206);
+                    if ((_e208 & 2139095040u) == 2139095040u) {
+                        phi_437_ = (_e206 < 0f);
                     } else {
-                        phi_436_ = true;
+                        phi_437_ = true;
                     }
-                    let _e211 = phi_436_;
-                    if _e211 {
-                        if (_e204 > 0f) {
-                            phi_454_ = bitcast<f32>((_e206 + 1u));
+                    let _e213 = phi_437_;
+                    if _e213 {
+                        if (_e206 > 0f) {
+                            phi_455_ = bitcast<f32>((_e208 + 1u));
                         } else {
-                            if (_e204 < 0f) {
-                                phi_453_ = bitcast<f32>((_e206 - 1u));
+                            if (_e206 < 0f) {
+                                phi_454_ = bitcast<f32>((_e208 - 1u));
                             } else {
-                                phi_453_ = 0.000000000000000000000000000000000000000000001f;
+                                phi_454_ = 0.000000000000000000000000000000000000000000001f;
                             }
-                            let _e217 = phi_453_;
-                            phi_454_ = _e217;
+                            let _e219 = phi_454_;
+                            phi_455_ = _e219;
                         }
-                        let _e221 = phi_454_;
-                        phi_455_ = _e221;
+                        let _e223 = phi_455_;
+                        phi_456_ = _e223;
                     } else {
-                        phi_455_ = _e204;
+                        phi_456_ = _e206;
                     }
-                    let _e223 = phi_455_;
-                    phi_456_ = _e223;
+                    let _e225 = phi_456_;
+                    phi_457_ = _e225;
                 } else {
-                    phi_456_ = _e204;
+                    phi_457_ = _e206;
                 }
-                let _e225 = phi_456_;
-                let _e226 = -(290000000000000000000000000000000000000f);
-                if (_e225 > _e226) {
-                    phi_462_ = _e225;
+                let _e227 = phi_457_;
+                let _e228 = -(290000000000000000000000000000000000000f);
+                if (_e227 > _e228) {
+                    phi_463_ = _e227;
                 } else {
-                    phi_462_ = _e226;
+                    phi_463_ = _e228;
                 }
-                let _e229 = phi_462_;
-                if (_e229 < 290000000000000000000000000000000000000f) {
-                    phi_467_ = _e229;
+                let _e231 = phi_463_;
+                if (_e231 < 290000000000000000000000000000000000000f) {
+                    phi_468_ = _e231;
                 } else {
-                    phi_467_ = 290000000000000000000000000000000000000f;
+                    phi_468_ = 290000000000000000000000000000000000000f;
                 }
-                let _e232 = phi_467_;
-                local.member_1[_e162.member_1] = _e232;
+                let _e234 = phi_468_;
+                local.member_1[_e164.member_1] = _e234;
             }
             continue;
             continuing {
-                phi_321_ = _e160;
-                break if !(_e166);
+                phi_322_ = _e162;
+                break if !(_e168);
             }
         }
-        let _e236 = local;
-        boxes.member[_e33] = type_11(array<f32, 3>(_e236.member[0], _e236.member[1], _e236.member[2]), array<f32, 3>(_e236.member_1[0], _e236.member_1[1], _e236.member_1[2]));
+        let _e238 = local;
+        boxes.member[_e33] = type_17(array<f32, 3>(_e238.member[0], _e238.member[1], _e238.member[2]), array<f32, 3>(_e238.member_1[0], _e238.member_1[1], _e238.member_1[2]));
     }
     return;
 }

@@ -1,7 +1,8 @@
-//! The device: choosing an adapter and a path for shaders, saying which and why, pipelines, and what happens when it fails.
+//! The device: choosing an adapter and a path for shaders, saying which and why, pipelines, and
+//! what happens when it fails.
 
 use crate::error::Error;
-use crate::modules::module;
+use crate::shaders::module;
 use ccd_core::kernel::{Access, Id, TABLE};
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -18,11 +19,13 @@ pub enum Path {
 /// What is wanted of a device.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DeviceOptions {
-    /// A part of the adapter's name, in any case; `None`: the one that wgpu prefers, and the environment variable `CCD_ADAPTER` if it is set.
+    /// A part of the adapter's name, in any case; `None`: the one that wgpu prefers, and the
+    /// environment variable `CCD_ADAPTER` if it is set.
     pub adapter: Option<String>,
     /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
     pub path: Option<Path>,
-    /// Leave `f64` unused even where the device has it: what `f32` cannot decide is then decided on the CPU.
+    /// Leave `f64` unused even where the device has it: what `f32` cannot decide is then decided on
+    /// the CPU.
     pub narrow: bool,
 }
 
@@ -110,7 +113,8 @@ fn wanted_features(options: &DeviceOptions) -> wgpu::Features {
 }
 
 impl Device {
-    /// What an application should ask of its own device so that [`Device::from_wgpu`] can use all of it; intersect with what its adapter has.
+    /// What an application should ask of its own device so that [`Device::from_wgpu`] can use all
+    /// of it; intersect with what its adapter has.
     pub fn features() -> wgpu::Features {
         wanted_features(&DeviceOptions::default())
     }
@@ -138,7 +142,8 @@ impl Device {
                 required_features: features,
                 required_limits: adapter.limits(),
                 experimental_features: if passthrough {
-                    // SAFETY: passthrough is the one experimental feature asked for; what it needs is said at `Device::compile`.
+                    // SAFETY: passthrough is the one experimental feature asked for; what it needs
+                    // is said at `Device::compile`.
                     unsafe { wgpu::ExperimentalFeatures::enabled() }
                 } else {
                     wgpu::ExperimentalFeatures::disabled()
@@ -155,7 +160,8 @@ impl Device {
         Ok(out)
     }
 
-    /// Uses a device that an application owns; see [`Device::features`]. The application keeps its callbacks for errors and for the loss of the device.
+    /// Uses a device that an application owns; see [`Device::features`]. The application keeps its
+    /// callbacks for errors and for the loss of the device.
     pub fn from_wgpu(device: wgpu::Device, queue: wgpu::Queue, adapter: wgpu::AdapterInfo, options: &DeviceOptions) -> Result<Self, Error> {
         let features = device.features();
         let can_pass = adapter.backend == wgpu::Backend::Vulkan && features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
@@ -203,7 +209,8 @@ impl Device {
         &self.inner.queue
     }
 
-    /// Runs `work` and turns what the device reports meanwhile into an error. `what`, `bytes`: for lack of memory.
+    /// Runs `work` and turns what the device reports meanwhile into an error. `what`, `bytes`: for
+    /// lack of memory.
     pub(crate) fn guarded<T>(&self, what: &'static str, bytes: u64, work: impl FnOnce() -> T) -> Result<T, Error> {
         self.check_lost()?;
         let device = &self.inner.device;
@@ -268,19 +275,20 @@ impl Device {
             }
             Path::Passthrough => {
                 let words: Vec<u32> = module.spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-                let entry = wgpu::PassthroughShaderEntryPoint { name: row.name.into(), workgroup_size: (row.workgroup, 1, 1) };
+                let entry = wgpu::PassthroughShaderEntryPoint { name: row.name.into(), workgroup_size: (row.threads, 1, 1) };
                 let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
                     label: Some(row.name),
                     entry_points: vec![entry].into(),
                     spirv: Some(words.into()),
                     ..Default::default()
                 };
-                // SAFETY: the module passed the validator, its bindings are those of the table (both are tested), and it indexes only what the
-                // parameters say is there.
+                // SAFETY: the module passed the validator, its bindings are those of the table
+                // (both are tested), and it indexes only what the parameters say is there.
                 unsafe { device.create_shader_module_passthrough(descriptor) }
             }
         };
-        let entries: Vec<_> = row.bindings.iter().enumerate().map(|(i, &access)| layout_entry(i as u32, access)).collect();
+        let entries: Vec<_> =
+            (0..).zip(row.bindings()).map(|(i, access)| layout_entry(i, access, row.params.is_some() && i == 0)).collect();
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(row.name), entries: &entries });
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(row.name),
@@ -300,13 +308,13 @@ impl Device {
     }
 }
 
-fn layout_entry(binding: u32, access: Access) -> wgpu::BindGroupLayoutEntry {
+fn layout_entry(binding: u32, access: Access, is_params: bool) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::COMPUTE,
         ty: wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Storage { read_only: access != Access::Write },
-            has_dynamic_offset: access == Access::Params,
+            has_dynamic_offset: is_params,
             min_binding_size: None,
         },
         count: None,
@@ -329,7 +337,8 @@ fn check_limits(adapter: &wgpu::AdapterInfo, limits: &wgpu::Limits) -> Result<()
 
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    // Arguments of indirect dispatches, if there were any, would be our own: checking them costs a dispatch each.
+    // Arguments of indirect dispatches, if there were any, would be our own: checking them costs a
+    // dispatch each.
     descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
     wgpu::Instance::new(descriptor)
 }

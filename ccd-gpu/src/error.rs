@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// Why the GPU did not do what was asked. A session stays usable after every error but [`Error::Lost`], and can be given another device after that.
+/// Why the GPU did not do what was asked. A session stays usable after every error but
+/// [`Error::Lost`], and can be given another device after that.
 #[derive(Clone, Debug, Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -1,69 +1,70 @@
-//! From the device: parts of buffers are copied into one that the host can map.
+//! From the device: parts of buffers are copied into one that the host can map. A part is known by
+//! the name that its owner gave it.
 
 use crate::device::Device;
 use crate::error::Error;
 
 /// A buffer that is mapped for reading; grows, is kept.
+#[derive(Default)]
 pub struct Readback {
     buffer: Option<wgpu::Buffer>,
-    used: u64,
 }
 
-/// A part of what was read.
-#[derive(Clone, Copy, Debug)]
-pub struct Part {
-    at: u64,
+/// Parts that are to be read together.
+#[derive(Debug, Default)]
+pub struct Plan {
     bytes: u64,
 }
 
+/// A part of what is read.
+#[derive(Clone, Copy, Debug)]
+pub struct Part {
+    pub at: u64,
+    pub bytes: u64,
+}
+
+/// A plan for which there is room.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    pub buffer: wgpu::Buffer,
+    bytes: u64,
+}
+
+impl Plan {
+    /// A part of so many bytes.
+    pub fn part(&mut self, bytes: u64) -> Part {
+        let part = Part { at: self.bytes, bytes };
+        self.bytes += bytes.next_multiple_of(8);
+        part
+    }
+}
+
 impl Readback {
-    pub fn new() -> Self {
-        Self { buffer: None, used: 0 }
-    }
-
-    /// Plans parts of these sizes and makes room for them.
-    pub fn plan(&mut self, device: &Device, sizes: &[u64]) -> Result<Vec<Part>, Error> {
-        self.used = 0;
-        let parts = sizes
-            .iter()
-            .map(|&bytes| {
-                let part = Part { at: self.used, bytes };
-                self.used += bytes.next_multiple_of(8);
-                part
-            })
-            .collect();
-        if self.buffer.as_ref().is_none_or(|b| b.size() < self.used) {
-            let bytes = self.used + self.used / 4 + 4096;
-            let limit = device.info().limits.max_buffer_size;
-            let size = bytes.min(limit).next_multiple_of(8);
-            if self.used > limit {
-                return Err(Error::TooLarge { what: "results", bytes: self.used, limit });
+    /// Makes room for what is planned.
+    pub fn prepare(&mut self, device: &Device, plan: Plan) -> Result<Reading, Error> {
+        let Plan { bytes } = plan;
+        let buffer = match self.buffer.take().filter(|b| b.size() >= bytes) {
+            Some(buffer) => buffer,
+            None => {
+                let limit = device.info().limits.max_buffer_size;
+                if bytes > limit {
+                    return Err(Error::TooLarge { what: "results", bytes, limit });
+                }
+                let size = (bytes + bytes / 4 + 4096).min(limit).next_multiple_of(8);
+                let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
+                let descriptor = wgpu::BufferDescriptor { label: Some("results"), size, usage, mapped_at_creation: false };
+                device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?
             }
-            let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-            let descriptor = wgpu::BufferDescriptor { label: Some("results"), size, usage, mapped_at_creation: false };
-            self.buffer = Some(device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?);
-        }
-        Ok(parts)
+        };
+        self.buffer = Some(buffer.clone());
+        Ok(Reading { buffer, bytes })
     }
+}
 
-    /// Records the copy of a part from byte `first` of `from` on.
-    pub fn copy(&self, recorder: &mut crate::recorder::Recorder, part: Part, from: &wgpu::Buffer, first: u64) {
-        if let Some(buffer) = &self.buffer
-            && part.bytes > 0
-        {
-            recorder.copy(from, first, buffer, part.at, part.bytes);
-        }
-    }
-
-    /// Waits and reads all parts.
-    pub fn read(&self, device: &Device, parts: &[Part]) -> Result<Vec<Vec<u8>>, Error> {
-        let read = |bytes: &[u8]| parts.iter().map(|p| p.of(bytes).to_vec()).collect();
-        self.with(device, read).map(Option::unwrap_or_default)
-    }
-
+impl Reading {
     /// Waits and calls `read` with what was planned, from which each part takes its own.
-    pub fn with<T>(&self, device: &Device, read: impl FnOnce(&[u8]) -> T) -> Result<Option<T>, Error> {
-        self.buffer.as_ref().map(|buffer| map(device, buffer, self.used, read)).transpose()
+    pub fn with<T>(&self, device: &Device, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
+        map(device, &self.buffer, self.bytes, read)
     }
 }
 
@@ -81,6 +82,9 @@ pub fn word(bytes: &[u8], i: usize) -> u32 {
 
 /// Waits for the device and calls `read` with the first bytes of a mappable buffer.
 pub fn map<T>(device: &Device, buffer: &wgpu::Buffer, bytes: u64, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
+    if bytes == 0 {
+        return Ok(read(&[]));
+    }
     let slice = buffer.slice(..bytes);
     device.guarded("results", bytes, || slice.map_async(wgpu::MapMode::Read, |_| {}))?;
     device.wait()?;

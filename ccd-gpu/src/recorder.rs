@@ -1,13 +1,16 @@
-//! Recording: dispatches by the kernel table, their parameters, bind groups that are kept, stages that are timed.
+//! Recording: dispatches by the kernel table, their parameters, bind groups that are kept, stages
+//! that are timed.
 
+use crate::bind::{Bind, PARAMS_BYTES};
 use crate::device::Device;
 use crate::error::Error;
-use ccd_core::kernel::{Access, Id};
+use crate::readback::{Part, Reading, map};
+use ccd_core::kernel::Id;
 use ccd_core::layout::Params;
 use std::collections::HashMap;
 
-/// Bytes between the parameters of two dispatches: the greatest alignment that WebGPU allows a device to ask for.
-const PARAMS_STRIDE: u64 = 256;
+/// Bytes between the parameters of two dispatches.
+const PARAMS_STRIDE: u64 = PARAMS_BYTES as u64;
 /// Dispatches of one recording, at most.
 const MAX_DISPATCHES: u64 = 1024;
 /// Stages of one recording, at most.
@@ -21,7 +24,8 @@ pub enum Timing {
     Off,
     /// All kernels of a call together. Nothing waits for this.
     Whole,
-    /// Each stage by itself: none begins before the last has ended, so together they take longer than the whole.
+    /// Each stage by itself: none begins before the last has ended, so together they take longer
+    /// than the whole.
     Stages,
     /// Kernels rather than stages, where a stage has several.
     Kernels,
@@ -85,10 +89,11 @@ impl Bench {
         Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new(), ended: false }
     }
 
-    /// Milliseconds between the first and the last timestamp of each stage that was recorded last; the work must be done.
+    /// Milliseconds between the first and the last timestamp of each stage that was recorded last;
+    /// the work must be done.
     pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
         let Some(timer) = self.timer.as_ref().filter(|_| !stages.is_empty()) else { return Ok(Vec::new()) };
-        let ticks: Vec<u64> = crate::readback::map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
+        let ticks: Vec<u64> = map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
             bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect()
         })?;
         let period = self.device.queue().get_timestamp_period() as f64 * 1e-6;
@@ -153,22 +158,37 @@ impl Recorder<'_> {
         self.encoder.copy_buffer_to_buffer(from, from_byte, to, to_byte, bytes);
     }
 
-    /// Runs a kernel with a thread for each of `n` items. `buffers`: as for [`Recorder::dispatch`].
-    pub fn each(&mut self, id: Id, params: &Params, buffers: &[&wgpu::Buffer], n: u32) {
-        self.dispatch(id, params, buffers, n.div_ceil(id.row().workgroup));
+    /// Copies a part of what is read back, from byte `first` of `from` on.
+    pub fn read(&mut self, reading: &Reading, part: Part, from: &wgpu::Buffer, first: u64) {
+        if part.bytes > 0 {
+            self.copy(from, first, &reading.buffer, part.at, part.bytes);
+        }
     }
 
-    /// Runs a kernel with `groups` workgroups. `buffers`: those after the parameters, in the order of the table.
-    pub fn dispatch(&mut self, id: Id, params: &Params, buffers: &[&wgpu::Buffer], groups: u32) {
+    /// Runs a kernel with a thread for each of `n` items.
+    pub fn each<'b, K: Bind<&'b wgpu::Buffer>>(&mut self, kernel: &K, params: &Params<K::Own>, n: u32) {
+        self.dispatch(kernel, params, n.div_ceil(K::ID.threads()));
+    }
+
+    /// Runs a kernel with `groups` workgroups.
+    pub fn dispatch<'b, K: Bind<&'b wgpu::Buffer>>(&mut self, kernel: &K, params: &Params<K::Own>, groups: u32) {
+        let buffers: Vec<&wgpu::Buffer> = kernel.buffers().into_iter().copied().collect();
+        self.run(K::ID, params.parts(), &buffers, groups);
+    }
+
+    /// Runs a kernel by its id. `params`: parts of [`Params`]; `buffers`: in the order of the
+    /// table.
+    pub fn run(&mut self, id: Id, params: [&[u8]; 3], buffers: &[&wgpu::Buffer], groups: u32) {
         if groups == 0 {
             return;
         }
         let bench = &mut *self.bench;
         let pipeline = bench.device.pipeline(id);
-        let takes_params = id.row().bindings.first() == Some(&Access::Params);
+        let takes_params = id.row().params.is_some();
         let key = (id, buffers.iter().map(|&b| b.clone()).collect::<Vec<_>>());
         let group = bench.groups.entry(key).or_insert_with(|| {
-            let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size: wgpu::BufferSize::new(size_of::<Params>() as u64) };
+            let size = wgpu::BufferSize::new(PARAMS_STRIDE);
+            let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size };
             let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
             let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
             let entries: Vec<_> = resources.enumerate().map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource }).collect();
@@ -199,7 +219,7 @@ impl Recorder<'_> {
         pass.set_pipeline(&pipeline.pipeline);
         if takes_params {
             let offset = self.params.len() as u32;
-            self.params.extend_from_slice(bytemuck::bytes_of(params));
+            params.iter().for_each(|part| self.params.extend_from_slice(part));
             self.params.resize(offset as usize + PARAMS_STRIDE as usize, 0);
             pass.set_bind_group(0, &*group, &[offset]);
         } else {

@@ -1,14 +1,15 @@
-//! A mesh stepped frame by frame on a device: everything of a frame in one submission, lists that grow when they were too short.
+//! A mesh stepped frame by frame on a device: everything of a frame in one submission, lists that
+//! grow when they were too short.
 
 use crate::device::Device;
 use crate::error::Error;
-use crate::frame::{Buffers, Goal, SAMPLE};
-use crate::list::{HEADER_BYTES, List, read_header, read_pairs};
-use crate::order::{self, Order};
-use crate::readback::{Readback, word};
+use crate::growable_list::{HEADER_BYTES, List, read_header, read_pairs};
+use crate::readback::{Plan, Readback, word};
 use crate::recorder::{Bench, Timing, submit};
-use crate::tail;
-use ccd_core::Real;
+use crate::step::buffers::Buffers;
+use crate::step::contact_order::{self, ContactOrder};
+use crate::step::{Goal, SAMPLE, cpu_fallback};
+use ccd_core::Coordinate;
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
@@ -28,27 +29,33 @@ pub struct Session {
     report: Report,
     stages: Vec<(&'static str, f64)>,
     grown: u32,
-    /// Contacts that the device found in the last step: about as many are read with the results of the next.
+    /// Contacts that the device found in the last step: about as many are read with the results of
+    /// the next.
     expected: u32,
-    /// Calls for which the earliest time is looked for at once, because a sample did not pay the last time.
+    /// Calls for which the earliest time is looked for at once, because a sample did not pay the
+    /// last time.
     at_once: u32,
     left_open: PerKind,
 }
 
-/// Results where a device has them, for work that goes on there. Valid until the session's next call.
+/// Results where a device has them, for work that goes on there. Valid until the session's next
+/// call.
 ///
-/// A list is a header of four words, of which the first is the number of entries, then the entries. That number may exceed the room of a list in
-/// [`OnDevice::lists`]: then results are incomplete, and [`Session::step`] must be called instead, which makes room.
+/// A list is a header of four words, of which the first is the number of entries, then the entries.
+/// That number may exceed the room of a list in [`OnDevice::lists`]: then results are incomplete,
+/// and [`Session::step`] must be called instead, which makes room.
 #[derive(Clone, Debug)]
 pub struct OnDevice<'a> {
     /// Contacts: entries are [`Touch`].
     pub contacts: &'a List,
-    /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as contacts; empty where `f64` is used on the device.
+    /// Pairs of vertices and faces, and of edges, that `f32` could not decide, to be treated as
+    /// contacts; empty where `f64` is used on the device.
     pub undecided: [&'a List; 2],
-    /// Every list of the frame, also those between stages: if the first word of any of them exceeds its room, results are incomplete.
+    /// Every list of the frame, also those between stages: if the first word of any of them exceeds
+    /// its room, results are incomplete.
     pub lists: Vec<&'a List>,
-    /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater than those of 1 if there is none. Without the undecided
-    /// pairs.
+    /// By kind, one word: the bits of the earliest time of impact as `f32`, rounded down; greater
+    /// than those of 1 if there is none. Without the undecided pairs.
     pub earliest: [&'a wgpu::Buffer; 2],
 }
 
@@ -71,7 +78,7 @@ impl Session {
             device: device.clone(),
             mesh,
             options,
-            readback: Readback::new(),
+            readback: Readback::default(),
             report: Report::default(),
             stages: Vec::new(),
             grown: 0,
@@ -85,7 +92,7 @@ impl Session {
     pub fn move_to(&mut self, device: &Device) -> Result<(), Error> {
         self.buffers = Buffers::new(device, &self.mesh, &self.options)?;
         self.bench = Bench::new(device)?;
-        self.readback = Readback::new();
+        self.readback = Readback::default();
         self.device = device.clone();
         Ok(())
     }
@@ -105,7 +112,8 @@ impl Session {
         &self.device
     }
 
-    /// What the last step found. Of its times, `total` is wall clock; stages are in [`Session::stages`].
+    /// What the last step found. Of its times, `total` is wall clock; stages are in
+    /// [`Session::stages`].
     pub fn report(&self) -> &Report {
         &self.report
     }
@@ -115,7 +123,8 @@ impl Session {
         self.bench.set_timing(timing)
     }
 
-    /// Milliseconds on the device, from the first kernel to the last: of each stage or of all together.
+    /// Milliseconds on the device, from the first kernel to the last: of each stage or of all
+    /// together.
     pub fn stages(&self) -> &[(&'static str, f64)] {
         &self.stages
     }
@@ -130,82 +139,86 @@ impl Session {
         self.grown
     }
 
-    /// Makes room for so many entries in every list, more or less than there is: less makes the next step grow them, more spares it that.
+    /// Makes room for so many entries in every list, more or less than there is: less makes the
+    /// next step grow them, more spares it that.
     pub fn reserve(&mut self, entries: u32) -> Result<(), Error> {
-        for list in self.buffers.lists_mut() {
+        for list in self.buffers.lists_mut().into_vec() {
             *list = list.resized(&self.device, entries)?;
-        }
-        for kind in [0, 1] {
-            let room = self.buffers.survivors[kind].room();
-            self.buffers.undecided[kind].grow(&self.device, room)?;
         }
         self.bench.forget();
         Ok(())
     }
 
-    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per vertex of the mesh.
-    pub fn step<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
+    /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
+    /// vertex of the mesh.
+    pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
         self.run(x0, x1, Goal::Contacts)?;
         Ok(&self.report)
     }
 
-    /// The earliest time of impact of the step, without the list of contacts: cheaper than [`Session::step`]. `None`: the whole step is free.
+    /// The earliest time of impact of the step, without the list of contacts: cheaper than
+    /// [`Session::step`]. `None`: the whole step is free.
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
         self.run(x0, x1, goal)?;
         Ok(self.report.toi)
     }
 
-    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
+    /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
+    /// that share a vertex or that the bodies rule out.
+    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let Self { buffers, bench, readback, device, report, .. } = self;
         let PerKind { vf, ee } = report.candidates;
-        let sizes = [buffers.candidates[0].bytes(vf as u32), buffers.candidates[1].bytes(ee as u32)];
-        let parts = readback.plan(device, &sizes)?;
+        let mut plan = Plan::default();
+        let [of_vf, of_ee] = &buffers.candidates;
+        let (part_vf, part_ee) = (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
+        let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| {
-            for (part, list) in parts.iter().zip(&buffers.candidates) {
-                readback.copy(recorder, *part, list.buffer(), 0);
-            }
+            recorder.read(&reading, part_vf, of_vf.buffer(), 0);
+            recorder.read(&reading, part_ee, of_ee.buffer(), 0);
         })?;
-        let read = readback.with(device, |bytes| Candidates { vf: read_pairs(parts[0].of(bytes)), ee: read_pairs(parts[1].of(bytes)) })?;
-        Ok(read.unwrap_or_default())
+        reading.with(device, |bytes| Candidates { vf: read_pairs(part_vf.of(bytes)), ee: read_pairs(part_ee.of(bytes)) })
     }
 
-    /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge, until the next call. All of them fit.
-    pub fn candidates_on_device<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
+    /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
+    /// until the next call. All of them fit.
+    pub fn candidates_on_device<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
         self.run(x0, x1, Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
     }
 
-    /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per vertex. May be written by copies and by kernels.
+    /// The buffer of positions that [`Session::record`] reads: one [`ccd_core::layout::Path`] per
+    /// vertex. May be written by copies and by kernels.
     pub fn paths(&self) -> &wgpu::Buffer {
         &self.buffers.positions.paths
     }
 
-    /// Records a whole step, from the paths in [`Session::paths`] to the lists of [`OnDevice`], into an encoder of the caller's; nothing is read back.
+    /// Records a whole step, from the paths in [`Session::paths`] to the lists of [`OnDevice`],
+    /// into an encoder of the caller's; nothing is read back.
     ///
-    /// The paths are taken as exact and must be finite. Submit the encoder before the session's next call. With a minimum distance, it is rounded to `f32`.
+    /// The paths are taken as exact and must be finite. Submit the encoder before the session's
+    /// next call. With a minimum distance, it is rounded to `f32`.
     pub fn record(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<OnDevice<'_>, Error> {
         self.buffers.positions.take_paths();
         self.buffers.to_order = 0;
         let (device, bench, buffers) = (&self.device, &mut self.bench, &self.buffers);
-        let params = buffers.params(&self.options);
+        let frame = buffers.describe(&self.options);
         device.guarded("a frame", 0, || -> Result<(), Error> {
             let mut recorder = bench.record(encoder);
-            buffers.frame(&mut recorder, &params, Goal::Contacts, device.info().wide);
+            buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
             recorder.finish().map(|_| ())
         })??;
         let b = &self.buffers;
-        let lists = b.lists().collect();
+        let lists = b.lists().into_vec();
         Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
     }
 
-    fn run<T: Real + Sync>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
+    fn run<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
         self.mesh.check_positions(x0, x1)?;
         let start = Instant::now();
         let distance = self.options.min_distance;
@@ -229,16 +242,19 @@ impl Session {
         Ok(())
     }
 
-    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how many are to be read at once.
+    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how
+    /// many are to be read at once.
     fn plan_contacts(&mut self, goal: Goal) -> Result<u32, Error> {
         let Self { device, buffers, bench, expected, .. } = self;
         let n = if goal == Goal::Contacts { (*expected + *expected / 4 + 256).min(buffers.contacts.room()) } else { 0 };
-        buffers.to_order = if *expected >= order::FEWEST { n } else { 0 };
-        if buffers.order.as_ref().map_or(0, Order::room) < buffers.to_order {
+        buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
+        if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
             buffers.order = None;
             bench.forget();
-            // As for lists: some more, or else just enough; where there is no memory even for that, the host sorts.
-            match Order::new(device, n + n / 4).or_else(|_| Order::new(device, n)) {
+            // As for lists: some more, or else just enough; where there is no memory even for that,
+            // the host sorts.
+            let with_some_more = ContactOrder::new(device, n + n / 4);
+            match with_some_more.or_else(|_| ContactOrder::new(device, n)) {
                 Ok(order) => buffers.order = Some(order),
                 Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => buffers.to_order = 0,
                 Err(e) => return Err(e),
@@ -251,63 +267,68 @@ impl Session {
     fn attempt(&mut self, goal: Goal) -> Result<Option<Found>, Error> {
         let guess = self.plan_contacts(goal)?;
         let Self { device, buffers, bench, readback, report, .. } = self;
-        let params = buffers.params(&self.options);
-        let heads: Vec<List> = buffers.lists().cloned().collect();
-        let mut sizes = vec![4, 4, 8];
-        sizes.extend(heads.iter().map(|_| HEADER_BYTES));
-        sizes.push(guess as u64 * size_of::<Touch>() as u64);
-        let parts = readback.plan(device, &sizes)?;
-        let [of_vf, of_ee, of_sample, of_heads @ .., of_contacts] = parts.as_slice() else { return Ok(None) };
+        let frame = buffers.describe(&self.options);
+        let mut plan = Plan::default();
+        let of_earliest = [plan.part(4), plan.part(4)];
+        let of_sample = plan.part(8);
+        let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
+        let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
+        let reading = readback.prepare(device, plan)?;
         let wide = device.info().wide;
         let stages = submit(device, bench, |recorder| {
-            buffers.frame(recorder, &params, goal, wide);
+            buffers.record(recorder, &frame, goal, wide);
             recorder.end_of_work();
-            readback.copy(recorder, *of_vf, &buffers.earliest[0], 0);
-            readback.copy(recorder, *of_ee, &buffers.earliest[1], 0);
-            readback.copy(recorder, *of_sample, &buffers.sample, 0);
-            for (part, list) in of_heads.iter().zip(&heads) {
-                readback.copy(recorder, *part, list.buffer(), 0);
+            for (part, earliest) in of_earliest.iter().zip(&buffers.earliest) {
+                recorder.read(&reading, *part, earliest, 0);
             }
+            recorder.read(&reading, of_sample, &buffers.sample, 0);
+            let lists = buffers.lists().zip(of_lists.clone());
+            lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
             match &buffers.order {
-                Some(order) if buffers.to_order > 0 => readback.copy(recorder, *of_contacts, &order.ordered, 0),
-                _ => readback.copy(recorder, *of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
+                Some(order) if buffers.to_order > 0 => recorder.read(&reading, of_contacts, &order.ordered, 0),
+                _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
         let mut found = Found::default();
-        let headers = readback.with(device, |bytes| -> Result<Vec<[u32; 2]>, Error> {
-            found.earliest = word(of_vf.of(bytes), 0).min(word(of_ee.of(bytes), 0));
+        let headers = reading.with(device, |bytes| {
+            let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
+            found.earliest = vf.min(ee);
             found.sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
-            let headers = of_heads.iter().map(|p| read_header(p.of(bytes))).collect::<Result<Vec<[u32; 2]>, Error>>()?;
-            let n = headers[CONTACTS][0].min(guess) as usize;
-            tail::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
-            Ok(headers)
-        })?;
-        let headers = headers.unwrap_or(Ok(Vec::new()))?;
+            let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
+            let n = headers.contacts.wanted.min(guess) as usize;
+            cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
+            Ok::<_, Error>(headers)
+        })??;
         self.stages = bench.times(&stages)?;
         let mut grown = false;
-        for (list, [wanted, _]) in buffers.lists_mut().zip(&headers) {
-            grown |= list.grow(device, *wanted)?;
-        }
-        // What is left open is written without looking at the room: there must be as much as for what is decided.
-        for kind in [0, 1] {
-            buffers.undecided[kind].grow(device, buffers.survivors[kind].room())?;
-        }
+        let lists = buffers.lists_mut().zip(headers.each_ref());
+        // Kernels look at the room of every list, so what cannot grow is an error and nothing
+        // worse.
+        let all_grew = lists.try_map(|(list, header)| {
+            grown |= list.grow(device, header.wanted)?;
+            Ok::<_, Error>(())
+        });
         if grown {
             bench.forget();
             report.contacts.clear();
+        }
+        all_grew?;
+        if grown {
             return Ok(None);
         }
-        // The lists in the order of `Buffers::lists`: those that a frame ends with, then those of the descent.
-        let [candidates @ .., filtered_vf, filtered_ee, open_vf, open_ee, contacts] = &headers[..=CONTACTS] else { return Ok(None) };
-        found.filtered = PerKind { vf: filtered_vf[0] as u64, ee: filtered_ee[0] as u64 };
-        found.candidates = match (goal, candidates) {
-            (Goal::Candidates, [vf, ee]) => PerKind { vf: vf[0] as u64, ee: ee[0] as u64 },
-            _ => PerKind { vf: filtered_vf[1] as u64, ee: filtered_ee[1] as u64 },
+        let [vf, ee] = &headers.survivors;
+        found.filtered = PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 };
+        found.candidates = if goal == Goal::Candidates {
+            let [vf, ee] = &headers.candidates;
+            PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 }
+        } else {
+            PerKind { vf: vf.looked_at as u64, ee: ee.looked_at as u64 }
         };
         if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
             self.at_once = AT_ONCE;
         }
-        let (n_contacts, n_open) = (contacts[0], [open_vf[0], open_ee[0]]);
+        let n_contacts = headers.contacts.wanted;
+        let n_open = headers.undecided.map(|header| header.wanted);
         let beyond = goal == Goal::Contacts && n_contacts > guess;
         if goal == Goal::Contacts {
             self.expected = n_contacts;
@@ -319,38 +340,39 @@ impl Session {
         Ok(Some(found))
     }
 
-    /// Reads what the frame's own reading left: all contacts, if they were more than expected, and pairs that are left open.
+    /// Reads what the frame's own reading left: all contacts, if they were more than expected, and
+    /// pairs that are left open.
     fn read_rest(&mut self, found: &mut Found, n_contacts: u32, n_open: [u32; 2]) -> Result<(), Error> {
         let Self { device, buffers, bench, readback, report, .. } = self;
-        let lists = [&buffers.contacts, &buffers.undecided[0], &buffers.undecided[1]];
-        let sizes = [lists[0].bytes(n_contacts), lists[1].bytes(n_open[0]), lists[2].bytes(n_open[1])];
-        let parts = readback.plan(device, &sizes)?;
+        let Buffers { contacts, undecided: [vf, ee], .. } = buffers;
+        let mut plan = Plan::default();
+        let of_contacts = plan.part(contacts.bytes(n_contacts));
+        let (of_vf, of_ee) = (plan.part(vf.bytes(n_open[0])), plan.part(ee.bytes(n_open[1])));
+        let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| {
-            for (part, list) in parts.iter().zip(lists) {
-                readback.copy(recorder, *part, list.buffer(), 0);
+            for (part, list) in [(of_contacts, contacts), (of_vf, vf), (of_ee, ee)] {
+                recorder.read(&reading, part, list.buffer(), 0);
             }
         })?;
-        let open = readback.with(device, |bytes| {
-            let [contacts, vf, ee] = [0, 1, 2].map(|i| parts[i].of(bytes));
+        found.open = reading.with(device, |bytes| {
             if n_contacts > 0 {
                 report.contacts.clear();
-                tail::take_touches(&contacts[HEADER_BYTES as usize..], &mut report.contacts);
+                cpu_fallback::take_touches(&of_contacts.of(bytes)[HEADER_BYTES as usize..], &mut report.contacts);
             }
-            [read_pairs(vf), read_pairs(ee)]
+            [read_pairs(of_vf.of(bytes)), read_pairs(of_ee.of(bytes))]
         })?;
-        found.open = open.unwrap_or_default();
         Ok(())
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take<T: Real + Sync>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
+    fn take<T: Coordinate>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            tail::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
+            cpu_fallback::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
         }
         report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
         if goal != Goal::Contacts {
@@ -360,7 +382,7 @@ impl Session {
             contacts.clear();
         }
         if !found.in_order || found.open.iter().any(|open| !open.is_empty()) {
-            tail::sort(contacts);
+            cpu_fallback::sort(contacts);
         }
         report.undecided = contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     }
@@ -379,9 +401,7 @@ struct Found {
     in_order: bool,
 }
 
-/// Which of `Buffers::lists` holds contacts.
-const CONTACTS: usize = 6;
-
-/// If more than a quarter of the candidates is left after paths were cut, so many of the next calls do without: what is cut takes less time than the
-/// sample, the cut and the second fit only where most candidates go.
+/// If more than a quarter of the candidates is left after paths were cut, so many of the next calls
+/// do without: what is cut takes less time than the sample, the cut and the second fit only where
+/// most candidates go.
 const AT_ONCE: u32 = 63;

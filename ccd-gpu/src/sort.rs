@@ -1,11 +1,12 @@
 //! The radix sort on the device: buffers, and the dispatches of as many passes as keys have bytes.
 
+use crate::bind::{SortCount, SortScan, SortScatter};
 use crate::device::Device;
 use crate::error::Error;
-use crate::readback::Readback;
+use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, Recorder, Timing, submit};
-use ccd_core::kernel::{Id, sort};
-use ccd_core::layout::Params;
+use ccd_core::kernel::sort;
+use ccd_core::layout::{Dispatch, Frame, Params, SortPass};
 use wgpu::BufferUsages as U;
 
 /// Keys with values, twice, and the table of digits.
@@ -39,18 +40,24 @@ impl Sort {
         [&self.keys[half], &self.values[half]]
     }
 
-    /// Sorts the first `n` pairs of half `from` by the lowest `bits` bits of their keys, stable. Returns the half that holds the result.
+    /// Sorts the first `n` pairs of half `from` by the lowest `bits` bits of their keys, stable.
+    /// Returns the half that holds the result.
     pub fn run(&self, recorder: &mut Recorder, n: u32, bits: u32, mut from: usize) -> usize {
         let n_tiles = n.div_ceil(sort::TILE);
         for pass in 0..bits.div_ceil(8) {
-            let p = Params { n, n_tiles, shift: 8 * pass, ..Params::default() };
+            let p = Params {
+                frame: Frame::default(),
+                dispatch: Dispatch { n, ..Dispatch::default() },
+                own: SortPass { shift: 8 * pass, n_tiles },
+            };
             let ([keys, values], [keys_out, values_out]) = (self.half(from), self.half(1 - from));
+            let table = &self.table;
             recorder.detail("sort_count");
-            recorder.dispatch(Id::SortCount, &p, &[keys, &self.table], n_tiles);
+            recorder.dispatch(&SortCount { keys, table }, &p, n_tiles);
             recorder.detail("sort_scan");
-            recorder.dispatch(Id::SortScan, &p, &[&self.table], sort::DIGITS);
+            recorder.dispatch(&SortScan { table }, &p, sort::DIGITS);
             recorder.detail("sort_scatter");
-            recorder.dispatch(Id::SortScatter, &p, &[&self.table, keys, values, keys_out, values_out], n_tiles);
+            recorder.dispatch(&SortScatter { table, keys, values, keys_out, values_out }, &p, n_tiles);
             from = 1 - from;
         }
         from
@@ -81,16 +88,18 @@ impl Sorter {
         self.device.queue().write_buffer(&self.source[0], 0, bytemuck::cast_slice(keys));
         self.device.queue().write_buffer(&self.source[1], 0, bytemuck::cast_slice(values));
         self.again()?;
-        let mut readback = Readback::new();
-        let parts = readback.plan(&self.device, &[4 * self.n as u64; 2])?;
+        let mut plan = Plan::default();
+        let [of_keys, of_values] = [(); 2].map(|()| plan.part(4 * self.n as u64));
+        let reading = Readback::default().prepare(&self.device, plan)?;
         // Four passes end where they began.
         let [keys, values] = self.sort.half(0);
         submit(&self.device, &mut self.bench, |recorder| {
-            readback.copy(recorder, parts[0], keys, 0);
-            readback.copy(recorder, parts[1], values, 0);
+            recorder.read(&reading, of_keys, keys, 0);
+            recorder.read(&reading, of_values, values, 0);
         })?;
-        let mut read = readback.read(&self.device, &parts)?.into_iter().map(|b| bytemuck::pod_collect_to_vec(&b));
-        Ok((read.next().unwrap_or_default(), read.next().unwrap_or_default()))
+        reading.with(&self.device, |bytes| {
+            (bytemuck::pod_collect_to_vec(of_keys.of(bytes)), bytemuck::pod_collect_to_vec(of_values.of(bytes)))
+        })
     }
 
     /// Sorts the last input once more; milliseconds by kernel, if the device has timestamps.

@@ -1,15 +1,13 @@
-//! Entry points of shaders, compiled by rust-gpu: a few lines each around the kernel bodies of `ccd-core`, which hold all arithmetic on geometry.
+//! Entry points of shaders, compiled by rust-gpu: a few lines each around the kernel bodies of
+//! `ccd-core`, which hold all arithmetic on geometry.
 //!
-//! What stands here is what a CPU has no word for: which thread does which item, workgroup memory, barriers, atomics. Every barrier is reached
-//! by all threads of a workgroup: loops around one are bounded by values that are the same for all of them.
+//! What stands here is what a CPU has no word for: which thread does which item, workgroup memory,
+//! barriers, atomics. Every barrier is reached by all threads of a workgroup: loops around one are
+//! bounded by values that are the same for all of them.
 #![no_std]
 
-pub mod boxes;
-pub mod decide;
-pub mod fit;
-pub mod order;
-pub mod pairs;
+pub mod broad_phase;
 pub mod probe;
-mod share;
 pub mod sort;
-pub mod tree;
+pub mod step;
+mod workgroup;

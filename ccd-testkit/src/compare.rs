@@ -1,4 +1,5 @@
-//! Comparisons with published answers: a contact that is missing, late, or too early without a flag fails.
+//! Comparisons with published answers: a contact that is missing, late, or too early without a flag
+//! fails.
 
 use crate::data::{Time, Truth};
 use ccd::{Contact, Digest, Kind, Pair, Real, Report, State, TOI_TOLERANCE, Verdict};
@@ -30,7 +31,8 @@ pub fn time(certain: bool, toi: f64, exact: f64, what: &str) {
     assert!(!certain || toi >= exact - TOI_TOLERANCE, "{what}: {toi} is more than the tolerance before {exact}");
 }
 
-/// Asserts that a verdict agrees with the exact answer; returns whether it is a hit, and whether a certain one.
+/// Asserts that a verdict agrees with the exact answer; returns whether it is a hit, and whether a
+/// certain one.
 pub fn verdict<R: Real>(verdict: Verdict<R>, exact: &Time, what: &str) -> (bool, bool) {
     let certain = matches!(verdict, Verdict::Hit { .. });
     match verdict.toi() {
@@ -58,8 +60,8 @@ pub fn step_text(report: &Report) -> String {
     format!("candidates vf {} ee {}\ncontacts {}\n", c.vf, c.ee, contact_digest(&report.contacts))
 }
 
-/// The same text as it is recorded for a real scene, in the folder of snapshots; `truth.rs` compares
-/// what is recorded with published answers.
+/// The same text as it is recorded for a real scene, in the folder of snapshots; `truth.rs`
+/// compares what is recorded with published answers.
 pub fn recorded_step(scene: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/snapshots");
     let path = folder.join(format!("truth__step_{scene}.snap"));

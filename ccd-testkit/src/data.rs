@@ -1,4 +1,5 @@
-//! The real scenes and their published answers, found through `CCD_DATA` or at `../shared/data` beside the repository.
+//! The real scenes and their published answers, found through `CCD_DATA` or at `../shared/data`
+//! beside the repository.
 
 use ccd::io::{Frame, read_frame};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,11 @@
-//! The exact answer of a query in rational arithmetic: nothing is rounded, nothing is shared with the code under test.
+//! The exact answer of a query in rational arithmetic: nothing is rounded, nothing is shared with
+//! the code under test.
 //!
-//! Roots of the coplanarity cubic are isolated by sign variations of exact Bernstein coefficients; at each, the containment conditions are decided by the
-//! signs of exact polynomials over the isolating interval, which is divided until they are certain. Queries where that never ends (contact exactly on a boundary, coplanar
-//! motion, double roots) are reported as degenerate: the published ground truth covers those.
+//! Roots of the coplanarity cubic are isolated by sign variations of exact Bernstein coefficients;
+//! at each, the containment conditions are decided by the signs of exact polynomials over the
+//! isolating interval, which is divided until they are certain. Queries where that never ends
+//! (contact exactly on a boundary, coplanar motion, double roots) are reported as degenerate: the
+//! published ground truth covers those.
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Signed, Zero};
@@ -144,7 +147,8 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
     Answer::Free
 }
 
-/// Whether the features meet at coplanar times within `[lo, hi]`: the first projection with a determinant of one sign decides.
+/// Whether the features meet at coplanar times within `[lo, hi]`: the first projection with a
+/// determinant of one sign decides.
 fn contained(conditions: &[(Poly, Vec<Poly>); 3], lo: &BigRational, hi: &BigRational) -> Option<bool> {
     for (determinant, rest) in conditions {
         let Some(positive) = sign(determinant, lo, hi) else { continue };

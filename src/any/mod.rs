@@ -94,7 +94,8 @@ impl Backend {
             return Ok(Choice::default());
         }
         match gpu::Device::open(options) {
-            // An emulated GPU is slower than the threads that emulate it; only who names it wants it.
+            // An emulated GPU is slower than the threads that emulate it; only who names it wants
+            // it.
             Ok(device) if auto && !named && gpu::is_emulated(&device) => Ok(Choice::default()),
             Ok(device) => Ok(Choice { device: Some(device), free: auto, ..Choice::default() }),
             Err(why) if auto => Ok(Choice { failure: Some(why), ..Choice::default() }),

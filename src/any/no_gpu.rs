@@ -1,7 +1,7 @@
 //! What stands for the GPU where this crate is built without it: types that have no value, so that
 //! nothing of them ever runs.
 
-use crate::{Aabb, BroadPhaseMethod, Mesh, Options, Pair, Real, Report};
+use crate::{Aabb, BroadPhaseMethod, Coordinate, Mesh, Options, Pair, Report};
 
 /// Why the work was not done. With the feature `gpu` this is `ccd::gpu::Error`, which has more
 /// variants and these two.
@@ -68,15 +68,15 @@ impl Session {
         match *device {}
     }
 
-    pub fn step<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<&Report, Error> {
+    pub fn step<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<&Report, Error> {
         match *self {}
     }
 
-    pub fn earliest_toi<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Option<f64>, Error> {
         match *self {}
     }
 
-    pub fn candidates<T: Real>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Candidates, Error> {
+    pub fn candidates<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Candidates, Error> {
         match *self {}
     }
 

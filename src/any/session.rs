@@ -1,7 +1,7 @@
 //! A session on either backend.
 
 use super::{Choice, Either, Error, Pairs, Place, Turn, gpu};
-use crate::{Mesh, Options, Real, Report};
+use crate::{Coordinate, Mesh, Options, Report};
 
 /// Continuous collision detection of one mesh over many steps, on the CPU or on a GPU: the calls
 /// of [`crate::Session`].
@@ -26,7 +26,7 @@ impl Session {
     /// Every contact of a step: see [`crate::Session::step`].
     pub fn step<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error>
     where
-        T: Real + Send + Sync,
+        T: Coordinate,
     {
         match self.0.run(|on| on.step(x0, x1).map(|_| ()), on_cpu)? {
             Turn::Done(()) => {}
@@ -38,7 +38,7 @@ impl Session {
     /// The earliest time of impact of a step: see [`crate::Session::earliest_toi`].
     pub fn earliest_toi<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error>
     where
-        T: Real + Send + Sync,
+        T: Coordinate,
     {
         match self.0.run(|on| on.earliest_toi(x0, x1), on_cpu)? {
             Turn::Done(toi) => Ok(toi),
@@ -49,7 +49,7 @@ impl Session {
     /// All candidates of a step: see [`crate::Session::candidates`].
     pub fn candidates<T>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error>
     where
-        T: Real + Send + Sync,
+        T: Coordinate,
     {
         match self.0.run(|on| on.candidates(x0, x1), on_cpu)? {
             Turn::Done(all) => Ok(Candidates { vf: Pairs::owned(all.vf), ee: Pairs::owned(all.ee) }),

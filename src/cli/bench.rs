@@ -1,4 +1,5 @@
-//! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right answer, so every run's answer is checked.
+//! `ccd bench`: times of two built-in scenes on any machine. A time counts only with the right
+//! answer, so every run's answer is checked.
 
 use super::backend::BackendOptions;
 use super::{Failure, Outcome, output};
@@ -39,8 +40,8 @@ fn millions(text: &str) -> Result<usize, String> {
     if n >= 1e-4 && n <= 100.0 { Ok((n * 1e6).round() as usize) } else { Err("must be from 0.0001 to 100".into()) }
 }
 
-/// Vertices along a side of the sheet, and what is found in it: candidates, contacts, the earliest time of impact. Contacts are those of the CPU, whose
-/// steps are tested against exact arithmetic.
+/// Vertices along a side of the sheet, and what is found in it: candidates, contacts, the earliest
+/// time of impact. Contacts are those of the CPU, whose steps are tested against exact arithmetic.
 const SHEET: Sheet = Sheet {
     n: 316,
     candidates: PerKind { vf: 434_528, ee: 1_529_787 },
@@ -174,8 +175,8 @@ impl Bench {
         Ok(())
     }
 
-    /// Runs once to warm up and `runs` times by the clock, then as often by the device's timestamps.
-    /// `pairs`: how many a broad phase finds.
+    /// Runs once to warm up and `runs` times by the clock, then as often by the device's
+    /// timestamps. `pairs`: how many a broad phase finds.
     fn time<S: OnDevice>(
         &self,
         subject: &mut S,

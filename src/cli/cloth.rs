@@ -1,5 +1,5 @@
-//! The simulation of the demo: a mass-spring cloth with a limit on strain [Provot 1995], and contacts
-//! resolved so that nothing passes through.
+//! The simulation of the demo: a mass-spring cloth with a limit on strain [Provot 1995], and
+//! contacts resolved so that nothing passes through.
 //!
 //! A step is first taken freely. Contacts at a small distance then push features apart along the
 //! direction in which they are nearest. What would still touch is held back: vertices of such
@@ -33,10 +33,12 @@ const STRAIN_ROUNDS: usize = 16;
 const PUSH_DISTANCE: f64 = 0.006;
 /// Part of the velocity along a surface that contact takes away.
 const FRICTION: f64 = 0.15;
-/// Rounds of pushing, and rounds of holding back after which a vertex in contact does not move at all.
+/// Rounds of pushing, and rounds of holding back after which a vertex in contact does not move at
+/// all.
 const PUSH_ROUNDS: usize = 2;
 const HOLD_ROUNDS: usize = 6;
-/// Rounds after which holding back has failed: more than there are ways to fix one vertex after the other in practice.
+/// Rounds after which holding back has failed: more than there are ways to fix one vertex after the
+/// other in practice.
 const MAX_ROUNDS: usize = 200;
 
 /// The state of the simulation.
@@ -206,7 +208,8 @@ fn vertices(c: &Contact, mesh: &Mesh) -> [u32; 4] {
     }
 }
 
-/// Moves the ends of the step apart along the direction in which the two features are nearest at the time of impact.
+/// Moves the ends of the step apart along the direction in which the two features are nearest at
+/// the time of impact.
 fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
     let ids = vertices(c, mesh).map(|v| v as usize);
     let (t0, t1) = (ids.map(|v| x0[v]), ids.map(|v| x1[v]));
@@ -220,7 +223,8 @@ fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
     if length == 0.0 {
         return;
     }
-    // From the second feature to the first for vertex-face, from the first to the second for edge-edge.
+    // From the second feature to the first for vertex-face, from the first to the second for
+    // edge-edge.
     let n = scale(w, if n_first == 1 { 1.0 / length } else { -1.0 / length });
     let corners = m.corners(patch, 1);
     let direction = scale(w, 1.0 / length);

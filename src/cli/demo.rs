@@ -77,8 +77,9 @@ impl Demo {
     }
 }
 
-/// Edges of the cloth through faces of anything, and edges of anything through faces of the cloth, in the state `x`: every edge against every face, by exact
-/// orientation tests [Shewchuk 1997]. Shares nothing with the detection that it checks.
+/// Edges of the cloth through faces of anything, and edges of anything through faces of the cloth,
+/// in the state `x`: every edge against every face, by exact orientation tests [Shewchuk 1997].
+/// Shares nothing with the detection that it checks.
 fn penetrations(mesh: &Mesh, x: &[[f64; 3]]) -> usize {
     let of_cloth = |v: u32| (v as usize) < N_CLOTH;
     let bounds = |ids: &[u32]| {

@@ -19,10 +19,12 @@ use std::process::ExitCode;
 
 /// Continuous collision detection for triangle meshes.
 ///
-/// Finds every vertex-face and edge-edge contact while each vertex moves on a straight line from one frame to the next, with the time of impact in [0, 1]. No
-/// contact is missed and no time is late. Contacts that cannot be certified are reported with the state "undecided".
+/// Finds every vertex-face and edge-edge contact while each vertex moves on a straight line from
+/// one frame to the next, with the time of impact in [0, 1]. No contact is missed and no time is
+/// late. Contacts that cannot be certified are reported with the state "undecided".
 ///
-/// Exit status: 0 done; 1 contacts were found and --fail-on-contact was given; 2 bad use or bad input.
+/// Exit status: 0 done; 1 contacts were found and --fail-on-contact was given; 2 bad use or bad
+/// input.
 #[derive(Parser)]
 #[command(name = "ccd", version, max_term_width = 100)]
 struct Cli {

@@ -1,4 +1,5 @@
-//! A picture of a mesh with its contacts: a small rasteriser, orthographic, shaded by the angle to the viewer.
+//! A picture of a mesh with its contacts: a small rasteriser, orthographic, shaded by the angle to
+//! the viewer.
 
 use super::{Failure, in_file};
 use ccd::geometry::vec3::{cross, dot, lerp, scale, sub};
@@ -22,8 +23,8 @@ const BACK: [f64; 3] = [0.70, 0.66, 0.60];
 const HIT: [f64; 3] = [0.84, 0.10, 0.11];
 const UNDECIDED: [f64; 3] = [0.95, 0.60, 0.05];
 
-/// Writes the mesh as it is at the start of the step; marks are where features meet: red for hits, orange for undecided ones, faint where the mesh
-/// hides them; a ring marks the earliest.
+/// Writes the mesh as it is at the start of the step; marks are where features meet: red for hits,
+/// orange for undecided ones, faint where the mesh hides them; a ring marks the earliest.
 pub fn write(path: &Path, mesh: &Mesh, x0: &[[f64; 3]], contacts: &[Contact]) -> Result<(), Failure> {
     let mut canvas = Canvas::new(x0);
     for &face in mesh.faces() {
@@ -44,7 +45,8 @@ pub fn write(path: &Path, mesh: &Mesh, x0: &[[f64; 3]], contacts: &[Contact]) ->
     canvas.save(path)
 }
 
-/// Roughly where a contact is, on the mesh at the start: the vertex, or the middle between the middles of the edges.
+/// Roughly where a contact is, on the mesh at the start: the vertex, or the middle between the
+/// middles of the edges.
 fn place(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]]) -> [f64; 3] {
     let at = |v: u32| x0[v as usize];
     match c.kind {
@@ -138,7 +140,8 @@ impl Canvas {
                     let i = y * WIDTH * SAMPLES + x;
                     if depth > self.depth[i] {
                         self.depth[i] = depth;
-                        // A thin dark line along the sides shows the triangles where they are large enough.
+                        // A thin dark line along the sides shows the triangles where they are large
+                        // enough.
                         let side = w.iter().fold(1.0f64, |m, &w| m.min(w)) * area.abs().sqrt();
                         self.colour[i] = if side < 0.8 && area.abs() > 150.0 { scale(colour, 0.75) } else { colour };
                     }
@@ -163,7 +166,8 @@ impl Canvas {
         });
     }
 
-    /// Calls `paint` with the index, the distance from the centre and the depth of the centre for the samples around a point.
+    /// Calls `paint` with the index, the distance from the centre and the depth of the centre for
+    /// the samples around a point.
     fn stamp(&mut self, at: [f64; 3], radius: f64, paint: impl Fn(&mut Self, usize, f64, f64)) {
         let [cx, cy, depth] = self.project(at);
         let range = |c: f64, size: usize| (c - radius).max(0.0) as usize..((c + radius + 1.0).max(0.0) as usize).min(size);

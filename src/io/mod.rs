@@ -81,7 +81,8 @@ pub enum ReadErrorKind {
     Mesh(#[from] crate::Error),
 }
 
-/// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type) or an `.obj` file.
+/// Reads a mesh from a `.ply` file (ascii, binary of either byte order, any number type) or an
+/// `.obj` file.
 pub fn read_frame(path: &Path) -> Result<Frame, ReadError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let frame = match extension.as_deref() {

@@ -1,6 +1,8 @@
-//! Query files: eight rows a query (four points at `t0`, four at `t1`), coordinates as fractions, the last column the answer.
+//! Query files: eight rows a query (four points at `t0`, four at `t1`), coordinates as fractions,
+//! the last column the answer.
 //!
-//! The format of Wang et al., "A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision Detection".
+//! The format of Wang et al., "A Large-Scale Benchmark and an Inclusion-Based Algorithm for
+//! Continuous Collision Detection".
 
 use super::{ReadError, ReadErrorKind};
 use crate::{EdgeEdge, VertexFace};
@@ -27,8 +29,9 @@ pub struct Queries {
     pub answers: Vec<bool>,
 }
 
-/// Reads a query file. Whether it holds vertex-face or edge-edge queries is told by its path: the name of the file, or of the nearest
-/// folder, that contains `vertex-face`, `vf`, `edge-edge` or `ee`.
+/// Reads a query file. Whether it holds vertex-face or edge-edge queries is told by its path: the
+/// name of the file, or of the nearest folder, that contains `vertex-face`, `vf`, `edge-edge` or
+/// `ee`.
 pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
     read(path).map_err(|kind| ReadError { path: path.to_owned(), kind })
 }
@@ -90,7 +93,8 @@ fn is_edge_edge(path: &Path) -> Option<bool> {
     })
 }
 
-/// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another query.
+/// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another
+/// query.
 fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
     let parse = |s: &str| s.trim().parse::<BigInt>().map_err(|_| format!("`{s}` is not an integer"));
     let (n, d) = (parse(numerator)?, parse(denominator)?);

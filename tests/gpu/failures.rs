@@ -1,11 +1,16 @@
-//! What a caller sees when something is too short, too large, missing, or lost; and that a session goes on afterwards.
+//! What a caller sees when something is too short, too large, missing, or lost; and that a session
+//! goes on afterwards.
 
+use crate::support::{bytes, list, not_run, read, room, run};
+use ccd::gpu::bind::{DecideEdgeEdge, DecideVertexFace};
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Error, Session};
 use ccd::{BroadPhaseMethod, Options, Pair};
+use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path, TOUCH_WORDS};
 use ccd_testkit::generate::{crumpled_sheet, uniform_boxes};
 
 pub const TESTS: crate::Tests = &[
     ("lists_grow", check_growth),
+    ("rooms", check_rooms),
     ("bad_input", check_input),
     ("too_large", check_too_large),
     ("no_adapter", check_no_adapter),
@@ -30,6 +35,33 @@ fn check_growth(device: &Device) {
     assert_eq!((candidates.vf.len() as u64, candidates.ee.len() as u64), (want.candidates.vf, want.candidates.ee));
 }
 
+/// Pairs that `f32` leaves open beyond the room of their list are counted and not written.
+fn check_rooms(device: &Device) {
+    // All vertices are one point: no arithmetic decides that.
+    let (n, room_open) = (200u32, 10u32);
+    let paths = vec![Path { t0: [0.0; 4], t1: [0.0; 4] }; 8];
+    let pairs: Vec<Pair> = (0..n).map(|i| Pair { a: i % 2, b: i % 2 }).collect();
+    for kind in [0, 1] {
+        let frame = Frame { flags: Frame::FLAG_KEEP, ..Frame::default() };
+        let dispatch = Dispatch { room_in: n, room_out: n, ..Dispatch::default() };
+        let p = Params { frame, dispatch, own: Decision { room_open } };
+        let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
+        let (paths, input, undecided, earliest) = (bytes(&paths), list(&pairs), room(n), vec![0xff; 16]);
+        let undecided = if kind == 0 {
+            let faces = bytes(&[1u32, 2, 3, 4, 5, 6]);
+            run(device, DecideVertexFace { paths, faces, input, contacts, undecided, earliest }, &p, 3).undecided
+        } else {
+            let edges = bytes(&[0u32, 1, 2, 3]);
+            run(device, DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest }, &p, 3).undecided
+        };
+        let words: Vec<u32> = read(&undecided);
+        assert_eq!(words[0], n, "not every pair is left open");
+        let (within, beyond) = words[LIST_HEADER..].split_at(2 * room_open as usize);
+        assert!(within.iter().any(|&w| w != 0), "nothing is written");
+        assert!(beyond.iter().all(|&w| w == 0), "written beyond the room: {beyond:?}");
+    }
+}
+
 fn check_input(device: &Device) {
     let step = crumpled_sheet(8, 1);
     let mut session = Session::new(device, step.mesh.clone(), Options::default()).unwrap();
@@ -44,13 +76,13 @@ fn check_input(device: &Device) {
     assert!(matches!(Session::new(device, step.mesh, options), Err(Error::Input(ccd::Error::MinDistance { .. }))));
 }
 
-/// More boxes than one binding of the device holds: refused with the sizes, and the next call works.
+/// More boxes than one binding of the device holds: refused with the sizes, and the next call
+/// works.
 fn check_too_large(device: &Device) {
     let limit = device.info().limits.max_storage_buffer_binding_size;
     let n = limit / 24 + 1000;
     if n > 20_000_000 {
-        println!("not run: {n} boxes fit");
-        return;
+        return not_run(format!("{n} boxes fit"));
     }
     let mut broad = BroadPhase::new(device, BroadPhaseMethod::Blocks).unwrap();
     let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];

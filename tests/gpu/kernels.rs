@@ -1,12 +1,17 @@
-//! The kernels that make boxes, order them and fit blocks, each by itself against a plain twin: generated scenes, and poison: NaN, denormals, huge numbers, thresholds.
+//! The kernels that make boxes, order them and fit blocks, each by itself against a plain twin:
+//! generated scenes, and poison: NaN, denormals, huge numbers, thresholds.
 
-use crate::support::{bytes, check_boxes, paths, read, room, same, swept, twin};
+use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept, twin, zeros};
 use crate::twin::union;
 use ccd::Aabb;
+use ccd::gpu::bind::{
+    ContactKeys, FitLeaves, FitLevel, Morton, OrderContacts, PlaceVertices, SceneBounds, Shorten, SortCount, SortScan, SortScatter,
+    SweepEdges, SweepFaces, SweepVertices,
+};
 use ccd::gpu::{Device, Sorter, harness};
-use ccd_core::broad_phase::{block_bvh, morton_key};
-use ccd_core::kernel::{Id, sort};
-use ccd_core::layout::{Leaf, Params, Path, Touch, split};
+use ccd_core::broad_phase::{candidate, morton_key};
+use ccd_core::kernel::sort;
+use ccd_core::layout::{Blocks, ContactSort, Dispatch, Frame, Leaf, Params, Path, Plain, SortPass, Touch, split};
 use ccd_core::narrow_phase::decide;
 use ccd_testkit::compare;
 use ccd_testkit::generate::{Random, triangle_soup};
@@ -23,10 +28,16 @@ pub const TESTS: crate::Tests = &[
     ("largest_grid", check_largest_grid),
 ];
 
-/// What a device with `f64` makes of positions is what the host makes for those without, bit for bit; boxes hold the exact ones.
+/// Parameters of a kernel that needs to know no more than the frame.
+fn plain(frame: Frame) -> Params {
+    Params { frame, ..Params::default() }
+}
+
+/// What a device with `f64` makes of positions is what the host makes for those without, bit for
+/// bit; boxes hold the exact ones.
 fn check_place(device: &Device) {
     if !device.info().wide {
-        return;
+        return not_run("the device is used without f64");
     }
     let mut random = Random::new(9);
     let thresholds = [0.0, -0.0, 1e-300, -1e-40, 1e-38, f32::MIN_POSITIVE as f64, 1.0 / 3.0, -1e30, 1e90, -1e100];
@@ -35,18 +46,23 @@ fn check_place(device: &Device) {
     };
     let n = 1000;
     let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (0..n).map(|i| (position(i), position(i))).unzip();
-    for (origin, margin) in [([0.0; 3], 0.0), ([0.7, -1.3, 2e-5], 0.01)] {
-        let params = Params { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), ..Params::default() };
-        let mut buffers = [bytes(&[&x0[..], &x1[..]].concat()), room(0), room(0), room(0)];
-        for (buffer, size) in buffers[1..].iter_mut().zip([32, 48, 24]) {
-            buffer.resize(n as usize * size, 0);
-        }
-        harness::run(device, Id::PlaceVertices, &params, &mut buffers, n.div_ceil(256), 65_535).unwrap();
-        let (paths, keys, boxes) = (read::<Path>(&buffers[1]), read::<[[u32; 2]; 6]>(&buffers[2]), read::<Aabb>(&buffers[3]));
+    for (origin, margin, scale) in [([0.0; 3], 0.0, 1.0), ([0.7, -1.3, 2e-5], 0.01, 2f64.powi(-300))] {
+        let frame =
+            Frame { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), scale_bits: split(scale), ..Frame::default() };
+        let kernel = PlaceVertices {
+            positions: bytes(&[&x0[..], &x1[..]].concat()),
+            paths: zeros::<Path>(n as usize),
+            keys: zeros::<[[u32; 2]; 6]>(n as usize),
+            boxes: zeros::<Aabb>(n as usize),
+        };
+        let done = run(device, kernel, &plain(frame), n.div_ceil(256));
+        let (paths, keys) = (read::<Path>(&done.paths), read::<[[u32; 2]; 6]>(&done.keys));
+        let boxes = read::<Aabb>(&done.boxes);
         for i in 0..n as usize {
             for (end, given) in [(paths[i].t0, x0[i]), (paths[i].t1, x1[i])] {
-                // What is too large for an `f32` becomes the greatest or infinity: the bound on the error is infinite then.
-                let want = |k: usize| ((given[k] - origin[k]) as f32).clamp(f32::MIN, f32::MAX);
+                // What is too large for an `f32` becomes the greatest or infinity: the bound on the
+                // error is infinite then.
+                let want = |k: usize| (((given[k] - origin[k]) * scale) as f32).clamp(f32::MIN, f32::MAX);
                 assert!((0..3).all(|k| same(end[k].clamp(f32::MIN, f32::MAX), want(k))) && end[3] == 0.0, "{given:?} became {end:?}");
             }
             for k in 0..3 {
@@ -54,7 +70,7 @@ fn check_place(device: &Device) {
                 let (low, high) = if margin > 0.0 { ((low - margin).next_down(), (high + margin).next_up()) } else { (low, high) };
                 assert_eq!(
                     (keys[i][k], keys[i][3 + k]),
-                    (block_bvh::bound_key(low), block_bvh::bound_key(high)),
+                    (candidate::bound_key(low), candidate::bound_key(high)),
                     "keys of {low:e} to {high:e}"
                 );
                 let clamp = |x: f64| x.clamp(-2.9e38, 2.9e38);
@@ -73,13 +89,14 @@ fn check_sweep(device: &Device) {
         let (paths, mesh) = (paths(&step, poison), &step.mesh);
         let count = [mesh.n_vertices() as u32, mesh.edges().len() as u32, mesh.faces().len() as u32];
         let start = [0, count[0], count[0] + count[1], count[0] + count[1] + count[2]];
-        let params = Params { count, start, ..Params::default() };
+        let frame = Frame { count, start, ..Frame::default() };
         let mut want: Vec<Aabb> = paths.iter().map(swept).collect();
         let vertices = want.clone();
-        let mut buffers = [bytes(&paths), vec![0; start[3] as usize * 24]];
-        harness::run(device, Id::SweepVertices, &params, &mut buffers, count[0].div_ceil(256), 65_535).unwrap();
-        let mut got: Vec<Aabb> = read(&buffers[1][..want.len() * 24]);
-        // Of a number and NaN either may be the smaller: hosts refuse NaN, and a box that has one is of no other vertex.
+        let kernel = SweepVertices { paths: bytes(&paths), boxes: zeros::<Aabb>(start[3] as usize) };
+        let done = run(device, kernel.clone(), &plain(frame), count[0].div_ceil(256));
+        let mut got: Vec<Aabb> = read(&done.boxes[..want.len() * 24]);
+        // Of a number and NaN either may be the smaller: hosts refuse NaN, and a box that has one
+        // is of no other vertex.
         for i in (0..paths.len()).filter(|&i| paths[i].t0.iter().chain(&paths[i].t1).any(|x| x.is_nan())) {
             got[i] = want[i];
         }
@@ -89,15 +106,15 @@ fn check_sweep(device: &Device) {
         }
         want.extend(mesh.edges().iter().map(|e| union(e.iter().map(|&v| &vertices[v as usize]))));
         want.extend(mesh.faces().iter().map(|f| union(f.iter().map(|&v| &vertices[v as usize]))));
-        let mut edges = [bytes(mesh.edges()), buffers[1].clone()];
-        harness::run(device, Id::SweepEdges, &params, &mut edges, count[1].div_ceil(256), 65_535).unwrap();
-        let mut faces = [bytes(mesh.faces()), edges[1].clone()];
-        harness::run(device, Id::SweepFaces, &params, &mut faces, count[2].div_ceil(256), 65_535).unwrap();
-        check_boxes("box", &want, &read(&faces[1]));
+        let kernel_of_edges = SweepEdges { edges: bytes(mesh.edges()), boxes: done.boxes };
+        let done = run(device, kernel_of_edges, &plain(frame), count[1].div_ceil(256));
+        let kernel_of_faces = SweepFaces { faces: bytes(mesh.faces()), boxes: done.boxes };
+        let done = run(device, kernel_of_faces, &plain(frame), count[2].div_ceil(256));
+        check_boxes("box", &want, &read(&done.boxes));
         // Grown boxes hold the exact ones with the margin.
-        let grown = Params { margin: 0.125, ..params };
-        harness::run(device, Id::SweepVertices, &grown, &mut buffers, count[0].div_ceil(256), 65_535).unwrap();
-        for (b, v) in read::<Aabb>(&buffers[1][..vertices.len() * 24]).iter().zip(&vertices) {
+        let grown = Frame { margin: 0.125, ..frame };
+        let done = run(device, kernel, &plain(grown), count[0].div_ceil(256));
+        for (b, v) in read::<Aabb>(&done.boxes[..vertices.len() * 24]).iter().zip(&vertices) {
             assert!(
                 (0..3).all(|k| b.min[k] as f64 <= v.min[k] as f64 - 0.125 && b.max[k] as f64 >= v.max[k] as f64 + 0.125),
                 "{b:?} {v:?}"
@@ -109,16 +126,15 @@ fn check_sweep(device: &Device) {
 
 fn check_shorten(device: &Device) {
     let paths = paths(&triangle_soup(200, 0.3, 2), false);
-    let params = Params { count: [paths.len() as u32, 0, 0], ..Params::default() };
+    let n = paths.len() as u32;
+    let frame = Frame { count: [n, 0, 0], ..Frame::default() };
     for (key, until) in [(0.25f32.to_bits(), 0.25), (0, 0.0), (decide::NEVER, 1.0), (1.0f32.to_bits(), 1.0)] {
         // The lesser of the times of both kinds counts.
-        let never = bytes(&[decide::NEVER; 4]);
-        let mut buffers = [bytes(&paths), bytes(&[key, 0, 0, 0]), never, vec![0; paths.len() * 32]];
-        if key == 0 {
-            buffers.swap(1, 2);
-        }
-        harness::run(device, Id::Shorten, &params, &mut buffers, params.count[0].div_ceil(256), 65_535).unwrap();
-        for (p, got) in paths.iter().zip(read::<Path>(&buffers[3])) {
+        let (time, never) = (bytes(&[key, 0, 0, 0]), bytes(&[decide::NEVER; 4]));
+        let (of_vf, of_ee) = if key == 0 { (never, time) } else { (time, never) };
+        let kernel = Shorten { paths: bytes(&paths), of_vf, of_ee, shortened: zeros::<Path>(paths.len()) };
+        let done = run(device, kernel, &plain(frame), n.div_ceil(256));
+        for (p, got) in paths.iter().zip(read::<Path>(&done.shortened)) {
             for k in 0..3 {
                 let want = p.t0[k] as f64 + (p.t1[k] as f64 - p.t0[k] as f64) * until;
                 assert!(got.t0[k] == p.t0[k] && (got.t1[k] as f64 - want).abs() <= 4e-7 * 2.0, "{p:?} until {until}: {got:?}");
@@ -130,23 +146,24 @@ fn check_shorten(device: &Device) {
 fn check_bounds(device: &Device) {
     let (twin, _) = twin(60, 1);
     let n = twin.boxes.len() as u32;
-    let params = Params { n, ..twin.params };
-    let mut buffers = [bytes(&twin.boxes), vec![0; 32]];
-    harness::run(device, Id::SceneBounds, &params, &mut buffers, n.div_ceil(2048), 65_535).unwrap();
-    let words: Vec<u32> = read(&buffers[1]);
+    let p = twin.plain(Dispatch { n, ..Dispatch::default() });
+    let kernel = SceneBounds { boxes: bytes(&twin.boxes), bounds: vec![0; 32] };
+    let SceneBounds { boxes, bounds } = run(device, kernel, &p, n.div_ceil(2048));
+    let words: Vec<u32> = read(&bounds);
     let scene = union(twin.boxes.iter());
     check_boxes("scene", &[scene], &[morton_key::merged(&words)]);
-    let mut buffers = [bytes(&twin.boxes), buffers[1].clone(), vec![0; n as usize * 4], vec![0; n as usize * 4]];
-    harness::run(device, Id::Morton, &params, &mut buffers, n.div_ceil(256), 65_535).unwrap();
-    let keys: Vec<u32> = read(&buffers[2]);
-    // A scale that was rounded otherwise (division is good to 2.5 units) may put a centre into a neighbouring cell.
+    let kernel = Morton { boxes, bounds, keys: zeros::<u32>(n as usize), order: zeros::<u32>(n as usize) };
+    let done = run(device, kernel, &p, n.div_ceil(256));
+    let keys: Vec<u32> = read(&done.keys);
+    // A scale that was rounded otherwise (division is good to 2.5 units) may put a centre into a
+    // neighbouring cell.
     let same = keys.iter().zip(&twin.keys).filter(|(a, b)| a == b).count();
     assert!(
         keys.iter().zip(&twin.keys).all(|(a, b)| a >> 30 == b >> 30) && same * 1000 >= keys.len() * 998,
         "{same} of {} keys",
         keys.len()
     );
-    assert!(read::<u32>(&buffers[3]).into_iter().eq(0..n));
+    assert!(read::<u32>(&done.order).into_iter().eq(0..n));
 }
 
 fn check_sort(device: &Device) {
@@ -161,18 +178,17 @@ fn check_sort(device: &Device) {
             assert!(want.into_iter().eq(got_keys.into_iter().zip(got_values)), "{n} keys, few different: {few}");
         }
     }
-    // The first two kernels by themselves.
+    // The three kernels by themselves.
     let n = 10_000u32;
     let keys: Vec<u32> = (0..n).map(|_| random.bits()).collect();
     let n_tiles = n.div_ceil(sort::TILE);
-    let params = Params { n, n_tiles, shift: 8, ..Params::default() };
-    let mut buffers = [bytes(&keys), vec![0; (n_tiles as usize + 1) * 1024]];
-    harness::run(device, Id::SortCount, &params, &mut buffers, n_tiles, 65_535).unwrap();
+    let p = sort_pass(n, SortPass { shift: 8, n_tiles });
+    let kernel = SortCount { keys: bytes(&keys), table: zeros::<u32>((n_tiles as usize + 1) * 256) };
+    let SortCount { table, .. } = run(device, kernel, &p, n_tiles);
     let mut want = vec![0u32; 256 * (n_tiles as usize + 1)];
     keys.iter().enumerate().for_each(|(i, k)| want[(k >> 8 & 255) as usize * n_tiles as usize + i / sort::TILE as usize] += 1);
-    assert_eq!(read::<u32>(&buffers[1]), want);
-    let mut table = [buffers[1].clone()];
-    harness::run(device, Id::SortScan, &params, &mut table, 256, 65_535).unwrap();
+    assert_eq!(read::<u32>(&table), want);
+    let done = run(device, SortScan { table }, &p, 256);
     for d in 0..256 {
         let row = &mut want[d * n_tiles as usize..(d + 1) * n_tiles as usize];
         let total = row.iter_mut().fold(0, |sum, count| {
@@ -183,7 +199,18 @@ fn check_sort(device: &Device) {
         });
         want[256 * n_tiles as usize + d] = total;
     }
-    assert_eq!(read::<u32>(&table[0]), want);
+    assert_eq!(read::<u32>(&done.table), want);
+    let (table, values) = (done.table, (0..n).collect::<Vec<u32>>());
+    let (keys_out, values_out) = (zeros::<u32>(n as usize), zeros::<u32>(n as usize));
+    let kernel = SortScatter { table, keys: bytes(&keys), values: bytes(&values), keys_out, values_out };
+    let done = run(device, kernel, &p, n_tiles);
+    let mut want: Vec<(u32, u32)> = keys.into_iter().zip(values).collect();
+    want.sort_by_key(|(key, _)| key >> 8 & 255);
+    assert!(want.into_iter().eq(read(&done.keys_out).into_iter().zip(read(&done.values_out))), "one pass");
+}
+
+fn sort_pass(n: u32, own: SortPass) -> Params<SortPass> {
+    Params { frame: Frame::default(), dispatch: Dispatch { n, ..Dispatch::default() }, own }
 }
 
 /// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them.
@@ -204,20 +231,19 @@ fn check_order(device: &Device) {
         list.resize(16 + room as usize * 24, 0x11);
         let mut want = touches.clone();
         want.sort_by_key(|t| (t.kind, t.a, t.b));
-        let mut order: Vec<u32> = Vec::new();
-        for level in [0, 1] {
-            let params = Params { count, n: room, room_in: room, level, ..Params::default() };
-            let mut buffers = [list.clone(), vec![0; room as usize * 4], vec![0; room as usize * 4]];
-            if level == 1 {
-                buffers[2] = bytes(&order);
-            }
-            harness::run(device, Id::ContactKeys, &params, &mut buffers, room.div_ceil(256), 65_535).unwrap();
-            (_, order) = Sorter::new(device, room).unwrap().sort(&read(&buffers[1]), &read(&buffers[2])).unwrap();
+        let frame = Frame { count, ..Frame::default() };
+        let dispatch = Dispatch { n: room, room_in: room, ..Dispatch::default() };
+        let groups = room.div_ceil(256);
+        let mut order: Vec<u32> = vec![0; room as usize];
+        for pass in [0, 1] {
+            let p = Params { frame, dispatch, own: ContactSort { pass } };
+            let (contacts, keys) = (list.clone(), zeros::<u32>(room as usize));
+            let done = run(device, ContactKeys { contacts, keys, order: bytes(&order) }, &p, groups);
+            (_, order) = Sorter::new(device, room).unwrap().sort(&read(&done.keys), &read(&done.order)).unwrap();
         }
-        let params = Params { count, n: room, room_in: room, ..Params::default() };
-        let mut buffers = [list, bytes(&order), vec![0; room as usize * 24]];
-        harness::run(device, Id::OrderContacts, &params, &mut buffers, room.div_ceil(256), 65_535).unwrap();
-        let ordered: Vec<Touch> = read(&buffers[2]);
+        let p = Params { frame, dispatch, own: Plain::default() };
+        let kernel = OrderContacts { contacts: list, order: bytes(&order), ordered: zeros::<Touch>(room as usize) };
+        let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
         assert!(ordered[..n as usize] == want, "{n} contacts");
         assert!(ordered[n as usize..].iter().all(|t| *t == Touch::default()), "written behind the last contact");
     }
@@ -225,47 +251,47 @@ fn check_order(device: &Device) {
 
 fn check_fit(device: &Device) {
     let (twin, step) = twin(40, 2);
-    let params = &twin.params;
-    let empty = vec![Aabb::EMPTY; twin.nodes.len()];
-    let mut buffers = [
-        bytes(&twin.boxes),
-        bytes(&twin.order),
-        bytes(step.mesh.edges()),
-        bytes(step.mesh.faces()),
-        bytes(&empty),
-        vec![0; twin.leaves.len() * 16],
-    ];
-    harness::run(device, Id::FitLeaves, params, &mut buffers, (params.slots[0][3]).div_ceil(256), 65_535).unwrap();
-    let second = params.slots[2][0] as usize;
-    check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&buffers[4])[..second]);
-    assert!(read::<Leaf>(&buffers[5]) == twin.leaves);
-    let mut nodes = [buffers[4].clone()];
-    let p = Params { level: 1, ..*params };
-    harness::run(device, Id::FitLevel, &p, &mut nodes, (params.slots[1][3] - params.slots[1][0]).div_ceil(256), 65_535).unwrap();
-    let third = params.slots[3][0] as usize;
-    check_boxes("node", &twin.nodes[..third], &read::<Aabb>(&nodes[0])[..third]);
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own: twin.tree };
+    let slots = &twin.tree.slots;
+    let kernel = FitLeaves {
+        boxes: bytes(&twin.boxes),
+        order: bytes(&twin.order),
+        edges: bytes(step.mesh.edges()),
+        faces: bytes(step.mesh.faces()),
+        nodes: bytes(&vec![Aabb::EMPTY; twin.nodes.len()]),
+        leaves: zeros::<Leaf>(twin.leaves.len()),
+    };
+    let done = run(device, kernel, &p, slots[0][3].div_ceil(256));
+    let second = slots[2][0] as usize;
+    check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
+    assert!(read::<Leaf>(&done.leaves) == twin.leaves);
+    let p = Params { own: Blocks { level: 1, ..twin.tree }, ..p };
+    let done = run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
+    let third = slots[3][0] as usize;
+    check_boxes("node", &twin.nodes[..third], &read::<Aabb>(&done.nodes)[..third]);
 }
 
 /// A grid that is folded into rows gives what one row gives, also where the last row is not full.
 fn check_folded(device: &Device) {
     let paths = paths(&triangle_soup(3000, 0.3, 6), false);
-    let params = Params { count: [paths.len() as u32, 0, 0], ..Params::default() };
+    let n = paths.len() as u32;
+    let p = plain(Frame { count: [n, 0, 0], ..Frame::default() });
     let want: Vec<Aabb> = paths.iter().map(swept).collect();
     for fold in [1, 7, 16, 65_535] {
-        let mut buffers = [bytes(&paths), vec![0; want.len() * 24]];
-        harness::run(device, Id::SweepVertices, &params, &mut buffers, params.count[0].div_ceil(256), fold).unwrap();
-        check_boxes("vertex", &want, &read(&buffers[1]));
+        let mut kernel = SweepVertices { paths: bytes(&paths), boxes: zeros::<Aabb>(want.len()) };
+        harness::run(device, &mut kernel, &p, n.div_ceil(256), fold).unwrap();
+        check_boxes("vertex", &want, &read(&kernel.boxes));
     }
 }
 
-/// More workgroups than one row of a grid may have, so that it is folded without being asked to: each writes where no other does.
+/// More workgroups than one row of a grid may have, so that it is folded without being asked to:
+/// each writes where no other does.
 fn check_largest_grid(device: &Device) {
     let n_tiles = 65_536 + 300;
     let keys: Vec<u32> = (0..5000).collect();
-    let params = Params { n: keys.len() as u32, n_tiles, ..Params::default() };
-    let mut buffers = [bytes(&keys), vec![0xee; (n_tiles as usize + 1) * 1024]];
-    harness::run(device, Id::SortCount, &params, &mut buffers, n_tiles, 65_535).unwrap();
-    let table: Vec<u32> = read(&buffers[1]);
+    let p = sort_pass(keys.len() as u32, SortPass { shift: 0, n_tiles });
+    let kernel = SortCount { keys: bytes(&keys), table: vec![0xee; (n_tiles as usize + 1) * 1024] };
+    let table: Vec<u32> = read(&run(device, kernel, &p, n_tiles).table);
     for digit in 0..256 {
         let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
         assert_eq!(row[..3].iter().sum::<u32>(), keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32, "digit {digit}");

@@ -1,16 +1,20 @@
-//! The GPU against the CPU, through both paths for shaders: every kernel, whole steps on real scenes, all published queries, and what happens when something fails.
+//! The GPU against the CPU, through both paths for shaders: every kernel, whole steps on real
+//! scenes, all published queries, and what happens when something fails.
 //!
-//! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as
-//! in `truth.rs`.
+//! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a
+//! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
 
 mod failures;
+mod grazing;
 mod kernels;
 mod pairs;
 mod poison;
 mod scalars;
 mod scenes;
 mod support;
+mod tangential;
 mod twin;
+mod units;
 
 use ccd::gpu::{Device, DeviceOptions, Path};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -49,14 +53,15 @@ fn main() {
         println!("{}", devices[0].1.info());
     }
     let mut trials = Vec::new();
-    let add = |trials: &mut Vec<Trial>, name: String, test: Box<dyn FnOnce(&Device) + Send>, device: Result<Device, String>| {
-        trials.push(Trial::ignorable_test(name, move || match device {
-            Ok(device) => {
+    let data = ccd_testkit::data::data_dir();
+    let add = |trials: &mut Vec<Trial>, name: String, test: scenes::Runnable, device: Result<Device, String>| {
+        trials.push(Trial::ignorable_test(name, move || match (device, test) {
+            (Ok(device), Ok(test)) => {
                 test(&device);
-                Ok(Completion::Completed)
+                Ok(support::take_not_run().map_or(Completion::Completed, Completion::ignored_with))
             }
-            Err(why) if required => Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}"))),
-            Err(why) => Ok(Completion::ignored_with(why)),
+            (Err(why), _) if required => Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}"))),
+            (Err(why), _) | (_, Err(why)) => Ok(Completion::ignored_with(why)),
         }));
     };
     let each: Vec<(&str, Result<Device, String>)> = match &devices {
@@ -64,10 +69,12 @@ fn main() {
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
-        for (name, test) in kernels::TESTS.iter().chain(pairs::TESTS).chain(poison::TESTS).chain(scalars::TESTS).chain(failures::TESTS) {
-            add(&mut trials, format!("{path}_{name}"), Box::new(test), device.clone());
+        let tests =
+            [kernels::TESTS, pairs::TESTS, poison::TESTS, scalars::TESTS, failures::TESTS, scenes::TESTS, tangential::TESTS, units::TESTS];
+        for (name, test) in tests.into_iter().flatten() {
+            add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
         }
-        for (name, test) in scenes::tests() {
+        for (name, test) in scenes::tests_of_data(&data) {
             add(&mut trials, format!("{path}_{name}"), test, device.clone());
         }
     }
@@ -88,6 +95,18 @@ fn main() {
     }));
     let mut arguments = Arguments::from_args();
     // Devices are shared, and a software adapter uses all cores by itself.
-    arguments.test_threads.get_or_insert(1);
+    let n_threads = *arguments.test_threads.get_or_insert(1);
+    if let Ok(devices) = &devices {
+        // The last trial: with one thread all others ran before it.
+        let all = n_threads == 1 && arguments.filter.is_none() && arguments.skip.is_empty();
+        let wide = devices.iter().any(|(_, device)| device.info().wide);
+        trials.push(Trial::ignorable_test("every_kernel_ran", move || {
+            if !all {
+                return Ok(Completion::ignored_with("only a part of the tests ran before"));
+            }
+            support::check_all_ran(wide);
+            Ok(Completion::Completed)
+        }));
+    }
     libtest_mimic::run(&arguments, trials).exit();
 }

@@ -1,13 +1,14 @@
-//! The kernels that find pairs, by blocks and by the binary tree, each by itself against brute force; and the broad phase made of them.
+//! The kernels that find pairs, by blocks and by the binary tree, each by itself against brute
+//! force; and the broad phase made of them.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, check_boxes, entries, list, paths, read, room, twin};
+use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, twin, zeros};
 use crate::twin::{Twin, union};
-use ccd::gpu::{BroadPhase, Device, harness};
+use ccd::gpu::bind::{BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs, TraverseAgainst, TraverseHalf};
+use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Branch, LIST_HEADER, Node, Params, Path};
+use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -26,21 +27,24 @@ fn check_node_pairs(device: &Device) {
     for kind in [0, 1] {
         let above = twin.node_pairs(2, kind);
         let want = twin.node_pairs(1, kind);
-        let p = Params { kind, level: 2, room_in: above.len() as u32, room_out: 50_000, ..twin.params };
+        let kernel = NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: room(50_000) };
         // Few workgroups, so that each takes several rounds; many, so that some have nothing to do.
         for groups in [1, 3, 500] {
-            let mut buffers = [bytes(&twin.nodes), list(&above), room(50_000)];
-            harness::run(device, Id::NodePairs, &p, &mut buffers, groups, 65_535).unwrap();
-            check_pairs("node pairs", want.clone(), entries(&buffers[2]));
+            let done = run(device, kernel.clone(), &twin.pass(kind, 2, above.len(), 50_000), groups);
+            check_pairs("node pairs", want.clone(), entries(&done.output));
         }
         // A list that is too short counts everything and writes nothing beyond its end.
-        let short = Params { room_out: 10, ..p };
-        let mut buffers = [bytes(&twin.nodes), list(&above), room(20)];
-        harness::run(device, Id::NodePairs, &short, &mut buffers, 7, 65_535).unwrap();
-        let words: Vec<u32> = read(&buffers[2]);
+        let short = NodePairs { output: room(20), ..kernel };
+        let words: Vec<u32> = read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
         assert_eq!(words[0] as usize, want.len());
         assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the room");
     }
+}
+
+/// The kernel that lists candidates, without bodies and keys.
+fn lister(twin: &Twin, blocks: &[Pair], output: Vec<u8>) -> ListCandidates<Vec<u8>> {
+    let (nodes, leaves) = (bytes(&twin.nodes), bytes(&twin.leaves));
+    ListCandidates { nodes, leaves, bodies: vec![0; 16], keys: vec![0; 48], input: list(blocks), output }
 }
 
 /// A count that exceeds 32 bits says so: both words of headers, in every kernel that adds to them.
@@ -50,25 +54,21 @@ fn check_counts(device: &Device) {
     let (above, blocks) = (twin.node_pairs(2, 1), twin.node_pairs(1, 1));
     let n_hits = brute::self_pairs(&boxes).len() as u32;
     let near = |back: u32| bytes(&[0u32.wrapping_sub(back), 0u32.wrapping_sub(back), 0, 0]);
-    let p = Params { kind: 1, step: 1, limit: u32::MAX, room_out: 0, ..twin.params };
     for (back, wraps) in [(1, 1), (n_hits, 1), (n_hits + 1, 0)] {
-        let list_p = Params { level: 1, room_in: blocks.len() as u32, ..p };
-        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], list(&blocks), near(back)];
-        harness::run(device, Id::ListCandidates, &list_p, &mut buffers, 5, 65_535).unwrap();
-        let head: Vec<u32> = read(&buffers[5][..16]);
+        let kernel = lister(&twin, &blocks, near(back));
+        let head: Vec<u32> = read(&run(device, kernel, &twin.pass(1, 1, blocks.len(), 0), 5).output[..16]);
         assert_eq!(head, [n_hits.wrapping_sub(back), n_hits.wrapping_sub(back), wraps, wraps], "candidates");
     }
-    let p = Params { level: 2, room_in: above.len() as u32, ..p };
-    let mut buffers = [bytes(&twin.nodes), list(&above), near(1)];
-    harness::run(device, Id::NodePairs, &p, &mut buffers, 1, 65_535).unwrap();
-    assert_eq!(read::<u32>(&buffers[2][..16]), [blocks.len() as u32 - 1, u32::MAX, 1, 0], "pairs of nodes");
+    let kernel = NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: near(1) };
+    let done = run(device, kernel, &twin.pass(1, 2, above.len(), 0), 1);
+    assert_eq!(read::<u32>(&done.output[..16]), [blocks.len() as u32 - 1, u32::MAX, 1, 0], "pairs of nodes");
 }
 
 /// Candidates by testing each feature against each.
 fn candidates(twin: &Twin, step: &Step, kind: u32) -> Vec<Pair> {
     let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
     let [vf, ee] = brute::candidates(&step.mesh, &single(&step.x0), &single(&step.x1));
-    assert_eq!(twin.params.count[1] as usize, step.mesh.edges().len());
+    assert_eq!(twin.frame.count[1] as usize, step.mesh.edges().len());
     if kind == 0 { vf } else { ee }
 }
 
@@ -77,35 +77,31 @@ fn check_candidates(device: &Device) {
     for kind in [0, 1] {
         let want = candidates(&twin, &step, kind);
         let blocks = twin.node_pairs(1, kind);
-        let p = Params { kind, level: 1, room_in: blocks.len() as u32, room_out: 100_000, ..twin.params };
-        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], list(&blocks), room(100_000)];
-        harness::run(device, Id::ListCandidates, &p, &mut buffers, 9, 65_535).unwrap();
-        check_pairs("candidates", want, entries(&buffers[5]));
+        let kernel = lister(&twin, &blocks, room(100_000));
+        let done = run(device, kernel, &twin.pass(kind, 1, blocks.len(), 100_000), 9);
+        check_pairs("candidates", want, entries(&done.output));
     }
     // So many hits at once that the pool of a workgroup overflows: every box overlaps every other.
     let boxes = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 200];
     let twin = Twin::new([&[], &boxes, &[]], |_, i| [2 * i, 2 * i + 1, 2 * i + 1]);
     let blocks = twin.node_pairs(1, 1);
-    let p = Params { kind: 1, level: 1, room_in: blocks.len() as u32, room_out: 20_000, ..twin.params };
-    let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], list(&blocks), room(20_000)];
-    harness::run(device, Id::ListCandidates, &p, &mut buffers, 2, 65_535).unwrap();
+    let kernel = lister(&twin, &blocks, room(20_000));
+    let done = run(device, kernel, &twin.pass(1, 1, blocks.len(), 20_000), 2);
     const { assert!(4 * 1024 > block_bvh::POOL) };
-    check_pairs("boxes on one another", brute::self_pairs(&boxes), entries(&buffers[5]));
+    check_pairs("boxes on one another", brute::self_pairs(&boxes), entries(&done.output));
 }
 
 /// What the filters leave is a part of the candidates, and what they drop certainly does not touch.
 fn check_filters(device: &Device) {
     let (twin, step) = twin(40, 5);
     let paths = paths(&step, false);
-    for (kind, id) in [(0, Id::FilterVertexFace), (1, Id::FilterEdgeEdge)] {
+    for kind in [0, 1] {
         let all = candidates(&twin, &step, kind);
         let blocks = twin.node_pairs(1, kind);
-        let p = Params { kind, level: 1, room_in: blocks.len() as u32, room_out: 100_000, ..twin.params };
-        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], bytes(&paths), list(&blocks), room(100_000)];
-        harness::run(device, id, &p, &mut buffers, 9, 65_535).unwrap();
-        let words: Vec<u32> = read(&buffers[6]);
+        let output = filtered(device, &twin, &paths, kind, &blocks, 9);
+        let words: Vec<u32> = read(&output);
         assert_eq!(words[1] as usize, all.len(), "candidates that were counted");
-        let mut left = entries(&buffers[6]);
+        let mut left = entries(&output);
         left.sort_unstable();
         assert!(left.windows(2).all(|w| w[0] != w[1]) && left.len() < all.len() / 2, "{} of {} are left", left.len(), all.len());
         let mut n_touching = 0;
@@ -118,7 +114,20 @@ fn check_filters(device: &Device) {
     }
 }
 
+/// The list that the filter of a kind makes of pairs of blocks.
+pub fn filtered(device: &Device, twin: &Twin, paths: &[Path], kind: u32, blocks: &[Pair], groups: u32) -> Vec<u8> {
+    let (nodes, leaves, paths) = (bytes(&twin.nodes), bytes(&twin.leaves), bytes(paths));
+    let (bodies, keys, input, output) = (vec![0; 16], vec![0; 48], list(blocks), room(100_000));
+    let p = twin.pass(kind, 1, blocks.len(), 100_000);
+    if kind == 0 {
+        run(device, FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output }, &p, groups).output
+    } else {
+        run(device, FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output }, &p, groups).output
+    }
+}
+
 fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
+    use ccd::Kind;
     use ccd_core::narrow_phase::decide;
     let x = |end: fn(&Path) -> [f32; 4]| {
         paths
@@ -130,13 +139,12 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
             .collect::<Vec<[f32; 3]>>()
     };
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
-    match kind {
-        0 => decide::vertex_face_pair(decide::vertex_face_ids(pair, step.mesh.faces()), &x0, &x1, 0.0, 0.0),
-        _ => decide::edge_edge_pair(decide::edge_edge_ids(pair, step.mesh.edges()), &x0, &x1, 0.0, 0.0),
-    }
+    let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
+    decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
 }
 
-/// Every leaf is below every node that says so, children split the range of their parent, boxes are those of the leaves, no leaf comes twice.
+/// Every leaf is below every node that says so, children split the range of their parent, boxes are
+/// those of the leaves, no leaf comes twice.
 fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
     let n_internal = branches.len() as u32;
     let range = |node: u32| match branches.get(node as usize) {
@@ -165,7 +173,8 @@ fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
     assert!(seen.iter().all(|&s| s), "a leaf is missing");
 }
 
-/// The kernels of the binary tree, one after the other, on boxes in general position and on boxes of which many have one code.
+/// The kernels of the binary tree, one after the other, on boxes in general position and on boxes
+/// of which many have one code.
 fn check_radix_tree(device: &Device) {
     let uniform: Vec<Aabb> = uniform_boxes(5000).iter().map(|b| b.inflated(0.01)).collect();
     let equal = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 70];
@@ -176,41 +185,49 @@ fn check_radix_tree(device: &Device) {
         let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
         let n = boxes.len() as u32;
         let groups = n.div_ceil(256);
-        let mut buffers = [bytes(&twin.keys.iter().map(|_| 0).collect::<Vec<u32>>()), vec![0; (n as usize - 1) * 16]];
         let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
-        buffers[0] = bytes(&sorted);
-        harness::run(device, Id::Branches, &twin.params, &mut buffers, groups, 65_535).unwrap();
-        let branches = buffers[1].clone();
-        // The highest level that has more than one node, and one above it, must give the same boxes.
+        let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
+        let Branches { branches, .. } = run(device, kernel, &twin.plain(Dispatch::default()), groups);
+        // The highest level that has more than one node, and one above it, must give the same
+        // boxes.
         for level in [1, 2] {
-            let p = Params { level, ..twin.params };
-            let mut buffers = [branches.clone(), bytes(&twin.nodes), bytes(&twin.leaves), vec![0; (2 * n as usize - 1) * 32]];
-            harness::run(device, Id::BranchBoxes, &p, &mut buffers, groups, 65_535).unwrap();
-            let nodes = buffers[3].clone();
+            let own = Blocks { level, ..twin.tree };
+            let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+            let kernel = BranchBoxes {
+                branches: branches.clone(),
+                block_nodes: bytes(&twin.nodes),
+                leaves: bytes(&twin.leaves),
+                nodes: zeros::<Node>(2 * n as usize - 1),
+            };
+            let BranchBoxes { nodes, .. } = run(device, kernel, &p, groups);
             check_tree(&read(&nodes), &read(&branches), &twin);
-            let (first, room_out) = (n / 3, 200_000);
-            let all = brute::self_pairs(boxes);
-            let mut found = Vec::new();
-            // In two parts, as a dispatch of many queries is.
-            for (first, n) in [(0, first), (first, n - first)] {
-                let p = Params { first, n, room_out, ..twin.params };
-                let mut buffers = [nodes.clone(), branches.clone(), room(room_out)];
-                harness::run(device, Id::TraverseHalf, &p, &mut buffers, n.div_ceil(128), 65_535).unwrap();
-                found.extend(entries(&buffers[2]));
-            }
-            check_pairs("overlaps by a tree", all.clone(), found);
-            let p = Params { n, room_out: 0, ..twin.params };
-            let mut buffers = [nodes.clone(), branches.clone(), bytes(&[u32::MAX, 0, 0, 0])];
-            harness::run(device, Id::TraverseHalf, &p, &mut buffers, n.div_ceil(128), 65_535).unwrap();
-            let wrapped = !all.is_empty() as u32;
-            assert_eq!(read::<u32>(&buffers[2]), [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0], "a count that runs over");
+            check_traversal(device, &twin, boxes, &nodes, &branches);
             let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
-            let p = Params { n: 300, room_out, ..twin.params };
-            let mut buffers = [bytes(&loose), nodes.clone(), branches.clone(), room(room_out)];
-            harness::run(device, Id::TraverseAgainst, &p, &mut buffers, 3, 65_535).unwrap();
-            check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&buffers[3]));
+            let p = twin.plain(Dispatch { n: 300, room_out: 200_000, ..Dispatch::default() });
+            let (nodes, branches, pairs) = (nodes, branches.clone(), room(200_000));
+            let done = run(device, TraverseAgainst { boxes: bytes(&loose), nodes, branches, pairs }, &p, 3);
+            check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&done.pairs));
         }
     }
+}
+
+/// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
+/// that runs over.
+fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], branches: &[u8]) {
+    let (n, room_out) = (boxes.len() as u32, 200_000);
+    let all = brute::self_pairs(boxes);
+    let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
+        let kernel = TraverseHalf { nodes: nodes.to_vec(), branches: branches.to_vec(), pairs };
+        run(device, kernel, &twin.plain(dispatch), dispatch.n.div_ceil(128)).pairs
+    };
+    let mut found = Vec::new();
+    for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
+        found.extend(entries(&traverse(Dispatch { n, first, room_in: 0, room_out }, room(room_out))));
+    }
+    check_pairs("overlaps by a tree", all.clone(), found);
+    let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
+    let wrapped = !all.is_empty() as u32;
+    assert_eq!(read::<u32>(&pairs), [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0], "a count that runs over");
 }
 
 fn check_uniform(device: &Device, method: BroadPhaseMethod) {
@@ -223,7 +240,8 @@ fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();
     check_pairs("two sets", brute::pairs(&grown(a), &grown(b)), broad.pairs(&grown(a), &grown(b)).unwrap());
-    // Sets without a pair, with one box, with none; boxes that are points; boxes as large as they may be.
+    // Sets without a pair, with one box, with none; boxes that are points; boxes as large as they
+    // may be.
     assert!(broad.self_pairs(&[]).unwrap().is_empty() && broad.self_pairs(&boxes[..1]).unwrap().is_empty());
     assert!(broad.pairs(&[], b).unwrap().is_empty());
     let odd =

@@ -1,13 +1,15 @@
-//! Kernels that filter and decide, on coordinates that break arithmetic: zeros of both signs, denormals, the smallest normal number, neighbours of 1, numbers whose products leave
-//! the range of `f32`. (Hosts refuse NaN and infinity; `kernels.rs` and `scalars.rs` have those.) Against `f64` on the CPU, and exact arithmetic where that is not certain.
+//! Kernels that filter and decide, on coordinates that break arithmetic: zeros of both signs,
+//! denormals, the smallest normal number, neighbours of 1, numbers whose products leave the range
+//! of `f32`. (Hosts refuse NaN and infinity; `kernels.rs` and `scalars.rs` have those.) Against
+//! `f64` on the CPU, and exact arithmetic where that is not certain.
 
+use crate::pairs::filtered;
 use crate::scenes::{Ends, decide};
-use crate::support::{bytes, entries, list, read, room};
+use crate::support::{entries, read};
 use crate::twin::Twin;
-use ccd::gpu::{Device, harness};
+use ccd::gpu::Device;
 use ccd::{EdgeEdge, Mesh, TOI_TOLERANCE, Verdict, VertexFace};
-use ccd_core::kernel::Id;
-use ccd_core::layout::{Params, Path};
+use ccd_core::layout::Path;
 use ccd_core::narrow_phase::decide;
 use ccd_testkit::generate::Random;
 use ccd_testkit::oracle::{self, Answer};
@@ -21,7 +23,8 @@ const POISON: [[f32; 8]; 2] = [
     [0.0, 1.0 + f32::EPSILON, 1e12, 1e19, -1e30, 1e30, 2.9e38, -3.4e38],
 ];
 
-/// A point whose coordinates are poison, so many of a hundred, or some of few ordinary numbers, so that features meet.
+/// A point whose coordinates are poison, so many of a hundred, or some of few ordinary numbers, so
+/// that features meet.
 fn point(random: &mut Random, poison: u32, family: usize) -> [f32; 3] {
     std::array::from_fn(|_| {
         if random.below(100) < poison { POISON[family][random.below(8) as usize] } else { random.below(9) as f32 * 0.25 - 1.0 }
@@ -81,15 +84,14 @@ fn check_filters(device: &Device) {
     let four = |p: [f32; 3]| [p[0], p[1], p[2], 0.0];
     let paths: Vec<Path> = x0.iter().zip(&x1).map(|(p, q)| Path { t0: four(*p), t1: four(*q) }).collect();
     let candidates = brute::candidates_among(&mesh, &sets);
-    for ((kind, id), all) in [(0, Id::FilterVertexFace), (1, Id::FilterEdgeEdge)].into_iter().zip(candidates) {
+    for (kind, all) in (0..).zip(candidates) {
         let blocks = twin.node_pairs(1, kind);
-        let p = Params { kind, level: 1, room_in: blocks.len() as u32, room_out: 40_000, ..twin.params };
-        let mut buffers = [bytes(&twin.nodes), bytes(&twin.leaves), vec![0; 16], vec![0; 48], bytes(&paths), list(&blocks), room(40_000)];
-        harness::run(device, id, &p, &mut buffers, 3, 65_535).unwrap();
-        let counted = read::<u32>(&buffers[6])[1] as usize;
-        let mut left = entries(&buffers[6]);
+        let output = filtered(device, &twin, &paths, kind, &blocks, 3);
+        let counted = read::<u32>(&output)[1] as usize;
+        let mut left = entries(&output);
         left.sort_unstable();
-        // A device that flushes denormals finds boxes to touch that are apart by less than the smallest normal number.
+        // A device that flushes denormals finds boxes to touch that are apart by less than the
+        // smallest normal number.
         assert!(counted >= all.len() && counted <= all.len() + all.len() / 10, "{counted} candidates, {} by brute force", all.len());
         let (mut n_touching, mut n_dropped) = (0, 0);
         for pair in all {

@@ -1,8 +1,11 @@
-//! Scalar operations and layouts: what a device makes of each, against native Rust; what SPIR-V and the manifest say, against the table.
+//! Scalar operations and layouts: what a device makes of each, against native Rust; what SPIR-V and
+//! the manifest say, against the table.
 
-use ccd::gpu::{Device, Path, harness};
-use ccd_core::kernel::{Access, Id, TABLE, probe};
-use ccd_core::layout::{Leaf, MAX_LEVELS, Pair, Params, Touch};
+use crate::support::{bytes, not_run, run, zeros};
+use ccd::gpu::bind::{ProbeLayout, ProbeScalars, ProbeWide};
+use ccd::gpu::{Device, Path};
+use ccd_core::kernel::{Access, TABLE, probe};
+use ccd_core::layout::{Blocks, Leaf, Pair, Params, Touch};
 use ccd_testkit::generate::Random;
 
 pub const TESTS: crate::Tests = &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
@@ -54,14 +57,16 @@ fn tiny(x: f32) -> bool {
     x != 0.0 && x.abs() < f32::MIN_POSITIVE
 }
 
-/// Why `got` is no acceptable answer where `want` is the exact one; `exact`: operations must round as IEEE 754 says.
+/// Why `got` is no acceptable answer where `want` is the exact one; `exact`: operations must round
+/// as IEEE 754 says.
 fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> Option<String> {
     let (a, b) = (number(input[0]), number(input[1]));
     let integers = ["order_key", "leading_zeros", "trailing_zeros", "count_ones", "wrapping_mul", "shifts"].contains(&name);
     let fine = if integers || want == got {
         want == got
     } else if tiny(a) || tiny(b) || a.is_nan() || b.is_nan() || a.is_infinite() || b.is_infinite() {
-        // Denormals may be flushed before and after; kernels meet neither NaN nor infinity: hosts refuse them.
+        // Denormals may be flushed before and after; kernels meet neither NaN nor infinity: hosts
+        // refuse them.
         true
     } else if ["a < b", "a <= b", "a == b", "is_finite_number", "f32 to u32"].contains(&name) {
         false
@@ -70,14 +75,16 @@ fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> 
         number(want) == 0.0 && number(got) == 0.0 || tiny(number(want))
     } else {
         let (want, got) = (number(want), number(got));
-        // Division and what is made from it: 2.5 units; the rest one unit at most, which is what the bounds of filters assume.
+        // Division and what is made from it: 2.5 units; the rest one unit at most, which is what
+        // the bounds of filters assume.
         let units = match name {
             "a / b" | "sqrt_up" => 8.0,
             _ if exact => 0.0,
             _ => 1.0,
         };
         let overflow = !want.is_finite() && (!got.is_finite() || got.abs() > 1e38) || !got.is_finite() && want.abs() > 1e38;
-        // A product that rounds up to the smallest normal number may be flushed before it is rounded.
+        // A product that rounds up to the smallest normal number may be flushed before it is
+        // rounded.
         let small = want.abs() <= f32::MIN_POSITIVE;
         // Devices divide by numbers beyond 2^126 as they like; kernels scale before they divide.
         let beyond = name == "a / b" && b.abs() > 2f32.powi(126);
@@ -99,9 +106,9 @@ fn compare(inputs: &[[u32; 2]], got: &[[u32; 24]], exact: bool) -> Vec<String> {
 
 fn check_scalars(device: &Device) {
     let inputs = inputs();
-    let mut buffers = [bytemuck::cast_slice(&inputs).to_vec(), vec![0; inputs.len() * 96]];
-    harness::run(device, Id::ProbeScalars, &Params::default(), &mut buffers, inputs.len().div_ceil(64) as u32, 65_535).unwrap();
-    let got: Vec<[u32; 24]> = bytemuck::pod_collect_to_vec(&buffers[1]);
+    let kernel = ProbeScalars { inputs: bytes(&inputs), results: zeros::<[u32; 24]>(inputs.len()) };
+    let done = run(device, kernel, &Params::default(), inputs.len().div_ceil(64) as u32);
+    let got: Vec<[u32; 24]> = bytemuck::pod_collect_to_vec(&done.results);
     let wrong = compare(&inputs, &got, device.info().path == Path::Passthrough);
     assert!(wrong.is_empty(), "{} differences, first:\n{}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
     // Bounds rest on this one: never below the root.
@@ -113,7 +120,7 @@ fn check_scalars(device: &Device) {
 
 fn check_wide(device: &Device) {
     if !device.info().wide {
-        return;
+        return not_run("the device is used without f64");
     }
     let mut random = Random::new(12);
     let mut number = || {
@@ -123,9 +130,9 @@ fn check_wide(device: &Device) {
     };
     let inputs: Vec<[f64; 2]> =
         (0..20_000).map(|_| [number(), number()]).chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]]).collect();
-    let mut buffers = [bytemuck::cast_slice(&inputs).to_vec(), vec![0; inputs.len() * 96]];
-    harness::run(device, Id::ProbeWide, &Params::default(), &mut buffers, inputs.len().div_ceil(64) as u32, 65_535).unwrap();
-    let got: Vec<[[u32; 2]; 12]> = bytemuck::pod_collect_to_vec(&buffers[1]);
+    let kernel = ProbeWide { inputs: bytes(&inputs), results: zeros::<[u32; 24]>(inputs.len()) };
+    let done = run(device, kernel, &Params::default(), inputs.len().div_ceil(64) as u32);
+    let got: Vec<[[u32; 2]; 12]> = bytemuck::pod_collect_to_vec(&done.results);
     for (input, got) in inputs.iter().zip(&got) {
         let words: [u32; 4] = bytemuck::cast(*input);
         let want: [[u32; 2]; 12] = bytemuck::cast(probe::wide(words));
@@ -140,17 +147,22 @@ fn check_wide(device: &Device) {
 /// Fills records with numbers of their own and looks whether the device finds each in its field.
 fn check_layouts(device: &Device) {
     let fill = |n: usize, first: u32| -> Vec<u32> { (0..n as u32).map(|i| first + i).collect() };
-    let params: Params = bytemuck::cast_slice::<u32, Params>(&fill(size_of::<Params>() / 4, 0x100))[0];
+    let n_words = |part: &[u8]| part.len() / 4;
+    let [frame, dispatch, own] = Params::<Blocks>::default().parts().map(n_words);
+    let params = Params {
+        frame: bytemuck::cast_slice(&fill(frame, 0x100))[0],
+        dispatch: bytemuck::cast_slice(&fill(dispatch, 0x100 + frame as u32))[0],
+        own: bytemuck::cast_slice::<u32, Blocks>(&fill(own, 0x100 + (frame + dispatch) as u32))[0],
+    };
     let record = |size: usize, first| bytemuck::cast_slice::<u32, u8>(&fill(2 * size / 4, first)).to_vec();
-    let mut buffers = [
-        record(32, 0x1000),
-        record(size_of::<Leaf>(), 0x2000),
-        record(size_of::<Touch>(), 0x3000),
-        record(size_of::<Pair>(), 0x4000),
-        vec![0; probe::WORDS * 4],
-    ];
-    harness::run(device, Id::ProbeLayout, &params, &mut buffers, 1, 65_535).unwrap();
-    let got: Vec<u32> = bytemuck::pod_collect_to_vec(&buffers[4]);
+    let kernel = ProbeLayout {
+        paths: record(32, 0x1000),
+        leaves: record(size_of::<Leaf>(), 0x2000),
+        touches: record(size_of::<Touch>(), 0x3000),
+        pairs: record(size_of::<Pair>(), 0x4000),
+        words: zeros::<u32>(probe::WORDS),
+    };
+    let got: Vec<u32> = bytemuck::pod_collect_to_vec(&run(device, kernel, &params, 1).words);
     let want: Vec<u32> = [fill(probe::PARAMS_WORDS, 0x100), fill(8, 0x1008), fill(4, 0x2004), fill(6, 0x3006), fill(2, 0x4002)].concat();
     assert_eq!(got, want);
 }
@@ -169,26 +181,44 @@ pub fn check_negative_control() {
     }
 }
 
-/// Offsets of the members of `Params` and the strides of arrays of records, as every module of the table declares them.
+/// Offsets of the members of parameters and of their records, as the modules of the table declare
+/// them.
 pub fn check_decorations() {
+    let frame = [0, 12, 16, 32, 36, 40, 44, 48, 56, 80, 88];
+    let (dispatch, params) = ([0, 4, 8, 12], [0, 96, 112]);
+    for kernel in TABLE {
+        let Some(record) = kernel.params else { continue };
+        let own: &[u32] = match record {
+            "Blocks" => &[0, 128, 132, 136, 140],
+            "SortPass" => &[0, 4],
+            "Plain" | "Decision" | "ContactSort" => &[0],
+            other => panic!("{}: where are the members of {other}?", kernel.name),
+        };
+        let found = offsets(kernel.name);
+        for want in [&frame[..], &dispatch, &params, own] {
+            assert!(found.iter().any(|o| o == want), "{}: no structure with {want:?} among {found:?}", kernel.name);
+        }
+    }
+    let size = |parts: [&[u8]; 3]| parts.map(<[u8]>::len);
+    assert_eq!(size(Params::<Blocks>::default().parts()), [96, 16, 144]);
+}
+
+/// Offsets of the members of each structure of a module.
+fn offsets(kernel: &str) -> Vec<Vec<u32>> {
     const MEMBER_DECORATE: u32 = 72;
     const OFFSET: u32 = 35;
-    let want = [0, 12, 16, 32, 36, 40, 44, 48, 56, 60, 64, 68, 72, 76, 80, 84, 88, 92, 96, 120, 128];
-    for kernel in TABLE.iter().filter(|k| k.bindings[0] == Access::Params) {
-        let path = format!("{}/ccd-gpu/shaders/{}.spv", env!("CARGO_MANIFEST_DIR"), kernel.name);
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&std::fs::read(&path).expect(&path));
-        let mut offsets = std::collections::BTreeMap::<u32, Vec<u32>>::new();
-        let mut at = 5;
-        while at < words.len() {
-            let n = (words[at] >> 16).max(1) as usize;
-            if words[at] & 0xffff == MEMBER_DECORATE && words[at + 3] == OFFSET {
-                offsets.entry(words[at + 1]).or_default().push(words[at + 4]);
-            }
-            at += n;
+    let path = format!("{}/ccd-gpu/shaders/{kernel}.spv", env!("CARGO_MANIFEST_DIR"));
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&std::fs::read(&path).expect(&path));
+    let mut offsets = std::collections::BTreeMap::<u32, Vec<u32>>::new();
+    let mut at = 5;
+    while at < words.len() {
+        let n = (words[at] >> 16).max(1) as usize;
+        if words[at] & 0xffff == MEMBER_DECORATE && words[at + 3] == OFFSET {
+            offsets.entry(words[at + 1]).or_default().push(words[at + 4]);
         }
-        assert!(offsets.values().any(|o| o == &want), "{}: no structure with the offsets of Params among {offsets:?}", kernel.name);
+        at += n;
     }
-    assert_eq!(MAX_LEVELS * 16 + 128, size_of::<Params>());
+    offsets.into_values().collect()
 }
 
 /// The manifest of the shaders and the kernel table say the same.
@@ -199,15 +229,12 @@ pub fn check_manifest() {
     assert_eq!(kernels.len(), TABLE.len());
     for row in TABLE {
         let kernel = kernels.iter().find(|k| k["name"] == row.name).unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
-        let access: Vec<&str> = row.bindings.iter().map(|a| if *a == Access::Write { "write" } else { "read" }).collect();
-        assert_eq!(kernel["bindings"], serde_json::json!(access), "{}", row.name);
-        assert_eq!(
-            (&kernel["workgroup"], &kernel["wide"]),
-            (&serde_json::json!(row.workgroup), &serde_json::json!(row.wide)),
-            "{}",
-            row.name
-        );
+        let access = row.bindings().map(|a| if a == Access::Write { "write" } else { "read" });
+        assert_eq!(kernel["bindings"], serde_json::json!(access.collect::<Vec<_>>()), "{}", row.name);
+        let want = [row.threads.into(), row.wide.into(), row.barriers.into()];
+        let found = ["workgroup", "wide", "barriers"].map(|key| kernel[key].clone());
+        assert_eq!(found, want as [serde_json::Value; 3], "{}", row.name);
         assert_eq!(kernel["entry"], row.name);
-        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384 && row.workgroup <= 256 && row.bindings.len() <= 8, "{}", row.name);
+        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384 && row.threads <= 256 && row.bindings().count() <= 8, "{}", row.name);
     }
 }

@@ -1,36 +1,42 @@
 //! Whole steps and all published queries on a device, against the CPU and against exact answers.
 
-use ccd::gpu::{Device, Path as ShaderPath, Session, harness};
+use crate::support::{bytes, entries, list, room, run};
+use ccd::gpu::bind::{DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide};
+use ccd::gpu::{Device, Path as ShaderPath, Session};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
-use ccd_core::kernel::Id;
-use ccd_core::layout::{LIST_HEADER, Params, Path as Paths, Touch, join, split};
-use ccd_core::model::quantization::Scan;
+use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join, split};
+use ccd_core::model::quantization::{Scan, Table};
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 type Test = Box<dyn FnOnce(&Device) + Send>;
+/// A test, or why it cannot run here.
+pub type Runnable = Result<Test, String>;
 /// Four vertices at both ends.
 pub type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
 
-/// Names and tests.
-pub fn tests() -> Vec<(String, Test)> {
-    let mut out: Vec<(String, Test)> = Vec::new();
-    for scene in &SCENES {
-        out.push((format!("scene_{}", scene.name), Box::new(move |device| check_scene(device, scene))));
-    }
-    out.push(("queries".into(), Box::new(check_queries)));
-    out.push(("bodies".into(), Box::new(check_bodies)));
-    out.push(("min_distance".into(), Box::new(check_min_distance)));
-    out.push(("degenerate".into(), Box::new(check_degenerate)));
-    out.push(("sequence".into(), Box::new(check_sequence)));
-    out.push(("many_contacts".into(), Box::new(check_many_contacts)));
-    out
-}
+/// Tests of generated scenes.
+pub const TESTS: crate::Tests = &[
+    ("bodies", check_bodies),
+    ("min_distance", check_min_distance),
+    ("degenerate", check_degenerate),
+    ("sequence", check_sequence),
+    ("many_contacts", check_many_contacts),
+];
 
-fn data_dir() -> Option<std::path::PathBuf> {
-    data::data_dir().map_err(|why| println!("not run: {why}")).ok()
+/// Names and tests of scenes and queries in a folder, which may not be there.
+pub fn tests_of_data(dir: &Result<PathBuf, String>) -> Vec<(String, Runnable)> {
+    let mut out: Vec<(String, Runnable)> = Vec::new();
+    for scene in &SCENES {
+        let test = dir.clone().map(|dir| -> Test { Box::new(move |device| check_scene(device, scene, &dir)) });
+        out.push((format!("scene_{}", scene.name), test));
+    }
+    let queries = dir.clone().map(|dir| -> Test { Box::new(move |device| check_queries(device, &dir)) });
+    out.push(("queries".into(), queries));
+    out
 }
 
 /// Certified answers of two backends never contradict each other; times differ by rounding alone.
@@ -54,15 +60,15 @@ fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
     }
 }
 
-fn check_scene(device: &Device, scene: &Scene) {
-    let Some(dir) = data_dir() else { return };
-    let [t0, t1] = scene.load(&dir);
+fn check_scene(device: &Device, scene: &Scene, dir: &Path) {
+    let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().unwrap();
     let (x0, x1) = (&t0.positions, &t1.positions);
     let cpu = ccd::step(&mesh, x0, x1, &Options::default()).unwrap();
     let mut session = Session::new(device, mesh.clone(), Options::default()).unwrap();
     let gpu = session.step(x0, x1).unwrap().clone();
-    // Where contraction is forbidden and f64 is on the device or on the CPU alone, even rounding is the same.
+    // Where contraction is forbidden and f64 is on the device or on the CPU alone, even rounding is
+    // the same.
     let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
     check_reports(&cpu, &gpu, same);
     let mut settings = insta::Settings::clone_current();
@@ -70,7 +76,7 @@ fn check_scene(device: &Device, scene: &Scene) {
     settings.set_prepend_module_to_snapshot(false);
     settings.bind(|| insta::assert_snapshot!(format!("truth__step_{}", scene.name), compare::step_text(&gpu)));
     if scene.truth.is_some() {
-        let n_false = compare::contacts(&gpu, &scene.contacts(&dir, "vf"), &scene.contacts(&dir, "ee"));
+        let n_false = compare::contacts(&gpu, &scene.contacts(dir, "vf"), &scene.contacts(dir, "ee"));
         println!(
             "{}: {} contacts, {} undecided, {n_false} false alarms; filtered {:?}",
             scene.name,
@@ -109,11 +115,10 @@ pub fn check_pairs(what: &str, mut want: Vec<Pair>, mut got: Vec<Pair>) {
 }
 
 /// All published queries through the kernels that decide, and what they leave open through the CPU.
-fn check_queries(device: &Device) {
-    let Some(dir) = data_dir() else { return };
+fn check_queries(device: &Device, dir: &Path) {
     let wide = device.info().wide;
     let (mut n, mut n_hits, mut n_undecided, mut n_open, mut n_misses) = (0, 0, 0, 0, 0);
-    for (path, name) in data::query_files(&dir) {
+    for (path, name) in data::query_files(dir) {
         let Queries { queries, .. } = read_queries(&path).unwrap();
         let times = data::read_times(&dir.join("toi").join(&name));
         let is_vf = matches!(queries[0], Query::VertexFace(_));
@@ -145,7 +150,8 @@ fn check_queries(device: &Device) {
     assert_eq!(n, 7279);
 }
 
-/// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges `2 i` and `2 i + 1`.
+/// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges
+/// `2 i` and `2 i + 1`.
 pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
     let n = ends.len();
     let mut verdicts = vec![Verdict::Miss; n];
@@ -158,55 +164,55 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         [p[0], p[1], p[2], 0.0]
     };
     let paths: Vec<Paths> = x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
-    let mut list = vec![n as u32, 0, 0, 0];
-    let elements: Vec<u32> = if is_vf {
-        (0..n as u32).for_each(|i| list.extend([4 * i, i]));
-        (0..n as u32).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]).collect()
+    let count = n as u32;
+    let (elements, pairs): (Vec<u32>, Vec<Pair>) = if is_vf {
+        let faces = (0..count).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]);
+        (faces.collect(), (0..count).map(|i| Pair { a: 4 * i, b: i }).collect())
     } else {
-        (0..n as u32).for_each(|i| list.extend([2 * i, 2 * i + 1]));
-        (0..2 * n as u32).flat_map(|i| [2 * i, 2 * i + 1]).collect()
+        let edges = (0..2 * count).flat_map(|i| [2 * i, 2 * i + 1]);
+        (edges.collect(), (0..count).map(|i| Pair { a: 2 * i, b: 2 * i + 1 }).collect())
     };
-    let exact = if table.error == 0.0 { Params::FLAG_EXACT } else { 0 };
-    let room = n as u32;
-    let flags = Params::FLAG_KEEP | exact;
-    let params = Params {
-        count: [4 * n as u32, 0, 0],
-        kind: !is_vf as u32,
-        flags,
+    let exact = if table == Table::AS_GIVEN { Frame::FLAG_EXACT } else { 0 };
+    let frame = Frame {
+        count: [4 * count, 0, 0],
+        flags: Frame::FLAG_KEEP | exact,
         path_error: table.error,
-        room_in: room,
-        room_out: room,
         distance_bits: split(0.0),
-        ..Params::default()
+        ..Frame::default()
     };
-    let words = |w: &[u32]| bytemuck::cast_slice::<u32, u8>(w).to_vec();
-    let contacts = vec![0u8; 4 * (LIST_HEADER + 6 * n)];
+    let dispatch = Dispatch { room_in: count, room_out: count, ..Dispatch::default() };
+    let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
+    let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
     let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
     if device.info().wide {
-        let id = if is_vf { Id::DecideVertexFaceWide } else { Id::DecideEdgeEdgeWide };
-        let mut buffers = [
-            bytemuck::cast_slice(&paths).to_vec(),
-            bytemuck::cast_slice(&[x0, x1].concat()).to_vec(),
-            words(&elements),
-            words(&list),
-            contacts,
-            vec![0xff; 16],
-        ];
-        harness::run(device, id, &params, &mut buffers, 3, 65_535).unwrap();
-        for touch in touches(&buffers[4]) {
+        let positions = bytes(&[x0, x1].concat());
+        let p = Params { frame, dispatch, own: Plain::default() };
+        let contacts = if is_vf {
+            let faces = elements;
+            run(device, DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest }, &p, 3).contacts
+        } else {
+            let edges = elements;
+            run(device, DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest }, &p, 3).contacts
+        };
+        for touch in touches(&contacts) {
             let toi = join(touch.toi);
             verdicts[of_pair(touch.a)] = if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
         }
     } else {
-        let id = if is_vf { Id::DecideVertexFace } else { Id::DecideEdgeEdge };
-        let open = vec![0u8; 4 * (LIST_HEADER + 2 * n)];
-        let mut buffers = [bytemuck::cast_slice(&paths).to_vec(), words(&elements), words(&list), contacts, open, vec![0xff; 16]];
-        harness::run(device, id, &params, &mut buffers, 3, 65_535).unwrap();
-        touches(&buffers[3]).iter().for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
-        let open: Vec<u32> = bytemuck::pod_collect_to_vec(&buffers[4]);
-        for pair in open[LIST_HEADER..LIST_HEADER + 2 * open[0] as usize].chunks_exact(2) {
-            verdicts[of_pair(pair[0])] = Verdict::Undecided { toi: 0.0 };
-        }
+        let undecided = room(count);
+        let p = Params { frame, dispatch, own: Decision { room_open: count } };
+        let (contacts, undecided) = if is_vf {
+            let faces = elements;
+            let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
+            let done = run(device, kernel, &p, 3);
+            (done.contacts, done.undecided)
+        } else {
+            let edges = elements;
+            let done = run(device, DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest }, &p, 3);
+            (done.contacts, done.undecided)
+        };
+        touches(&contacts).iter().for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
+        entries(&undecided).iter().for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
     }
     verdicts
 }
@@ -248,8 +254,9 @@ fn check_step(device: &Device, step: &generate::Step, options: Options) {
     check_reports(&cpu, session.step(&x0, &x1).unwrap(), false);
 }
 
-/// Triangles with corners on a coarse grid: most pairs touch in corners, move in planes, or are parallel. What the CPU reports and the device does not must be free of
-/// contact in exact arithmetic.
+/// Triangles with corners on a coarse grid: most pairs touch in corners, move in planes, or are
+/// parallel. What the CPU reports and the device does not must be free of contact in exact
+/// arithmetic.
 fn check_degenerate(device: &Device) {
     let mut random = generate::Random::new(21);
     for unit in [0.25, 0.1] {
@@ -283,7 +290,8 @@ fn check_degenerate(device: &Device) {
     }
 }
 
-/// A session over several frames gives what single steps give: nothing is left over from the frame before.
+/// A session over several frames gives what single steps give: nothing is left over from the frame
+/// before.
 fn check_sequence(device: &Device) {
     let steps: Vec<_> = (0..4).map(|seed| generate::crumpled_sheet(20, seed)).collect();
     let mut session = Session::new(device, steps[0].mesh.clone(), Options::default()).unwrap();
@@ -296,7 +304,8 @@ fn check_sequence(device: &Device) {
     check_reports(&cpu, session.step(still, still).unwrap(), false);
 }
 
-/// Contacts that are so many that they are sorted on the device from the second frame on; then fewer, then more than were expected.
+/// Contacts that are so many that they are sorted on the device from the second frame on; then
+/// fewer, then more than were expected.
 fn check_many_contacts(device: &Device) {
     let [many, few] = [120, 20].map(|n| generate::crumpled_sheet(n, 2));
     let mut session = Session::new(device, many.mesh.clone(), Options::default()).unwrap();

@@ -1,10 +1,16 @@
 //! What tests of single kernels share: bytes, scenes, lists, comparisons of boxes.
 
 use crate::twin::Twin;
+use ccd::gpu::bind::Bind;
+use ccd::gpu::{Device, harness};
 use ccd::{Aabb, Pair};
-use ccd_core::layout::{LIST_HEADER, Path};
+use ccd_core::kernel::TABLE;
+use ccd_core::layout::{LIST_HEADER, Params, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Random, Step, crumpled_sheet};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::sync::Mutex;
 
 pub fn bytes<T: bytemuck::Pod>(x: &[T]) -> Vec<u8> {
     bytemuck::cast_slice(x).to_vec()
@@ -12,6 +18,44 @@ pub fn bytes<T: bytemuck::Pod>(x: &[T]) -> Vec<u8> {
 
 pub fn read<T: bytemuck::Pod>(bytes: &[u8]) -> Vec<T> {
     bytemuck::pod_collect_to_vec(bytes)
+}
+
+thread_local! {
+    static NOT_RUN: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Says that a test that returns now could not run, and why: it is reported as ignored.
+pub fn not_run(why: impl Into<String>) {
+    NOT_RUN.set(Some(why.into()));
+}
+
+/// Why the test that has just returned could not run.
+pub fn take_not_run() -> Option<String> {
+    NOT_RUN.take()
+}
+
+/// Kernels that ran by themselves.
+static RAN: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+
+/// Every kernel of the table was run by itself in this process; those with `f64` only where it is
+/// there.
+pub fn check_all_ran(wide: bool) {
+    let ran = RAN.lock().unwrap();
+    let missing = TABLE.iter().filter(|kernel| (wide || !kernel.wide) && !ran.contains(kernel.name));
+    let missing: Vec<&str> = missing.map(|kernel| kernel.name).collect();
+    assert!(missing.is_empty(), "no test runs {missing:?} by itself");
+}
+
+/// Runs a kernel and returns it with what its buffers hold then.
+pub fn run<K: Bind<Vec<u8>>>(device: &Device, mut kernel: K, params: &Params<K::Own>, groups: u32) -> K {
+    RAN.lock().unwrap().insert(K::ID.row().name);
+    harness::run(device, &mut kernel, params, groups, 65_535).unwrap();
+    kernel
+}
+
+/// Room for so many records.
+pub fn zeros<T>(n: usize) -> Vec<u8> {
+    vec![0; n * size_of::<T>()]
 }
 
 const POISON: [f32; 14] =

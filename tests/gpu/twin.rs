@@ -1,12 +1,14 @@
-//! Plain twins of the kernels that build and descend block trees: loops over slices, sorts of the standard library.
+//! Plain twins of the kernels that build and descend block trees: loops over slices, sorts of the
+//! standard library.
 
 use ccd::{Aabb, Mesh, Pair};
 use ccd_core::broad_phase::block_bvh::{PADDING, WIDTH};
-use ccd_core::layout::{Leaf, MAX_LEVELS, Params};
+use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, MAX_LEVELS, Params, Plain};
 
 /// Boxes of up to three sets and the block trees over them.
 pub struct Twin {
-    pub params: Params,
+    pub frame: Frame,
+    pub tree: Blocks,
     pub boxes: Vec<Aabb>,
     pub keys: Vec<u32>,
     pub order: Vec<u32>,
@@ -55,7 +57,8 @@ impl Twin {
             row[3] = next;
         }
         let start = [0, count[0], count[0] + count[1], count[0] + count[1] + count[2]];
-        let params = Params { count, start, slots, step: 1, limit: u32::MAX, flags: Params::FLAG_TOPOLOGY, ..Params::default() };
+        let frame = Frame { count, start, flags: Frame::FLAG_TOPOLOGY, ..Frame::default() };
+        let tree = Blocks { slots, kind: 0, level: 0, step: 1, limit: u32::MAX };
         let boxes = sets.concat();
         let scene = union(boxes.iter());
         let set_of = |i: u32| (i >= start[1]) as u32 + (i >= start[2]) as u32;
@@ -83,19 +86,31 @@ impl Twin {
                 }
             }
         }
-        Self { params, boxes, keys, order, nodes, leaves }
+        Self { frame, tree, boxes, keys, order, nodes, leaves }
+    }
+
+    /// Parameters of a pass over pairs of nodes.
+    pub fn pass(&self, kind: u32, level: u32, room_in: usize, room_out: u32) -> Params<Blocks> {
+        let dispatch = Dispatch { room_in: room_in as u32, room_out, ..Dispatch::default() };
+        Params { frame: self.frame, dispatch, own: Blocks { kind, level, ..self.tree } }
+    }
+
+    /// Parameters of a kernel that knows nothing of block trees.
+    pub fn plain(&self, dispatch: Dispatch) -> Params {
+        Params { frame: self.frame, dispatch, own: Plain::default() }
     }
 
     /// Nodes of a set on a level.
     pub fn n_nodes(&self, level: u32, set: usize) -> u32 {
-        (0..level).fold(self.params.count[set], |n, _| n.div_ceil(WIDTH))
+        (0..level).fold(self.frame.count[set], |n, _| n.div_ceil(WIDTH))
     }
 
     pub fn node(&self, level: u32, set: usize, i: u32) -> &Aabb {
-        &self.nodes[(self.params.slots[level as usize][set] + i) as usize]
+        &self.nodes[(self.tree.slots[level as usize][set] + i) as usize]
     }
 
-    /// All pairs of nodes of a level that overlap, by testing each against each; within one set with themselves.
+    /// All pairs of nodes of a level that overlap, by testing each against each; within one set
+    /// with themselves.
     pub fn node_pairs(&self, level: u32, kind: u32) -> Vec<Pair> {
         let [a, b] = ccd_core::broad_phase::block_bvh::sets(kind);
         let mut out = Vec::new();

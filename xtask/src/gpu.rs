@@ -1,4 +1,5 @@
-//! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and how far that is from the bytes that must move.
+//! `cargo xtask report --gpu`: what a GPU needs for each stage, for whole steps, for sorting, and
+//! how far that is from the bytes that must move.
 
 use ccd::gpu::{BroadPhase, Device, DeviceOptions, Path as Shaders, Session, Sorter, Timing};
 use ccd::{BroadPhaseMethod, Mesh};
@@ -8,12 +9,15 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Work before a measurement: a device that was idle needs about this long to reach its clock again.
+/// Work before a measurement: a device that was idle needs about this long to reach its clock
+/// again.
 const WARM_UP: Duration = Duration::from_millis(300);
-/// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other devices do not follow from it.
+/// Bytes a second that an NVIDIA H200 copies, as TARGETS of the project state it; floors on other
+/// devices do not follow from it.
 const COPY: f64 = 4.3e12;
 
-/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the project state it.
+/// What others need on the same scenes and an NVIDIA H200, in milliseconds, as TARGETS of the
+/// project state it.
 struct Peer {
     scene: &'static str,
     candidates: &'static str,
@@ -36,7 +40,7 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     );
     text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
     // What was measured before a failure is kept.
-    let write = |text: &str| std::fs::write(out, text).map_err(|e| format!("{}: {e}", out.display()));
+    let write = |text: &str| std::fs::write(out, crate::markdown::wrap(text)).map_err(|e| format!("{}: {e}", out.display()));
     for path in [Shaders::Passthrough, Shaders::Wgsl] {
         let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() }).map_err(error)?;
         let _ = write!(text, "\n## {} through {path:?}\n\n```\n{}\n```\n", device.info().adapter.name, device.info());
@@ -51,7 +55,8 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     }
     let device = Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
     text.push_str("\n## Queries that reach each stage, with `f32` alone on the device\n\n");
-    text.push_str("| scene | candidates | left by the filters | left open by `f32`, decided on the CPU | contacts | undecided | wall |\n");
+    text.push_str("What `f32` leaves open is decided on the CPU.\n\n");
+    text.push_str("| scene | candidates | left by filters | left open | contacts | undecided | wall |\n");
     text.push_str("|---|---|---|---|---|---|---|\n");
     for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
         measure_narrow(&device, scene, &dir, runs, &mut text).map_err(error)?;
@@ -89,7 +94,8 @@ fn repeat<T, E>(runs: usize, mut run: impl FnMut() -> Result<T, E>) -> Result<Ve
     (0..runs).map(|_| run()).collect()
 }
 
-/// Measures in three ways, one after the other. `run` sets the timing it is told, works, and returns the stages.
+/// Measures in three ways, one after the other. `run` sets the timing it is told, works, and
+/// returns the stages.
 fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> Result<Measured, E> {
     run(Timing::Off)?;
     let mut wall = repeat(runs, || -> Result<f64, E> {
@@ -99,7 +105,8 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
     })?;
     let mut device = repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
     let mut timed = repeat(runs, || run(Timing::Stages))?;
-    // Now and then a call goes another way (the earliest time tries a sample again): the way that most went.
+    // Now and then a call goes another way (the earliest time tries a sample again): the way that
+    // most went.
     let usual = |n: usize| timed.iter().filter(|s| s.len() == n).count();
     let n_stages = timed.iter().map(Vec::len).max_by_key(|&n| usual(n)).unwrap_or(0);
     timed.retain(|s| s.len() == n_stages);
@@ -113,17 +120,20 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
     Ok(Measured { device: median(&mut device), wall: median(&mut wall), stages })
 }
 
-const HEAD: &str = "| | device | wall | floor | peer | stages | |\n|---|---|---|---|---|---|---|";
-
-/// One line. `bytes`: those that must move; `peer`: what others need for the same.
+/// One item of a list: it is too long for a row of a table. `bytes`: those that must move; `peer`:
+/// what others need for the same.
 fn row(text: &mut String, title: &str, m: &Measured, bytes: f64, peer: &str, note: &str) {
-    let parts: Vec<String> = m.stages.iter().filter(|s| s.1 > 0.0).map(|(name, ms)| format!("{name} {ms:.3}")).collect();
-    let floor = bytes / COPY * 1e3;
-    let _ = writeln!(text, "| {title} | {:.3} | {:.2} | {floor:.3} | {peer} | {} | {note} |", m.device, m.wall, parts.join(", "));
+    let part = |(name, ms): &(String, f64)| format!("{name} {ms:.3}");
+    let parts: Vec<String> = m.stages.iter().filter(|s| s.1 > 0.0).map(part).collect();
+    let (floor, (device, wall)) = (bytes / COPY * 1e3, (m.device, m.wall));
+    let peer = if peer.is_empty() { String::new() } else { format!(" ({peer})") };
+    let _ =
+        writeln!(text, "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. Stages: {}.", parts.join(", "));
 }
 
-/// Bytes that must move between a device's memory and its processors for boxes, order and trees of a mesh: paths read; boxes written, and read for keys; four passes of a
-/// sort over keys and numbers, read and written, keys once more to be counted; boxes into their order, leaves written.
+/// Bytes that must move between a device's memory and its processors for boxes, order and trees of
+/// a mesh: paths read; boxes written, and read for keys; four passes of a sort over keys and
+/// numbers, read and written, keys once more to be counted; boxes into their order, leaves written.
 fn bytes_of_trees(mesh: &Mesh) -> f64 {
     let features = (mesh.n_vertices() + mesh.edges().len() + mesh.faces().len()) as f64;
     32.0 * mesh.n_vertices() as f64 + features * (24.0 + 24.0 + 4.0 * 20.0 + 24.0 + 24.0 + 16.0)
@@ -136,7 +146,7 @@ fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: 
     let want = ccd::step(&mesh, x0, x1, &ccd::Options::default())?;
     let trees = bytes_of_trees(&mesh);
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
-    let _ = writeln!(text, "\n### {}\n\n{HEAD}", scene.name);
+    let _ = writeln!(text, "\n### {}\n", scene.name);
     let peer = PEERS.iter().find(|p| p.scene == scene.name);
     let measured = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
         session.set_timing(timing)?;
@@ -190,7 +200,7 @@ fn measure_narrow(device: &Device, scene: &Scene, dir: &Path, runs: usize, text:
 }
 
 fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
-    let _ = writeln!(text, "\n### Uniform boxes against themselves, boxes on the device\n\n{HEAD}");
+    let _ = writeln!(text, "\n### Uniform boxes against themselves, boxes on the device\n");
     for (n, pairs, peer) in
         [(100_000, 320, "Kitten 0.25"), (1_000_000, 25_417, "Kitten 0.67"), (10_000_000, 255_457, "Kitten 4.14"), (20_000_000, 512_281, "")]
     {

@@ -1,8 +1,12 @@
 //! `cargo xtask`: what the project does to itself.
+#![deny(unsafe_code)]
 
 mod ci;
+mod compile_times;
 #[cfg(feature = "gpu-report")]
 mod gpu;
+#[cfg(any(feature = "report", feature = "gpu-report", test))]
+mod markdown;
 mod mutants;
 #[cfg(feature = "report")]
 mod report;
@@ -29,13 +33,16 @@ enum Task {
         #[arg(default_value = "")]
         name: String,
     },
-    /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to ccd-gpu/shaders
+    /// Compile the shaders (needs the nightly of ccd-shaders/rust-toolchain.toml) and write them to
+    /// ccd-gpu/shaders
     Shaders {
-        /// Compare with the committed files instead; reported as skipped where the nightly is missing
+        /// Compare with the committed files instead; reported as skipped where the nightly is
+        /// missing
         #[arg(long)]
         check: bool,
     },
-    /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and pip or an installed ipctk)
+    /// Measure against ipctk and parry3d and write benches/RESULTS.md (needs the data, python3, and
+    /// pip or an installed ipctk)
     Report {
         /// Runs of each measurement; medians are reported
         #[arg(long, default_value_t = 5)]
@@ -46,6 +53,12 @@ enum Task {
         /// Where the GPU's report goes
         #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
         out: std::path::PathBuf,
+    },
+    /// Measure how long compiling takes, beside bars; fails above twice a bar (takes long)
+    CompileTimes {
+        /// Measure this alone
+        #[arg(long, value_enum)]
+        only: Option<compile_times::Part>,
     },
 }
 
@@ -58,6 +71,7 @@ fn main() -> ExitCode {
         Task::Shaders { check } => shaders_task(root, check),
         Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
         Task::Report { runs, .. } => report_task(root, runs),
+        Task::CompileTimes { only } => compile_times::run(root, only),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

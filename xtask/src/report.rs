@@ -1,4 +1,5 @@
-//! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written to `benches/RESULTS.md`.
+//! Whole runs side by side with ipctk and parry3d in one run, and the kernels of criterion, written
+//! to `benches/RESULTS.md`.
 
 use ccd::{Aabb, BroadPhase, BroadPhaseMethod, Digest, Options, Session};
 use ccd_testkit::brute::swept_boxes;
@@ -33,7 +34,7 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     }
     kernels(root, &mut out)?;
     let path = root.join("benches/RESULTS.md");
-    std::fs::write(&path, &out).map_err(|e| format!("{}: {e}", path.display()))?;
+    std::fs::write(&path, crate::markdown::wrap(&out)).map_err(|e| format!("{}: {e}", path.display()))?;
     println!("written {}", path.display());
     Ok(())
 }
@@ -145,7 +146,8 @@ fn measure_ipctk(root: &Path, name: &str, input: &Input, threads: usize, runs: u
     Ok(value)
 }
 
-/// Build and traversal of parry's tree over the same boxes: edges, faces, vertices against faces; its parallel traversal where it has one.
+/// Build and traversal of parry's tree over the same boxes: edges, faces, vertices against faces;
+/// its parallel traversal where it has one.
 struct Parry {
     edges: f64,
     faces: f64,

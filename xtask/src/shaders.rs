@@ -1,7 +1,8 @@
 //! `cargo xtask shaders`: from the entry points of ccd-shaders to the files that ccd-gpu embeds.
 //!
-//! The nightly builds SPIR-V (ccd-shaders/builder); naga validates it and translates it to WGSL; a manifest says what there is and what it was made from.
-//! The products are committed. A test here, on stable, compares the hash of the sources with that of the manifest.
+//! The nightly builds SPIR-V (ccd-shaders/builder); naga validates it and translates it to WGSL; a
+//! manifest says what there is and what it was made from. The products are committed. A test here,
+//! on stable, compares the hash of the sources with that of the manifest.
 
 #[cfg(any(feature = "shaders", test))]
 use sha2::{Digest, Sha256};
@@ -13,6 +14,13 @@ use std::path::{Path, PathBuf};
 const PRODUCTS: &str = "ccd-gpu/shaders";
 #[cfg(any(feature = "shaders", test))]
 const MANIFEST: &str = "ccd-gpu/shaders/manifest.json";
+
+/// The first line of every WGSL file.
+#[cfg(any(feature = "shaders", test))]
+const GENERATED: &str = "// Generated from ccd-shaders by `cargo xtask shaders`: not to be edited.";
+/// For tools that leave out what is generated.
+#[cfg(feature = "shaders")]
+const ATTRIBUTES: &str = "** linguist-generated\n*.spv binary\n";
 
 /// What decides the products: folders (all files below) and files.
 #[cfg(any(feature = "shaders", test))]
@@ -65,7 +73,8 @@ pub use build::run;
 
 #[cfg(feature = "shaders")]
 mod build {
-    use super::{MANIFEST, PRODUCTS, hash_of_inputs};
+    use super::{ATTRIBUTES, GENERATED, MANIFEST, PRODUCTS, hash_of_inputs};
+    use ccd_core::kernel::TABLE;
     use serde_json::{Value, json};
     use std::collections::BTreeMap;
     use std::path::Path;
@@ -94,7 +103,8 @@ mod build {
         if check { compare(root, &products) } else { write(root, &products) }
     }
 
-    /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not in their language.
+    /// What Chromium's compiler says of the WGSL. Kernels with `f64` are not for browsers, and not
+    /// in their language.
     fn check_with_tint(root: &Path) -> Result<(), String> {
         let dawn = root.join("target/tint/node_modules/webgpu");
         if !dawn.is_dir() {
@@ -131,7 +141,8 @@ mod build {
         list.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain)))
     }
 
-    /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code generator and SPIRV-Tools); the target folder keeps it.
+    /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code
+    /// generator and SPIRV-Tools); the target folder keeps it.
     fn build_modules(root: &Path, toolchain: &str, out: &Path) -> Result<(), String> {
         let status = Command::new("cargo")
             .args(["run", "--release", "--locked", "--manifest-path", "builder/Cargo.toml", "--"])
@@ -140,8 +151,9 @@ mod build {
             .current_dir(root.join("ccd-shaders"))
             .env("RUSTUP_TOOLCHAIN", toolchain)
             .env("RUST_MIN_STACK", "33554432")
-            // Jump threading copies code into the branches that lead to it, also a barrier into branches that threads take differently.
-            // (rust-gpu switches off the other pass itself; the last list counts.)
+            // Jump threading copies code into the branches that lead to it, also a barrier into
+            // branches that threads take differently. (rust-gpu switches off the other pass itself;
+            // the last list counts.)
             .env("RUSTGPU_RUSTFLAGS", "-Zmir-enable-passes=-GVN,-JumpThreading")
             .env("CARGO_TARGET_DIR", root.join("target/shaders/builder"))
             // Set by the outer cargo for its own toolchain.
@@ -168,36 +180,21 @@ mod build {
             kernels.push(row);
             let wgsl = crate::wgsl::translate(module).map_err(|e| format!("{name}: {e}"))?;
             products.insert(format!("{name}.spv"), spirv);
-            products.insert(format!("{name}.wgsl"), wgsl.into_bytes());
+            products.insert(format!("{name}.wgsl"), format!("{GENERATED}\n{wgsl}").into_bytes());
         }
         let manifest = json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
         let text = serde_json::to_string_pretty(&manifest).map_err(|e| e.to_string())? + "\n";
         products.insert("manifest.json".into(), text.into_bytes());
+        products.insert(".gitattributes".into(), ATTRIBUTES.into());
         Ok(products)
     }
 
-    /// Barriers as written in ccd-shaders. A copy of one may stand where not all threads of a workgroup come by, and no validator sees that.
-    const BARRIERS: [(&str, u64); 10] = [
-        ("scene_bounds", 1),
-        ("sort_count", 2),
-        ("sort_scan", 3),
-        ("sort_scatter", 28),
-        ("fit_leaves", 1),
-        ("fit_level", 1),
-        ("node_pairs", 6),
-        ("list_candidates", 6),
-        ("filter_vertex_face", 6),
-        ("filter_edge_edge", 6),
-    ];
-
+    /// Compares with the barriers of the kernel table, which are those written in ccd-shaders. A
+    /// copy of one may stand where not all threads of a workgroup come by, and no validator sees
+    /// that.
     fn check_barriers(name: &str, row: &Value) -> Result<(), String> {
-        // In `f32` the kernels append to two lists.
-        let decide = if name.ends_with("_wide") { 3 } else { 7 };
-        let written = match BARRIERS.iter().find(|(kernel, _)| *kernel == name) {
-            Some((_, n)) => *n,
-            None if name.starts_with("decide") => decide,
-            None => 0,
-        };
+        let kernel = TABLE.iter().find(|kernel| kernel.name == name);
+        let written = kernel.ok_or(format!("{name} has no row in the kernel table"))?.barriers as u64;
         let found = row["barriers"].as_u64().unwrap_or(0);
         if found == written {
             Ok(())
@@ -283,6 +280,19 @@ mod tests {
         let manifest: serde_json::Value = serde_json::from_str(&manifest).expect(MANIFEST);
         let want = hash_of_inputs(root()).unwrap();
         assert_eq!(manifest["inputs"], want.as_str(), "a shader source changed: run `cargo xtask shaders`");
+    }
+
+    #[test]
+    fn shaders_say_that_they_are_generated() {
+        let files = std::fs::read_dir(root().join("ccd-gpu/shaders")).unwrap().map(|entry| entry.unwrap().path());
+        let wgsl: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|e| e == "wgsl")).collect();
+        assert!(!wgsl.is_empty());
+        for path in wgsl {
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert_eq!(text.lines().next(), Some(GENERATED), "{}", path.display());
+        }
+        let attributes = std::fs::read_to_string(root().join("ccd-gpu/shaders/.gitattributes")).unwrap();
+        assert!(attributes.starts_with("** linguist-generated"), "{attributes}");
     }
 
     #[test]

@@ -1,41 +1,104 @@
-//! Rules that no compiler checks: what each crate may name, where `unsafe` may stand, how files begin and how long they are.
+//! Rules that no compiler checks: what each crate may name, where `unsafe` may stand, how files
+//! begin, how long and how wide they are, and that every source that is cited is listed.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Lines that a source file may have.
 const MAX_LINES: usize = 420;
-/// Columns that a line may have.
+/// Columns that a line of Rust may have.
 const MAX_COLUMNS: usize = 180;
-/// The only files with `unsafe`: plain-data records, indices without a check in shaders, instruction sets, compiled shaders and the features that take
-/// them, atomics and workgroup memory, a counting allocator.
-const UNSAFE_FILES: [&str; 7] = [
-    "ccd-core/src/aabb.rs",
-    "ccd-core/src/slice.rs",
-    "ccd-cpu/src/simd.rs",
+/// Columns that a line of Markdown may have, rows of tables included.
+pub const MAX_COLUMNS_MARKDOWN: usize = 100;
+/// Where the sources that comments cite are listed.
+const REFERENCES: &str = "docs/REFERENCES.md";
+/// The only files with `unsafe`: plain-data records, indices without a check in shaders,
+/// instruction sets, compiled shaders and the features that take them, atomics and workgroup
+/// memory, a counting allocator.
+const UNSAFE_FILES: [&str; 11] = [
+    "ccd-core/src/math/aabb.rs",
+    "ccd-core/src/kernel/memory.rs",
+    "ccd-cpu/src/simd/avx2.rs",
+    "ccd-cpu/src/simd/avx512.rs",
+    "ccd-cpu/src/simd/mod.rs",
+    "ccd-cpu/src/simd/neon.rs",
+    "ccd-cpu/src/simd/tests.rs",
     "ccd-gpu/src/device.rs",
-    "ccd-shaders/src/share.rs",
+    "ccd-shaders/src/workgroup.rs",
     "examples/engine.rs",
     "tests/allocations.rs",
 ];
 /// A word, and the only places where it may stand.
-const OWNERS: [(&str, &[&str]); 3] =
-    [("rayon", &["ccd-cpu/", "xtask/"]), ("wgpu", &["ccd-gpu/", "examples/", "src/cli/", "tests/"]), ("spirv_std", &["ccd-shaders/"])];
+const OWNERS: [(&str, &[&str]); 3] = [
+    ("rayon", &["ccd-cpu/", "xtask/"]),
+    ("wgpu", &["ccd-gpu/", "examples/", "src/any/", "src/cli/", "tests/"]),
+    ("spirv_std", &["ccd-shaders/"]),
+];
 
 pub fn run(root: &Path) -> Result<(), String> {
     let mut problems = Vec::new();
     let mut files = Vec::new();
     collect(root, &mut files);
+    let mut cited = BTreeSet::new();
     for path in &files {
         let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().replace('\\', "/");
         let text = std::fs::read_to_string(path).map_err(|e| format!("{name}: {e}"))?;
-        problems.extend(check(&name, &text).into_iter().map(|p| format!("{name}{p}")));
+        let found = if name.ends_with(".md") { check_markdown(&text) } else { check(&name, &text) };
+        problems.extend(found.into_iter().map(|p| format!("{name}{p}")));
+        if name != REFERENCES && name != "xtask/src/tidy.rs" {
+            cited.extend(citations(&text));
+        }
     }
+    let text = std::fs::read_to_string(root.join(REFERENCES));
+    let text = text.map_err(|e| format!("{REFERENCES}: {e}"))?;
+    problems.extend(check_references(&cited, &text));
     if problems.is_empty() {
         println!("tidy: {} files", files.len());
         Ok(())
     } else {
         Err(format!("tidy:\n{}", problems.join("\n")))
     }
+}
+
+/// Keys that a text cites: words in brackets that begin with a name and end with a year, as in
+/// `[Karras 2012b]`, and the one source whose year is not known.
+fn citations(text: &str) -> BTreeSet<String> {
+    let year = |word: &str| {
+        let digits = word.trim_end_matches(|c: char| c.is_ascii_lowercase());
+        digits.len() == 4 && word.len() <= 5 && digits.bytes().all(|b| b.is_ascii_digit())
+    };
+    let is_key = |key: &str| {
+        let fine = |c: char| c.is_alphanumeric() || c == ' ' || c == '\'';
+        let mut words = key.rsplit(' ');
+        let named = key.starts_with(char::is_alphabetic) && key.contains(char::is_uppercase);
+        key.chars().all(fine) && named && words.next().is_some_and(year) || key == "Tian and Wan"
+    };
+    let parts = text.split('[').skip(1).filter_map(|rest| rest.split_once(']'));
+    parts.map(|(key, _)| key.to_owned()).filter(|key| is_key(key)).collect()
+}
+
+/// Sources that are cited and not listed, or listed and not cited.
+fn check_references(cited: &BTreeSet<String>, list: &str) -> Vec<String> {
+    let entry = |line: &str| Some(line.strip_prefix("- **[")?.split_once("]**")?.0.to_owned());
+    let listed: BTreeSet<String> = list.lines().filter_map(entry).collect();
+    let missing = cited.difference(&listed).map(|key| format!("{REFERENCES}: [{key}] is missing"));
+    let unused = listed.difference(cited).map(|key| format!("{REFERENCES}: [{key}] is not cited"));
+    missing.chain(unused).collect()
+}
+
+/// What is wrong with a Markdown file, each with `:line: ` in front.
+fn check_markdown(text: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let n = line.chars().count();
+        if n > MAX_COLUMNS_MARKDOWN {
+            out.push(format!(":{}: {n} columns, more than {MAX_COLUMNS_MARKDOWN}", i + 1));
+        }
+        if line.trim_end() != line {
+            out.push(format!(":{}: white space at the end", i + 1));
+        }
+    }
+    out
 }
 
 /// What is wrong with a file, each with `:line: ` or `: ` in front.
@@ -77,7 +140,7 @@ fn check(name: &str, text: &str) -> Vec<String> {
     out
 }
 
-/// Rust sources below `dir`, without build folders.
+/// Rust sources and Markdown below `dir`, without build folders.
 fn collect(dir: &Path, out: &mut Vec<PathBuf>) {
     let Ok(entries) = std::fs::read_dir(dir) else { return };
     let mut entries: Vec<_> = entries.flatten().map(|e| e.path()).collect();
@@ -86,7 +149,7 @@ fn collect(dir: &Path, out: &mut Vec<PathBuf>) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         if path.is_dir() && name != "target" && !name.starts_with('.') {
             collect(&path, out);
-        } else if name.ends_with(".rs") {
+        } else if name.ends_with(".rs") || name.ends_with(".md") {
             out.push(path);
         }
     }
@@ -112,5 +175,19 @@ mod tests {
         }
         assert_eq!(check("a.rs", &format!("//! A.\n{}", "\n".repeat(MAX_LINES))).len(), 1);
         assert_eq!(check("a.rs", &format!("//! {}\n", "x".repeat(MAX_COLUMNS))).len(), 1);
+        assert!(check_markdown(&format!("{}\n", "é".repeat(MAX_COLUMNS_MARKDOWN))).is_empty());
+        assert_eq!(check_markdown(&"x".repeat(MAX_COLUMNS_MARKDOWN + 1)).len(), 1);
+        assert_eq!(check_markdown("| a | \n").len(), 1);
+    }
+
+    #[test]
+    fn sources_are_listed_and_cited() {
+        let cited = |text: &str| citations(text).into_iter().collect::<Vec<_>>();
+        let text = "see [da Silva 2013], [Karras 2012b] and [Tian and Wan]; not [1, 2], [2012], x[i 2012], [A](b)";
+        assert_eq!(cited(text), ["Karras 2012b", "Tian and Wan", "da Silva 2013"]);
+        assert_eq!(cited("[`a`] [x; 2012] [name] [Name 20123] [O'Neill 2014]"), ["O'Neill 2014"]);
+        let list = "# A\n- **[Karras 2012]** T. Karras.\n";
+        let check = |text: &str| check_references(&citations(text), list).len();
+        assert_eq!([check("[Karras 2012]"), check(""), check("[Karras 2013]")], [0, 1, 2]);
     }
 }

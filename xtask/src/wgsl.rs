@@ -1,8 +1,11 @@
-//! From SPIR-V to WGSL, through naga, in a form that browsers accept: their analysis (Tint's) must see that every barrier is reached by all threads of a workgroup.
+//! From SPIR-V to WGSL, through naga, in a form that browsers accept: their analysis (Tint's) must
+//! see that every barrier is reached by all threads of a workgroup.
 //!
-//! Two things of what naga makes of rust-gpu's modules hide that, and are changed on the way. Built-in values such as the number of a workgroup come through
-//! private variables, of which nobody knows that they are the same for all threads: they become arguments. And failed checks of indices into arrays of fixed
-//! length return: these checks go, because WGSL keeps indices in range by itself (and no index is out of range, which the same bodies show on the CPU).
+//! Two things of what naga makes of rust-gpu's modules hide that, and are changed on the way.
+//! Built-in values such as the number of a workgroup come through private variables, of which
+//! nobody knows that they are the same for all threads: they become arguments. And failed checks of
+//! indices into arrays of fixed length return: these checks go, because WGSL keeps indices in range
+//! by itself (and no index is out of range, which the same bodies show on the CPU).
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle, LocalVariable, Module, Statement};
@@ -53,7 +56,8 @@ fn without_failed_checks(block: Block) -> Block {
     out
 }
 
-/// The entry point stores built-in values in private variables and calls a function that reads them; now it calls it with them.
+/// The entry point stores built-in values in private variables and calls a function that reads
+/// them; now it calls it with them.
 fn pass_builtins(module: &mut Module) -> Result<(), String> {
     let entry = &mut module.entry_points[0].function;
     let mut values: Vec<(Handle<GlobalVariable>, Handle<Expression>)> = Vec::new();

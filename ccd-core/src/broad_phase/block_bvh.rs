@@ -5,7 +5,7 @@
 //! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
 
 use crate::kernel::memory::at;
-use crate::layout::{Leaf, MAX_LEVELS, Params, split};
+use crate::layout::{Blocks, MAX_LEVELS};
 use crate::math::aabb::Aabb;
 
 /// Children of a node.
@@ -27,8 +27,8 @@ pub fn sets(kind: u32) -> [usize; 2] {
 
 /// Number of node `i` of `set` on `level` among all nodes.
 #[inline(always)]
-pub fn slot(params: &Params, level: u32, set: usize, i: u32) -> usize {
-    (params.slots[level as usize][set] + i) as usize
+pub fn slot(tree: &Blocks, level: u32, set: usize, i: u32) -> usize {
+    (tree.slots[level as usize][set] + i) as usize
 }
 
 /// The set of node `i` of a level, from the first nodes of its sets.
@@ -43,22 +43,22 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
     }
 }
 
-/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `params.level`.
+/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `tree.level`.
 ///
 /// At most 62 nodes a level, and all of that level's.
 #[inline(always)]
-pub fn range_box(params: &Params, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
+pub fn range_box(tree: &Blocks, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     let (mut from, mut to) = (first, last + 1);
     for level in 0..MAX_LEVELS as u32 {
         let (up, down) = (from.next_multiple_of(WIDTH), to / WIDTH * WIDTH);
-        let goes_on = up < down && level < params.level;
+        let goes_on = up < down && level < tree.level;
         let (end, begin) = if goes_on { (up, down) } else { (to, to) };
         for i in from..end {
-            out = out.union(&at(nodes, slot(params, level, set, i)));
+            out = out.union(&at(nodes, slot(tree, level, set, i)));
         }
         for i in begin..to {
-            out = out.union(&at(nodes, slot(params, level, set, i)));
+            out = out.union(&at(nodes, slot(tree, level, set, i)));
         }
         from = if goes_on { up / WIDTH } else { 0 };
         to = if goes_on { down / WIDTH } else { 0 };
@@ -94,105 +94,9 @@ pub fn kept(hit: u32) -> u32 {
 pub const NOT_KEPT: u32 = u32::MAX;
 const KEPT: u32 = 1 << 31;
 
-/// Whether two features whose boxes overlap are a candidate: no common vertex, bodies that are wanted, and boxes that overlap by more than rounding or
-/// also in the precision of the input.
-///
-/// `bodies`: per vertex `2 body + fixed`. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
-#[inline(always)]
-pub fn wanted(params: &Params, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
-    let (p, q) = (&a.vertices, &b.vertices);
-    if params.has(Params::FLAG_TOPOLOGY) {
-        let shared = if params.kind == 0 {
-            p[0] == q[0] || p[0] == q[1] || p[0] == q[2]
-        } else {
-            p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]
-        };
-        if shared {
-            return false;
-        }
-    }
-    if params.has(Params::FLAG_BODIES) {
-        let (m, n) = (at(bodies, p[0] as usize), at(bodies, q[0] as usize));
-        let unwanted = m / 2 == n / 2 && !params.has(Params::FLAG_SELF_CONTACT);
-        if unwanted || m & n & 1 != 0 {
-            return false;
-        }
-    }
-    if params.has(Params::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], params.slack) {
-        return overlap_exactly(p, q, keys);
-    }
-    true
-}
-
-/// Whether two boxes overlap by more than `slack` on every axis.
-#[inline(always)]
-fn overlap_surely(a: &Aabb<f32>, b: &Aabb<f32>, slack: f32) -> bool {
-    (a.max[0] - b.min[0] > slack)
-        & (b.max[0] - a.min[0] > slack)
-        & (a.max[1] - b.min[1] > slack)
-        & (b.max[1] - a.min[1] > slack)
-        & (a.max[2] - b.min[2] > slack)
-        & (b.max[2] - a.min[2] > slack)
-}
-
-/// Whether the exact boxes of two features overlap.
-#[inline(always)]
-fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
-    overlap_on::<0, 3>(p, q, keys) & overlap_on::<1, 4>(p, q, keys) & overlap_on::<2, 5>(p, q, keys)
-}
-
-/// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
-#[inline(always)]
-fn overlap_on<const MIN: usize, const MAX: usize>(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
-    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys)) & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
-}
-
-/// Whether the number of key `a` is greater than that of key `b`.
-#[inline(always)]
-fn above(a: [u32; 2], b: [u32; 2]) -> bool {
-    a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
-}
-
-#[inline(always)]
-fn least<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
-    let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
-    let key = |i: u32| at(keys, i as usize)[KEY];
-    lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
-}
-
-#[inline(always)]
-fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
-    let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
-    let key = |i: u32| at(keys, i as usize)[KEY];
-    greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
-}
-
-/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.
-#[inline(always)]
-pub fn bound_key(x: f64) -> [u32; 2] {
-    let [low, high] = split(x);
-    if high >> 31 == 0 || (high == 1 << 31 && low == 0) {
-        // Both zeros are equal as bounds.
-        [low, high | 1 << 31]
-    } else {
-        [!low, !high]
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn keys_are_in_the_order_of_numbers() {
-        let x = [-1e300, -2.0, -1.0, -1e-300, 0.0, 1e-310, 1.0, 1.0 + f64::EPSILON, 4e9, 1e300];
-        for i in 0..x.len() {
-            for j in 0..x.len() {
-                assert_eq!(above(bound_key(x[i]), bound_key(x[j])), x[i] > x[j], "{:e} {:e}", x[i], x[j]);
-            }
-        }
-        assert_eq!(bound_key(0.0), bound_key(-0.0));
-    }
 
     #[test]
     fn hits_pack() {

@@ -2,35 +2,35 @@
 //!
 //! For devices with `f64`; a host does the same for the others. Positions of all vertices at the start of the step come first, then those at its end.
 
-use super::block_bvh::bound_key;
+use super::candidate::bound_key;
 use super::swept_box::swept;
 use crate::kernel::memory::at;
-use crate::layout::{Params, Path, join, split};
+use crate::layout::{Frame, Path, join, split};
 use crate::math::aabb::Aabb;
 use crate::math::real::{Num, Real};
 
 /// Positions of vertex `i` at both ends of the step.
 #[inline(always)]
-pub fn given(i: u32, params: &Params, positions: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
-    (at(positions, i as usize), at(positions, (params.count[0] + i) as usize))
+pub fn given(i: u32, frame: &Frame, positions: &[[f64; 3]]) -> ([f64; 3], [f64; 3]) {
+    (at(positions, i as usize), at(positions, (frame.count[0] + i) as usize))
 }
 
-/// The path of a vertex relative to the origin.
+/// The path of a vertex relative to the origin, in the unit of paths.
 #[inline(always)]
-pub fn path(p: [f64; 3], q: [f64; 3], params: &Params) -> Path {
+pub fn path(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Path {
     let mut out = Path { t0: [0.0; 4], t1: [0.0; 4] };
     for k in 0..3 {
-        let origin = join(params.origin[k]);
-        out.t0[k] = nearest(p[k] - origin);
-        out.t1[k] = nearest(q[k] - origin);
+        let (origin, scale) = (join(frame.origin[k]), join(frame.scale_bits));
+        out.t0[k] = nearest((p[k] - origin) * scale);
+        out.t1[k] = nearest((q[k] - origin) * scale);
     }
     out
 }
 
 /// The box of a vertex in `f64`, grown by the margin.
 #[inline(always)]
-pub fn exact_box(p: [f64; 3], q: [f64; 3], params: &Params) -> Aabb<f64> {
-    swept(p, q).inflated(join(params.margin_bits))
+pub fn exact_box(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Aabb<f64> {
+    swept(p, q).inflated(join(frame.margin_bits))
 }
 
 /// Bounds of a box as integers of the same order: `min`, then `max`.

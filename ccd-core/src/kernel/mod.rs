@@ -1,7 +1,13 @@
-//! Kernel bodies: one pure function per stage, called once per thread, the same on a CPU and on a GPU.
+//! Kernel bodies: one pure function per stage, called once per thread, the same on a CPU and on a
+//! GPU.
 //!
-//! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through [`Words`]) and *emit* (an unknown number
-//! of results: the body says which there are, its caller appends them to a list that counts also those for which it has no room). [`TABLE`] lists them.
+//! Three shapes: *map* (thread `i` returns what it owns), *meet* (threads share words, through
+//! [`Words`]) and *emit* (an unknown number of results: the body says which there are, its caller
+//! appends them to a list that counts also those for which it has no room).
+//!
+//! The table, [`kernels!`](crate::kernels), has a row for each. A new kernel takes a body here, an
+//! entry point in ccd-shaders and a row; its id, its module, its pipeline, the names of its buffers
+//! and what tests check follow from the row.
 
 pub mod contact_order;
 pub mod memory;
@@ -14,27 +20,14 @@ pub trait Words {
     fn load(&self, i: usize) -> u32;
     /// Relaxed store to word `i`.
     fn store(&self, i: usize, value: u32);
-    /// Adds and returns the old value; acquires what others released by this call on the same word, releases what this thread
-    /// stored before.
+    /// Adds and returns the old value; acquires what others released by this call on the same word,
+    /// releases what this thread stored before.
     fn add_acquire_release(&self, i: usize, value: u32) -> u32;
-}
-
-/// How results of two backends must compare.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Parity {
-    /// Equal bytes: integers, minima, maxima, comparisons.
-    Exact,
-    /// The same set, in any order.
-    ExactSet,
-    /// Every true contact is reported, with a time of impact that is not later than the exact one.
-    NotLater,
 }
 
 /// What a kernel does with a buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
-    /// Reads one [`crate::layout::Params`].
-    Params,
     /// Reads.
     Read,
     /// Reads and writes, or adds to it atomically.
@@ -44,97 +37,175 @@ pub enum Access {
 /// A row of the kernel table.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
-    /// Name of the entry point.
+    /// Name of the entry point, and of the files with its module.
     pub name: &'static str,
     /// Threads of a workgroup on a GPU.
-    pub workgroup: u32,
-    /// Buffers in the order of their bindings, from 0.
-    pub bindings: &'static [Access],
-    /// How backends compare.
-    pub parity: Parity,
+    pub threads: u32,
+    /// Barriers as written in its entry point.
+    pub barriers: u32,
     /// Whether it needs `f64` and 64-bit integers.
     pub wide: bool,
+    /// If binding 0 is a [`Params`](crate::layout::Params): the name of its record.
+    pub params: Option<&'static str>,
+    /// Buffers in the order of their bindings, after the parameters.
+    pub buffers: &'static [(&'static str, Access)],
+}
+
+impl Kernel {
+    /// What is done with each binding, from 0.
+    pub fn bindings(&self) -> impl Iterator<Item = Access> {
+        self.params.map(|_| Access::Read).into_iter().chain(self.buffers.iter().map(|b| b.1))
+    }
+}
+
+/// The kernel table: calls a macro with all rows. A row says, in this order: id, name of the entry
+/// point, threads of a workgroup, barriers that its source has, the numbers that it needs, its
+/// record in [`Params`](crate::layout::Params) if it takes parameters, and its buffers in the order
+/// of their bindings.
+#[macro_export]
+macro_rules! kernels {
+    ($callback:ident) => {
+        $callback! {
+            /// Vertices in `f64`: their paths, keys of their exact boxes, their boxes.
+            PlaceVertices = place_vertices(256 threads, 0 barriers, f64, Params<Plain>)
+                { positions: Read, paths: Write, keys: Write, boxes: Write }
+            /// Boxes of vertices.
+            SweepVertices = sweep_vertices(256 threads, 0 barriers, f32, Params<Plain>)
+                { paths: Read, boxes: Write }
+            /// Boxes of edges.
+            SweepEdges = sweep_edges(256 threads, 0 barriers, f32, Params<Plain>)
+                { edges: Read, boxes: Write }
+            /// Boxes of faces.
+            SweepFaces = sweep_faces(256 threads, 0 barriers, f32, Params<Plain>)
+                { faces: Read, boxes: Write }
+            /// Paths up to the earliest time of impact so far, which each kind has.
+            Shorten = shorten(256 threads, 0 barriers, f32, Params<Plain>)
+                { paths: Read, of_vf: Read, of_ee: Read, shortened: Write }
+            /// Bounds of all boxes, in six words.
+            SceneBounds = scene_bounds(256 threads, 1 barriers, f32, Params<Plain>)
+                { boxes: Read, bounds: Write }
+            /// Sort keys of boxes, and their numbers.
+            Morton = morton(256 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, bounds: Read, keys: Write, order: Write }
+            /// Digits of each tile.
+            SortCount = sort_count(128 threads, 2 barriers, f32, Params<SortPass>)
+                { keys: Read, table: Write }
+            /// Sums of the table.
+            SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
+                { table: Write }
+            /// One pass of the sort.
+            SortScatter = sort_scatter(128 threads, 28 barriers, f32, Params<SortPass>)
+                { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
+            /// Leaves in order and the nodes above.
+            FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
+                { boxes: Read, order: Read, edges: Read, faces: Read, nodes: Write, leaves: Write }
+            /// Nodes of the next level.
+            FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
+                { nodes: Write }
+            /// Internal nodes of a binary tree over set 1, the only one.
+            Branches = branches(256 threads, 0 barriers, f32, Params<Plain>)
+                { keys: Read, branches: Write }
+            /// Boxes of a binary tree.
+            BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
+            /// Leaves of a binary tree that overlap each other.
+            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Plain>)
+                { nodes: Read, branches: Read, pairs: Write }
+            /// Loose boxes that overlap leaves of a binary tree.
+            TraverseAgainst = traverse_against(128 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, nodes: Read, branches: Read, pairs: Write }
+            /// Pairs of nodes to pairs of their children.
+            NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, input: Read, output: Write }
+            /// Pairs of blocks to candidates.
+            ListCandidates = list_candidates(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, leaves: Read, bodies: Read, keys: Read, input: Read, output: Write }
+            /// Pairs of blocks to filtered vertex-face candidates.
+            FilterVertexFace = filter_vertex_face(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
+                  input: Read, output: Write }
+            /// Pairs of blocks to filtered edge-edge candidates.
+            FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
+                { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
+                  input: Read, output: Write }
+            /// Verdicts of vertices and faces in `f32`.
+            DecideVertexFace = decide_vertex_face(64 threads, 7 barriers, f32, Params<Decision>)
+                { paths: Read, faces: Read, input: Read,
+                  contacts: Write, undecided: Write, earliest: Write }
+            /// Verdicts of edges in `f32`.
+            DecideEdgeEdge = decide_edge_edge(64 threads, 7 barriers, f32, Params<Decision>)
+                { paths: Read, edges: Read, input: Read,
+                  contacts: Write, undecided: Write, earliest: Write }
+            /// Verdicts of vertices and faces in `f64`.
+            DecideVertexFaceWide = decide_vertex_face_wide(64 threads, 3 barriers, f64, Params<Plain>)
+                { paths: Read, positions: Read, faces: Read, input: Read,
+                  contacts: Write, earliest: Write }
+            /// Verdicts of edges in `f64`.
+            DecideEdgeEdgeWide = decide_edge_edge_wide(64 threads, 3 barriers, f64, Params<Plain>)
+                { paths: Read, positions: Read, edges: Read, input: Read,
+                  contacts: Write, earliest: Write }
+            /// Keys of contacts, and their numbers in the first of two sorts.
+            ContactKeys = contact_keys(256 threads, 0 barriers, f32, Params<ContactSort>)
+                { contacts: Read, keys: Write, order: Write }
+            /// Contacts in order.
+            OrderContacts = order_contacts(256 threads, 0 barriers, f32, Params<Plain>)
+                { contacts: Read, order: Read, ordered: Write }
+            /// For tests: fields of records.
+            ProbeLayout = probe_layout(64 threads, 0 barriers, f32, Params<Blocks>)
+                { paths: Read, leaves: Read, touches: Read, pairs: Read, words: Write }
+            /// For tests: scalar operations.
+            ProbeScalars = probe_scalars(64 threads, 0 barriers, f32)
+                { inputs: Read, results: Write }
+            /// For tests: scalar operations in `f64`.
+            ProbeWide = probe_wide(64 threads, 0 barriers, f64)
+                { inputs: Read, results: Write }
+        }
+    };
+}
+
+macro_rules! wide {
+    (f32) => {
+        false
+    };
+    (f64) => {
+        true
+    };
 }
 
 macro_rules! table {
-    ($($(#[$doc:meta])* $id:ident $name:literal $workgroup:literal [$($access:ident)*] $parity:ident $wide:literal;)*) => {
+    ($(
+        $(#[$doc:meta])*
+        $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
+            $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
+    )*) => {
         /// A kernel of the table.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Id {
             $($(#[$doc])* $id,)*
         }
 
-        /// Every kernel with an entry point, in the order of [`Id`]: pipelines, bind groups and parity tests are made from it.
-        pub const TABLE: &[Kernel] = &[
-            $(Kernel { name: $name, workgroup: $workgroup, bindings: &[$(Access::$access),*], parity: Parity::$parity, wide: $wide },)*
-        ];
+        /// Every kernel with an entry point, in the order of [`Id`].
+        pub const TABLE: &[Kernel] = &[$(Kernel {
+            name: stringify!($name),
+            threads: $threads,
+            barriers: $barriers,
+            wide: wide!($float),
+            params: [$(Some(stringify!($own)),)? None][0],
+            buffers: &[$((stringify!($field), Access::$access)),*],
+        },)*];
     };
 }
 
-table! {
-    /// Vertices in `f64`: params, positions; paths, keys, boxes.
-    PlaceVertices "place_vertices" 256 [Params Read Write Write Write] Exact true;
-    /// Boxes of vertices: params, paths; boxes.
-    SweepVertices "sweep_vertices" 256 [Params Read Write] Exact false;
-    /// Boxes of edges: params, edges; boxes.
-    SweepEdges "sweep_edges" 256 [Params Read Write] Exact false;
-    /// Boxes of faces: params, faces; boxes.
-    SweepFaces "sweep_faces" 256 [Params Read Write] Exact false;
-    /// Paths up to the earliest time of impact so far: params, paths, time by kind; paths.
-    Shorten "shorten" 256 [Params Read Read Read Write] NotLater false;
-    /// Bounds of all boxes: params, boxes; six words.
-    SceneBounds "scene_bounds" 256 [Params Read Write] Exact false;
-    /// Sort keys: params, boxes, bounds; keys, values.
-    Morton "morton" 256 [Params Read Read Write Write] Exact false;
-    /// Digits of each tile: params, keys; table.
-    SortCount "sort_count" 128 [Params Read Write] Exact false;
-    /// Sums of the table: params; table.
-    SortScan "sort_scan" 256 [Params Write] Exact false;
-    /// One pass of the sort: params, table, keys, values; keys, values.
-    SortScatter "sort_scatter" 128 [Params Read Read Read Write Write] Exact false;
-    /// Leaves in order and the nodes above: params, boxes, order, edges, faces; nodes, leaves.
-    FitLeaves "fit_leaves" 256 [Params Read Read Read Read Write Write] Exact false;
-    /// Nodes of the next level: params; nodes.
-    FitLevel "fit_level" 256 [Params Write] Exact false;
-    /// Internal nodes of a binary tree over set 1, the only one: params, keys; branches.
-    Branches "branches" 256 [Params Read Write] Exact false;
-    /// Boxes of a binary tree: params, branches, block nodes, leaves; nodes.
-    BranchBoxes "branch_boxes" 256 [Params Read Read Read Write] Exact false;
-    /// Leaves of a binary tree that overlap each other: params, nodes, branches; pairs.
-    TraverseHalf "traverse_half" 128 [Params Read Read Write] ExactSet false;
-    /// Loose boxes that overlap leaves of a binary tree: params, boxes, nodes, branches; pairs.
-    TraverseAgainst "traverse_against" 128 [Params Read Read Read Write] ExactSet false;
-    /// Pairs of nodes to pairs of their children: params, nodes, pairs; pairs.
-    NodePairs "node_pairs" 128 [Params Read Read Write] ExactSet false;
-    /// Pairs of blocks to candidates: params, nodes, leaves, bodies, keys, pairs; pairs.
-    ListCandidates "list_candidates" 128 [Params Read Read Read Read Read Write] ExactSet false;
-    /// Pairs of blocks to filtered vertex-face candidates: params, nodes, leaves, bodies, keys, paths, pairs; pairs.
-    FilterVertexFace "filter_vertex_face" 128 [Params Read Read Read Read Read Read Write] NotLater false;
-    /// Pairs of blocks to filtered edge-edge candidates: as for vertices and faces.
-    FilterEdgeEdge "filter_edge_edge" 128 [Params Read Read Read Read Read Read Write] NotLater false;
-    /// Verdicts in `f32`: params, paths, faces, pairs; contacts, undecided pairs, time.
-    DecideVertexFace "decide_vertex_face" 64 [Params Read Read Read Write Write Write] NotLater false;
-    /// Verdicts in `f32`: params, paths, edges, pairs; contacts, undecided pairs, time.
-    DecideEdgeEdge "decide_edge_edge" 64 [Params Read Read Read Write Write Write] NotLater false;
-    /// Verdicts in `f64`: params, paths, wide paths, faces, pairs; contacts, time.
-    DecideVertexFaceWide "decide_vertex_face_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
-    /// Verdicts in `f64`: params, paths, wide paths, edges, pairs; contacts, time.
-    DecideEdgeEdgeWide "decide_edge_edge_wide" 64 [Params Read Read Read Read Write Write] NotLater true;
-    /// Keys of contacts, and their numbers in the first of two sorts: params, contacts; keys, order.
-    ContactKeys "contact_keys" 256 [Params Read Write Write] Exact false;
-    /// Contacts in order: params, contacts, order; contacts.
-    OrderContacts "order_contacts" 256 [Params Read Read Write] Exact false;
-    /// For tests: fields of records: params, paths, leaves, contacts, pairs; words.
-    ProbeLayout "probe_layout" 64 [Params Read Read Read Read Write] Exact false;
-    /// For tests: scalar operations: inputs; results.
-    ProbeScalars "probe_scalars" 64 [Read Write] Exact false;
-    /// For tests: scalar operations in `f64`: inputs; results.
-    ProbeWide "probe_wide" 64 [Read Write] Exact true;
-}
+kernels!(table);
 
 impl Id {
     /// The kernel's row.
-    pub fn row(self) -> &'static Kernel {
+    pub const fn row(self) -> &'static Kernel {
         &TABLE[self as usize]
+    }
+
+    /// Threads of a workgroup.
+    pub const fn threads(self) -> u32 {
+        self.row().threads
     }
 }

@@ -2,51 +2,53 @@
 
 use crate::broad_phase::morton_key::{from_order_key, order_key};
 use crate::kernel::memory::put;
-use crate::layout::{Leaf, MAX_LEVELS, Pair, Params, Path, Touch, join, split};
+use crate::layout::{Blocks, Leaf, MAX_LEVELS, Pair, Params, Path, Touch, join, split};
 use crate::math::real::{Num, Real};
 
 /// Words that [`params`] writes.
-pub const PARAMS_WORDS: usize = 32 + 4 * MAX_LEVELS;
+pub const PARAMS_WORDS: usize = size_of::<Params<Blocks>>() / 4;
 /// Words that [`params`] and [`records`] write.
 pub const WORDS: usize = PARAMS_WORDS + 8 + 4 + 6 + 2;
 
 /// Writes the fields in their order.
 #[inline(always)]
-pub fn params(p: &Params, out: &mut [u32]) {
+pub fn params(p: &Params<Blocks>, out: &mut [u32]) {
+    let (frame, dispatch, own) = (&p.frame, &p.dispatch, &p.own);
     for k in 0..3 {
-        put(out, k, p.count[k]);
+        put(out, k, frame.count[k]);
     }
-    put(out, 3, p.flags);
+    put(out, 3, frame.flags);
     for k in 0..4 {
-        put(out, 4 + k, p.start[k]);
+        put(out, 4 + k, frame.start[k]);
     }
-    put(out, 8, p.margin.to_bits());
-    put(out, 9, p.path_error.to_bits());
-    put(out, 10, p.min_distance.to_bits());
-    put(out, 11, p.slack.to_bits());
-    put(out, 12, p.distance_bits[0]);
-    put(out, 13, p.distance_bits[1]);
-    put(out, 14, p.kind);
-    put(out, 15, p.level);
-    put(out, 16, p.shift);
-    put(out, 17, p.n_tiles);
-    put(out, 18, p.first);
-    put(out, 19, p.step);
-    put(out, 20, p.limit);
-    put(out, 21, p.room_in);
-    put(out, 22, p.room_out);
-    put(out, 23, p.n);
+    put(out, 8, frame.margin.to_bits());
+    put(out, 9, frame.path_error.to_bits());
+    put(out, 10, frame.min_distance.to_bits());
+    put(out, 11, frame.slack.to_bits());
+    put(out, 12, frame.distance_bits[0]);
+    put(out, 13, frame.distance_bits[1]);
     for k in 0..3 {
-        put(out, 24 + 2 * k, p.origin[k][0]);
-        put(out, 25 + 2 * k, p.origin[k][1]);
+        put(out, 14 + 2 * k, frame.origin[k][0]);
+        put(out, 15 + 2 * k, frame.origin[k][1]);
     }
-    put(out, 30, p.margin_bits[0]);
-    put(out, 31, p.margin_bits[1]);
+    put(out, 20, frame.margin_bits[0]);
+    put(out, 21, frame.margin_bits[1]);
+    put(out, 22, frame.scale_bits[0]);
+    put(out, 23, frame.scale_bits[1]);
+    put(out, 24, dispatch.n);
+    put(out, 25, dispatch.first);
+    put(out, 26, dispatch.room_in);
+    put(out, 27, dispatch.room_out);
     for level in 0..MAX_LEVELS {
         for k in 0..4 {
-            put(out, 32 + 4 * level + k, p.slots[level][k]);
+            put(out, 28 + 4 * level + k, own.slots[level][k]);
         }
     }
+    let n = 28 + 4 * MAX_LEVELS;
+    put(out, n, own.kind);
+    put(out, n + 1, own.level);
+    put(out, n + 2, own.step);
+    put(out, n + 3, own.limit);
 }
 
 /// Writes the fields of one record of each type, behind those of [`params`].

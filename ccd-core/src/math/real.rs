@@ -1,7 +1,49 @@
 //! Number types that one body of geometry is written over: `f32`, `f64`, and SIMD lanes of them.
 
-use crate::model::precision::{Precision, Record, Slices};
 use core::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
+
+/// The answer of a comparison: one Boolean, or one a lane.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {
+    /// [`Mask::bits`] if it is true in every lane.
+    const ALL: u32;
+    /// Bit `i`: the answer in lane `i`.
+    fn bits(self) -> u32;
+    /// Whether it is true in every lane.
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.bits() == Self::ALL
+    }
+    /// Whether it is true in some lane.
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.bits() != 0
+    }
+}
+
+impl Mask for bool {
+    const ALL: u32 = 1;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self as u32
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+}
+
+/// A bit a lane.
+impl Mask for u16 {
+    const ALL: u32 = 0xffff;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self as u32
+    }
+}
 
 /// A number, or several side by side, with the operations that a branch-free filter needs.
 ///
@@ -12,8 +54,8 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
     const UNIT: Self;
     /// Smallest positive normal number; flushing a result to zero loses less than this.
     const MIN_NORMAL: Self;
-    /// The answer of a comparison: one Boolean, or one a lane.
-    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask>;
+    /// The answer of a comparison.
+    type Mask: Mask;
     /// Whether the number is greater than the other; false if either is NaN. Every rejection ends in this.
     fn gt(self, other: Self) -> Self::Mask;
     /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without `f64` cannot even name one.
@@ -26,20 +68,8 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
     fn min(self, other: Self) -> Self;
 }
 
-#[doc(hidden)]
-pub mod sealed {
-    /// `f32` and `f64`, and the numbers with which tests of bounds play other devices.
-    pub trait Sealed {}
-}
-
 /// A single number that can be compared and divided: `f32` or `f64`.
-pub trait Real:
-    Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> + bytemuck::Pod + Send + Sync + sealed::Sealed
-{
-    /// Slices of records of such numbers, as what they are: a public function that is generic calls
-    /// one that is not.
-    #[doc(hidden)]
-    fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N>;
+pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> + bytemuck::Pod + Send + Sync {
     /// Exact for `f32` and `f64`.
     fn to_f64(self) -> f64;
     /// The number nearest to `x`.
@@ -61,7 +91,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($t:ty, $precision:path, $unit:expr, $guess:expr, $exponent:expr) => {
+    ($t:ty, $unit:expr, $guess:expr, $exponent:expr) => {
         impl Num for $t {
             const UNIT: Self = $unit;
             const MIN_NORMAL: Self = <$t>::MIN_POSITIVE;
@@ -88,13 +118,7 @@ macro_rules! real {
             }
         }
 
-        impl sealed::Sealed for $t {}
-
         impl Real for $t {
-            #[inline]
-            fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
-                $precision(of)
-            }
             #[inline(always)]
             fn to_f64(self) -> f64 {
                 self as f64
@@ -171,8 +195,8 @@ fn sqrt_guess_f64(x: f64) -> f64 {
     f64::from_bits(x.to_bits() / 2 + 0x1ff7_69e5_c000_0000)
 }
 
-real!(f32, Precision::F32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000);
-real!(f64, Precision::F64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000);
+real!(f32, 5.960_464_5e-8, sqrt_guess_f32, 0x7f80_0000);
+real!(f64, 1.110_223_024_625_156_5e-16, sqrt_guess_f64, 0x7ff0_0000_0000_0000);
 
 #[cfg(test)]
 mod tests {

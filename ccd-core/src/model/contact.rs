@@ -2,6 +2,7 @@
 
 use crate::layout::{Pair, Touch, join};
 use crate::narrow_phase::query::Verdict;
+use crate::narrow_phase::relative_motion::Patch;
 
 /// Which features touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -10,6 +11,17 @@ pub enum Kind {
     VertexFace,
     /// Edges `a < b`.
     EdgeEdge,
+}
+
+impl Kind {
+    /// The region in which such features touch.
+    #[inline(always)]
+    pub fn patch(self) -> Patch {
+        match self {
+            Kind::VertexFace => Patch::Triangle,
+            Kind::EdgeEdge => Patch::Parallelogram,
+        }
+    }
 }
 
 /// How certain a contact is.

@@ -76,6 +76,13 @@ pub enum Error {
         /// The two bodies.
         bodies: [u32; 2],
     },
+    /// A method that this backend does not have.
+    Method {
+        /// Its name.
+        name: &'static str,
+        /// The backend.
+        backend: &'static str,
+    },
     /// A thread pool of the wanted size could not be started.
     Threads {
         /// Threads asked for.
@@ -119,6 +126,7 @@ impl core::fmt::Display for Error {
             Error::MixedBodies { element, at, bodies } => {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
             }
+            Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
             Error::Threads { count } => write!(f, "cannot start {count} threads"),
         }
     }

@@ -1,6 +1,9 @@
 //! Mesh topology: faces, and the undirected edges in a canonical order.
 
+use crate::layout::Pair;
+use crate::model::contact::Kind;
 use crate::model::error::Error;
+use crate::narrow_phase::decide::{edge_edge_ids, vertex_face_ids};
 use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
@@ -62,6 +65,15 @@ impl Mesh {
     /// Undirected edges `[a, b]`, `a < b`, sorted by `b`, then by `a`.
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
+    }
+
+    /// The vertices of a pair of features: `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
+    #[inline]
+    pub fn vertices_of(&self, kind: Kind, pair: Pair) -> [u32; 4] {
+        match kind {
+            Kind::VertexFace => vertex_face_ids(pair, &self.faces),
+            Kind::EdgeEdge => edge_edge_ids(pair, &self.edges),
+        }
     }
 
     /// Checks that there is a position for every vertex at both ends of a step.

@@ -1,6 +1,8 @@
 //! Slices in either precision: where generic calls end, so that what is behind them is compiled
 //! once, by the crate that has it, and not by every crate that calls it.
 
+use crate::math::real::Real;
+
 /// Something in one of the two precisions.
 #[derive(Clone, Copy, Debug)]
 pub enum Precision<F, D> {
@@ -26,3 +28,32 @@ impl Record for Points {
 
 /// `N` slices of one kind of record, all in one precision.
 pub type Slices<'a, R, const N: usize> = Precision<[&'a [<R as Record>::Of<f32>]; N], [&'a [<R as Record>::Of<f64>]; N]>;
+
+mod sealed {
+    /// `f32` and `f64` alone.
+    pub trait Sealed {}
+}
+
+/// A type of coordinates that callers may have: `f32` or `f64`.
+pub trait Coordinate: Real + sealed::Sealed {
+    /// Slices of records of such numbers, as what they are: a public function that is generic calls
+    /// one that is not.
+    #[doc(hidden)]
+    fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N>;
+}
+
+macro_rules! coordinate {
+    ($t:ty, $precision:path) => {
+        impl sealed::Sealed for $t {}
+
+        impl Coordinate for $t {
+            #[inline]
+            fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
+                $precision(of)
+            }
+        }
+    };
+}
+
+coordinate!(f32, Precision::F32);
+coordinate!(f64, Precision::F64);

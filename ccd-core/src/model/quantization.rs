@@ -1,6 +1,6 @@
 //! What hosts find out about positions before a step: bounds, whether they are exact in `f32`, and the numbers that follow from that.
 
-use crate::math::aabb::Aabb;
+use crate::math::aabb::{Aabb, GREATEST};
 use crate::math::real::{Num, Real};
 use crate::model::error::Error;
 
@@ -54,9 +54,10 @@ impl Scan {
         T::UNIT.to_f64() < f32::UNIT as f64 && !(self.exact && min_distance == 0.0)
     }
 
-    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`].
+    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`]; at most [`GREATEST`], because
+    /// bounds further apart than that were cut to it or are certainly in order.
     pub fn slack(&self, min_distance: f64) -> f32 {
-        slack_at((self.greatest() + min_distance).round_up())
+        slack_at((self.greatest() + min_distance).round_up()).min(GREATEST)
     }
 
     /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the middle of their bounds, and

@@ -1,7 +1,9 @@
-//! Map: what the filters in `f32` say about one candidate pair.
+//! The cascade of filters, written once for one number and for lanes: what `f32` certifies about candidates before any is
+//! decided.
 
 use crate::kernel::memory::at;
 use crate::layout::{Leaf, Path};
+use crate::math::real::{Mask, Num};
 use crate::narrow_phase::coplanarity::Coplanarity;
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 use crate::narrow_phase::separating_direction::beside;
@@ -13,7 +15,7 @@ use crate::narrow_phase::separating_direction::beside;
 pub fn vertex_face(v: &Leaf, f: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
     let ids = [v.vertices[0], f.vertices[0], f.vertices[1], f.vertices[2]];
     let (x0, x1) = ends(ids, paths);
-    may_touch(&Motion::vertex_face(&x0, &x1, error), Patch::Triangle, min_distance)
+    !apart(&Motion::vertex_face(&x0, &x1, error), Patch::Triangle, min_distance)
 }
 
 /// Whether two edges, the lesser id first, may come within `min_distance`; `false` is certain.
@@ -21,7 +23,7 @@ pub fn vertex_face(v: &Leaf, f: &Leaf, paths: &[Path], error: f32, min_distance:
 pub fn edge_edge(a: &Leaf, b: &Leaf, paths: &[Path], error: f32, min_distance: f32) -> bool {
     let ids = [a.vertices[0], a.vertices[1], b.vertices[0], b.vertices[1]];
     let (x0, x1) = ends(ids, paths);
-    may_touch(&Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram, min_distance)
+    !apart(&Motion::edge_edge(&x0, &x1, error), Patch::Parallelogram, min_distance)
 }
 
 /// Positions of four vertices at both ends.
@@ -37,17 +39,25 @@ fn three(p: [f32; 4]) -> [f32; 3] {
     [p[0], p[1], p[2]]
 }
 
-/// Over the whole step, then over each half of it.
+/// Where two features certainly stay further than `min_distance` apart: over the whole step, else over each half of it.
 #[inline(always)]
-fn may_touch(m: &Motion<f32>, patch: Patch, min_distance: f32) -> bool {
-    if apart(m, patch, min_distance) {
-        return false;
-    }
-    let (first, second) = m.halves();
-    !(apart(&first, patch, min_distance) && apart(&second, patch, min_distance))
+pub fn apart<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
+    let whole = apart_throughout(m, patch, min_distance);
+    if whole.all() { whole } else { whole | apart_in_halves(m, patch, min_distance) }
 }
 
+/// Where they certainly do by what one look at the whole of a motion tells: by the sign of coplanarity, or beside each other.
 #[inline(always)]
-fn apart(m: &Motion<f32>, patch: Patch, min_distance: f32) -> bool {
-    Coplanarity::new(m).clearance(min_distance) > 0.0 || beside(m, patch, min_distance) > 0.0
+pub fn apart_throughout<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
+    let zero = N::splat(0.0);
+    let by_plane = Coplanarity::new(m).clearance(min_distance).gt(zero);
+    if by_plane.all() { by_plane } else { by_plane | beside(m, patch, min_distance).gt(zero) }
+}
+
+/// Where they certainly do in the first half of a motion and in the second.
+#[inline(always)]
+pub fn apart_in_halves<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
+    let (first, second) = m.halves();
+    let apart = apart_throughout(&first, patch, min_distance);
+    if apart.any() { apart & apart_throughout(&second, patch, min_distance) } else { apart }
 }

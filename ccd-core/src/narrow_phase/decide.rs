@@ -3,8 +3,9 @@
 use super::cascade::ends;
 use crate::broad_phase::placement::given;
 use crate::kernel::memory::at;
-use crate::layout::{Pair, Params, Path, join, split};
+use crate::layout::{Frame, Pair, Path, join, split};
 use crate::math::real::Real;
+use crate::model::contact::Kind;
 use crate::narrow_phase::query::{Verdict, solve};
 use crate::narrow_phase::relative_motion::{Motion, Patch};
 
@@ -69,41 +70,41 @@ fn verdicts<R>(verdict: Verdict<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
 
 /// Decides vertex `pair.a` against face `pair.b` in `f32`.
 #[inline(always)]
-pub fn vertex_face(pair: Pair, params: &Params, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
+pub fn vertex_face(pair: Pair, frame: &Frame, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
     let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
-    verdicts(solve(&Motion::vertex_face(&x0, &x1, params.path_error), Patch::Triangle, params.min_distance), widen)
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, frame.path_error), Patch::Triangle, frame.min_distance), widen)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f32`.
 #[inline(always)]
-pub fn edge_edge(pair: Pair, params: &Params, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
+pub fn edge_edge(pair: Pair, frame: &Frame, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
     let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
-    verdicts(solve(&Motion::edge_edge(&x0, &x1, params.path_error), Patch::Parallelogram, params.min_distance), widen)
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, frame.path_error), Patch::Parallelogram, frame.min_distance), widen)
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f64`.
 #[inline(always)]
-pub fn vertex_face_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], faces: &[[u32; 3]]) -> Verdicts {
-    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), params, paths, wide);
-    verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(params.distance_bits)), split)
+pub fn vertex_face_wide(pair: Pair, frame: &Frame, paths: &[Path], wide: &[[f64; 3]], faces: &[[u32; 3]]) -> Verdicts {
+    let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), frame, paths, wide);
+    verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(frame.distance_bits)), split)
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f64`.
 #[inline(always)]
-pub fn edge_edge_wide(pair: Pair, params: &Params, paths: &[Path], wide: &[[f64; 3]], edges: &[[u32; 2]]) -> Verdicts {
-    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), params, paths, wide);
-    verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(params.distance_bits)), split)
+pub fn edge_edge_wide(pair: Pair, frame: &Frame, paths: &[Path], wide: &[[f64; 3]], edges: &[[u32; 2]]) -> Verdicts {
+    let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), frame, paths, wide);
+    verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(frame.distance_bits)), split)
 }
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-fn wide_ends(ids: [u32; 4], params: &Params, paths: &[Path], positions: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
-    if params.has(Params::FLAG_EXACT) {
+fn wide_ends(ids: [u32; 4], frame: &Frame, paths: &[Path], positions: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
+    if frame.has(Frame::FLAG_EXACT) {
         let (p, q) = ends(ids, paths);
         (widened(p), widened(q))
     } else {
-        let (v0, v1) = (given(ids[0], params, positions), given(ids[1], params, positions));
-        let (v2, v3) = (given(ids[2], params, positions), given(ids[3], params, positions));
+        let (v0, v1) = (given(ids[0], frame, positions), given(ids[1], frame, positions));
+        let (v2, v3) = (given(ids[2], frame, positions), given(ids[3], frame, positions));
         ([v0.0, v1.0, v2.0, v3.0], [v0.1, v1.1, v2.1, v3.1])
     }
 }
@@ -139,28 +140,10 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     [a0, a1, b0, b1]
 }
 
-/// Verdict of a vertex-face pair of vertices `v f0 f1 f2`; every coordinate may be off by `coordinate_error`.
-pub fn vertex_face_pair<T: Copy + Into<R>, R: Real>(
-    ids: [u32; 4],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    min_distance: R,
-    coordinate_error: R,
-) -> Verdict<R> {
-    let m = Motion::vertex_face(&gather(ids, x0), &gather(ids, x1), coordinate_error);
-    solve(&m, Patch::Triangle, min_distance)
-}
-
-/// Verdict of an edge-edge pair of vertices `ea0 ea1 eb0 eb1`; every coordinate may be off by `coordinate_error`.
-pub fn edge_edge_pair<T: Copy + Into<R>, R: Real>(
-    ids: [u32; 4],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
-    min_distance: R,
-    coordinate_error: R,
-) -> Verdict<R> {
-    let m = Motion::edge_edge(&gather(ids, x0), &gather(ids, x1), coordinate_error);
-    solve(&m, Patch::Parallelogram, min_distance)
+/// The verdict on a pair of features with these vertices, in the precision `R`, from exact positions at both times.
+pub fn pair<T: Copy + Into<R>, R: Real>(kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2], min_distance: R) -> Verdict<R> {
+    let patch = kind.patch();
+    solve(&Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0)), patch, min_distance)
 }
 
 #[cfg(test)]

@@ -37,6 +37,16 @@ pub struct Motion<N> {
 }
 
 impl<N: Num> Motion<N> {
+    /// From the four points of a query over `patch`, at both times. `coordinate_error`: how far each
+    /// coordinate may be from the true one.
+    #[inline(always)]
+    pub fn new(patch: Patch, t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
+        match patch {
+            Patch::Triangle => Self::vertex_face(t0, t1, coordinate_error),
+            Patch::Parallelogram => Self::edge_edge(t0, t1, coordinate_error),
+        }
+    }
+
     /// From `v f0 f1 f2` at both times. `coordinate_error`: how far each coordinate may be from the
     /// true one.
     #[inline(always)]

@@ -35,9 +35,18 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// overflows has the right sign; one that is NaN separates nothing.
 #[inline(always)]
 pub fn axis_separated<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
-    let above = |k: usize| (a0[0][k] - b0[1][k]).gt(needed) & (a1[0][k] - b1[1][k]).gt(needed);
-    let below = |k: usize| (b0[0][k] - a0[1][k]).gt(needed) & (b1[0][k] - a1[1][k]).gt(needed);
-    (above(0) | below(0)) | (above(1) | below(1)) | (above(2) | below(2))
+    // No closures: they would not be compiled for the instruction set of the caller.
+    separated_on::<N, 0>(a0, a1, b0, b1, needed)
+        | separated_on::<N, 1>(a0, a1, b0, b1, needed)
+        | separated_on::<N, 2>(a0, a1, b0, b1, needed)
+}
+
+/// The same on axis `K`.
+#[inline(always)]
+fn separated_on<N: Num, const K: usize>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
+    let above = (a0[0][K] - b0[1][K]).gt(needed) & (a1[0][K] - b1[1][K]).gt(needed);
+    let below = (b0[0][K] - a0[1][K]).gt(needed) & (b1[0][K] - a1[1][K]).gt(needed);
+    above | below
 }
 
 /// Positive only if the features are certainly never closer than `min_distance`, because they pass
@@ -51,8 +60,10 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
     let n = cross(b, c);
     let (corners0, corners1) = (m.corners(patch, 0), m.corners(patch, 1));
     let [ma, mb, mc] = m.magnitudes();
-    let reach =
-        Reach { size: (ma + mb + mc) * N::splat(2.0), needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)) };
+    let reach = Reach {
+        size: (ma + mb + mc) * N::splat(2.0),
+        needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)),
+    };
     let along_b = apart(cross(n, b), &corners0, &corners1, &reach);
     let along_c = apart(cross(n, c), &corners0, &corners1, &reach);
     let best = along_b.max(along_c);

@@ -71,6 +71,7 @@ impl BitOr for M8 {
 }
 
 impl Mask for M8 {
+    const ALL: u32 = 0xff;
     #[inline(always)]
     fn bits(self) -> u32 {
         // SAFETY: as above.
@@ -164,28 +165,6 @@ fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], ma
     }
 }
 
-#[inline]
-#[target_feature(enable = "avx2")]
-fn gather(table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
-    let ids = &ids[..WIDTH];
-    let row = |i: usize| &table[ids[i] as usize];
-    let [r0, r1, r2, r3] = [load(row(0)), load(row(1)), load(row(2)), load(row(3))];
-    let [r4, r5, r6, r7] = [load(row(4)), load(row(5)), load(row(6)), load(row(7))];
-    // Transpose of 8 x 8: interleave pairs of rows, then quadruples, then halves.
-    let [c0, c1, c2, c3] = quads(r0, r1, r2, r3);
-    let [d0, d1, d2, d3] = quads(r4, r5, r6, r7);
-    [
-        V8(_mm256_permute2f128_ps::<0x20>(c0, d0)),
-        V8(_mm256_permute2f128_ps::<0x20>(c1, d1)),
-        V8(_mm256_permute2f128_ps::<0x20>(c2, d2)),
-        V8(_mm256_permute2f128_ps::<0x20>(c3, d3)),
-        V8(_mm256_permute2f128_ps::<0x31>(c0, d0)),
-        V8(_mm256_permute2f128_ps::<0x31>(c1, d1)),
-        V8(_mm256_permute2f128_ps::<0x31>(c2, d2)),
-        V8(_mm256_permute2f128_ps::<0x31>(c3, d3)),
-    ]
-}
-
 /// The four components of four rows, in each half: `[x x x x | x' x' x' x']`, and so on.
 #[inline]
 #[target_feature(enable = "avx2")]
@@ -205,10 +184,35 @@ impl Simd for Avx2 {
     type Lanes = V8;
     const LANES: usize = WIDTH;
 
+    // Inlined always, which a function that enables the set cannot be: the vectors stay in
+    // registers.
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V8; WIDTH] {
+        let ids = &ids[..WIDTH];
         // SAFETY: see above.
-        unsafe { gather(table, ids) }
+        unsafe {
+            let r0 = load(&table[ids[0] as usize]);
+            let r1 = load(&table[ids[1] as usize]);
+            let r2 = load(&table[ids[2] as usize]);
+            let r3 = load(&table[ids[3] as usize]);
+            let r4 = load(&table[ids[4] as usize]);
+            let r5 = load(&table[ids[5] as usize]);
+            let r6 = load(&table[ids[6] as usize]);
+            let r7 = load(&table[ids[7] as usize]);
+            // Transpose of 8 x 8: interleave pairs of rows, then quadruples, then halves.
+            let [c0, c1, c2, c3] = quads(r0, r1, r2, r3);
+            let [d0, d1, d2, d3] = quads(r4, r5, r6, r7);
+            [
+                V8(_mm256_permute2f128_ps::<0x20>(c0, d0)),
+                V8(_mm256_permute2f128_ps::<0x20>(c1, d1)),
+                V8(_mm256_permute2f128_ps::<0x20>(c2, d2)),
+                V8(_mm256_permute2f128_ps::<0x20>(c3, d3)),
+                V8(_mm256_permute2f128_ps::<0x31>(c0, d0)),
+                V8(_mm256_permute2f128_ps::<0x31>(c1, d1)),
+                V8(_mm256_permute2f128_ps::<0x31>(c2, d2)),
+                V8(_mm256_permute2f128_ps::<0x31>(c3, d3)),
+            ]
+        }
     }
     #[inline(always)]
     fn run<W: Work<Self>>(self, work: W) -> W::Out {

@@ -1,7 +1,7 @@
 //! AVX-512: sixteen `f32` in one register, for filters; rows of boxes stay with AVX2.
 
 use super::avx2::load;
-use super::{Mask, Simd, WIDTH, Work};
+use super::{Simd, WIDTH, Work};
 use std::arch::x86_64::*;
 
 /// Proof that the processor has AVX-512 (F and DQ) and what [`super::Avx2`] proves; only
@@ -39,13 +39,6 @@ super::num!(
     _mm512_cmp_ps_mask::<_CMP_GT_OQ>
 );
 
-impl Mask for u16 {
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        self as u32
-    }
-}
-
 #[inline]
 #[target_feature(enable = "avx512f,avx512dq")]
 fn neg(x: __m512) -> __m512 {
@@ -58,33 +51,12 @@ fn abs(x: __m512) -> __m512 {
     _mm512_andnot_ps(_mm512_set1_ps(-0.0), x)
 }
 
-/// Two rows of eight.
+/// The rows of two ids, side by side.
 #[inline]
 #[target_feature(enable = "avx2,avx512f,avx512dq")]
-fn two(low: &[f32; WIDTH], high: &[f32; WIDTH]) -> __m512 {
-    _mm512_insertf32x8::<1>(_mm512_castps256_ps512(load(low)), load(high))
-}
-
-#[inline]
-#[target_feature(enable = "avx2,avx512f,avx512dq")]
-fn gather(table: &[[f32; WIDTH]], ids: &[u32]) -> [V16; WIDTH] {
-    let ids = &ids[..LANES];
-    let row = |i: usize| &table[ids[i] as usize];
-    // Rows `i` and `i + 4` share a register, so that the last shuffle leaves lanes in order.
-    let [r0, r1, r2, r3] = [two(row(0), row(4)), two(row(1), row(5)), two(row(2), row(6)), two(row(3), row(7))];
-    let [r4, r5, r6, r7] = [two(row(8), row(12)), two(row(9), row(13)), two(row(10), row(14)), two(row(11), row(15))];
-    let [c0, c1, c2, c3] = quads(r0, r1, r2, r3);
-    let [d0, d1, d2, d3] = quads(r4, r5, r6, r7);
-    [
-        V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c0, d0)),
-        V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c1, d1)),
-        V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c2, d2)),
-        V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c3, d3)),
-        V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c0, d0)),
-        V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c1, d1)),
-        V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c2, d2)),
-        V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c3, d3)),
-    ]
+fn two(table: &[[f32; WIDTH]], low: u32, high: u32) -> __m512 {
+    let (low, high) = (load(&table[low as usize]), load(&table[high as usize]));
+    _mm512_insertf32x8::<1>(_mm512_castps256_ps512(low), high)
 }
 
 /// The four components of four rows, in each quarter.
@@ -106,10 +78,36 @@ impl Simd for Avx512 {
     type Lanes = V16;
     const LANES: usize = LANES;
 
+    // Inlined always, which a function that enables the set cannot be: the vectors stay in
+    // registers.
     #[inline(always)]
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [V16; WIDTH] {
+        let ids = &ids[..LANES];
         // SAFETY: see above.
-        unsafe { gather(table, ids) }
+        unsafe {
+            // Rows `i` and `i + 4` share a register, so that the last shuffle leaves lanes in
+            // order.
+            let r0 = two(table, ids[0], ids[4]);
+            let r1 = two(table, ids[1], ids[5]);
+            let r2 = two(table, ids[2], ids[6]);
+            let r3 = two(table, ids[3], ids[7]);
+            let r4 = two(table, ids[8], ids[12]);
+            let r5 = two(table, ids[9], ids[13]);
+            let r6 = two(table, ids[10], ids[14]);
+            let r7 = two(table, ids[11], ids[15]);
+            let [c0, c1, c2, c3] = quads(r0, r1, r2, r3);
+            let [d0, d1, d2, d3] = quads(r4, r5, r6, r7);
+            [
+                V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c0, d0)),
+                V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c1, d1)),
+                V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c2, d2)),
+                V16(_mm512_shuffle_f32x4::<0b10_00_10_00>(c3, d3)),
+                V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c0, d0)),
+                V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c1, d1)),
+                V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c2, d2)),
+                V16(_mm512_shuffle_f32x4::<0b11_01_11_01>(c3, d3)),
+            ]
+        }
     }
     #[inline(always)]
     fn run<W: Work<Self>>(self, work: W) -> W::Out {

@@ -29,8 +29,11 @@ pub use avx512::Avx512;
 pub use neon::Neon;
 pub use portable::{F32x8, Portable};
 
+use ccd_core::broad_phase::candidate::overlap_surely;
 use ccd_core::layout::Pair;
+pub use ccd_core::math::real::Mask;
 use ccd_core::{Aabb, Num};
+use std::ops::{BitAnd, BitOr};
 
 /// Boxes side by side in a block, and lanes of a row.
 pub const WIDTH: usize = 8;
@@ -43,21 +46,43 @@ pub type Block = Aabb<F32x8>;
 /// Eight empty boxes.
 pub const EMPTY: Block = Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
 
-/// Answers of a comparison, one a lane.
-pub trait Mask {
-    /// Bit `i`: the answer of lane `i`.
-    fn bits(self) -> u32;
+/// Answers in eight lanes, a bit each.
+#[derive(Clone, Copy, Debug)]
+pub struct Bits(pub u32);
+
+impl BitAnd for Bits {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl BitOr for Bits {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl Mask for Bits {
+    const ALL: u32 = 0xff;
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0
+    }
 }
 
 /// An instruction set. A value of it is the proof that the processor has it; vectors of the set are
 /// made and used only where there is such a value.
 pub trait Simd: Copy + Send + Sync {
     /// Numbers side by side, for filters.
-    type Lanes: Num<Mask: Mask>;
+    type Lanes: Num;
     /// How many.
     const LANES: usize;
-    /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all rows
-    /// in `out[k]`.
+    /// The first [`Simd::LANES`] of the rows `ids` of a table, transposed: component `k` of all
+    /// rows in `out[k]`.
     fn gather(self, table: &[[f32; WIDTH]], ids: &[u32]) -> [Self::Lanes; WIDTH];
     /// Runs `work` with the set enabled for everything that is inlined into it.
     fn run<W: Work<Self>>(self, work: W) -> W::Out;
@@ -84,20 +109,24 @@ pub trait RowSimd: Simd {
         }
     }
 
-    /// Box `i` in all lanes, each bound moved inward by `shrink`.
+    /// Box `i` in all lanes.
     #[inline(always)]
-    fn one(self, block: &Block, i: usize, shrink: f32) -> Aabb<Self::Lanes> {
+    fn one(self, block: &Block, i: usize) -> Aabb<Self::Lanes> {
         let (min, max) = (&block.min, &block.max);
-        let low = |k: usize| Self::Lanes::splat(min[k].0[i] + shrink);
-        let high = |k: usize| Self::Lanes::splat(max[k].0[i] - shrink);
-        Aabb { min: [low(0), low(1), low(2)], max: [high(0), high(1), high(2)] }
+        let all = Self::Lanes::splat;
+        Aabb { min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])], max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])] }
     }
 
-    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`, after each of its bounds was
-    /// moved inward by `shrink`.
+    /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`.
     #[inline(always)]
-    fn overlaps(self, a: &Block, i: usize, b: &Block, shrink: f32) -> u32 {
-        !self.one(a, i, shrink).separated(&self.boxes(b)).bits() & 0xff
+    fn overlaps(self, a: &Block, i: usize, b: &Block) -> u32 {
+        !self.one(a, i).separated(&self.boxes(b)).bits() & 0xff
+    }
+
+    /// Lanes of `b` whose boxes overlap that of lane `i` of `a` by more than `slack`.
+    #[inline(always)]
+    fn overlaps_surely(self, a: &Block, i: usize, b: &Block, slack: f32) -> u32 {
+        overlap_surely(&self.one(a, i), &self.boxes(b), Self::Lanes::splat(slack)).bits()
     }
 }
 
@@ -148,8 +177,8 @@ macro_rules! run {
 }
 pub(crate) use run;
 
-/// `Num` for a vector type from functions of its instruction set: the two that take one vector, those
-/// that take two, the comparison, and all lanes alike.
+/// `Num` for a vector type from functions of its instruction set: the two that take one vector,
+/// those that take two, the comparison, and all lanes alike.
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 macro_rules! num {
     (
@@ -174,7 +203,7 @@ macro_rules! num {
             #[inline(always)]
             const fn all(x: f32) -> Self {
                 // SAFETY: a vector is its numbers, in order; every bit pattern is one.
-                Self(unsafe { std::mem::transmute::<[f32; $width], _>([x; $width]) })
+                unsafe { std::mem::transmute::<[f32; $width], Self>([x; $width]) }
             }
         }
 

@@ -99,6 +99,7 @@ impl BitOr for M8 {
 }
 
 impl Mask for M8 {
+    const ALL: u32 = 0xff;
     #[inline(always)]
     fn bits(self) -> u32 {
         // SAFETY: as above.

@@ -1,4 +1,5 @@
-//! Eight `f32` side by side as plain arrays: on any processor, and what the others are compared with.
+//! Eight `f32` side by side as plain arrays: on any processor, and what the others are compared
+//! with.
 
 use super::{Mask, RowSimd, Simd, WIDTH, Work};
 use ccd_core::Num;
@@ -14,7 +15,8 @@ pub struct F32x8(pub [f32; WIDTH]);
 #[derive(Clone, Copy, Debug)]
 pub struct Mask8([u32; WIDTH]);
 
-/// `out[i] = f(a[i], b[i])`, in a loop of which compilers make vectors; closures they compile apart.
+/// `out[i] = f(a[i], b[i])`, in a loop of which compilers make vectors; closures they compile
+/// apart.
 macro_rules! each {
     (|$a:ident, $b:ident| $f:expr, $x:expr, $y:expr) => {{
         let (x, y) = ($x, $y);
@@ -76,6 +78,7 @@ impl BitOr for Mask8 {
 }
 
 impl Mask for Mask8 {
+    const ALL: u32 = 0xff;
     #[inline(always)]
     fn bits(self) -> u32 {
         (0..WIDTH).fold(0, |bits, i| bits | (self.0[i] & 1) << i)

@@ -1,7 +1,8 @@
-//! Compiles `ccd-shaders` to one SPIR-V module per entry point. Arguments: the shader crate, the folder for the modules.
+//! Compiles `ccd-shaders` to one SPIR-V module per entry point. Arguments: the shader crate, the
+//! folder for the modules.
 //!
-//! Runs under the nightly of `ccd-shaders/rust-toolchain.toml`, because the code generator is a part of that compiler. `cargo xtask shaders`
-//! calls this program and translates what it writes.
+//! Runs under the nightly of `ccd-shaders/rust-toolchain.toml`, because the code generator is a
+//! part of that compiler. `cargo xtask shaders` calls this program and translates what it writes.
 
 mod rewrite;
 
@@ -38,7 +39,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let words = forbid_contraction(&without_lines(&glsl_memory_model(&plain_name(&words))?));
         // What the optimiser creates anew needs the decoration too.
         let words = forbid_contraction(&optimize(&words)?);
-        spirv_tools::val::create(Some(ENVIRONMENT)).validate(&words, None).map_err(|e| format!("{entry}: {e}"))?;
+        spirv_tools::val::create(Some(ENVIRONMENT))
+            .validate(&words, None)
+            .map_err(|e| format!("{entry}: {e}"))?;
         let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
         let name = entry.rsplit("::").next().unwrap_or(&entry);
         std::fs::write(out.join(format!("{name}.spv")), bytes)?;
@@ -50,8 +53,8 @@ fn read(bytes: &[u8]) -> Vec<u32> {
     bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
 }
 
-/// Passes that make modules small without moving code, which translators to structured languages could not follow. They leave alone what is decorated with
-/// `NoContraction`.
+/// Passes that make modules small without moving code, which translators to structured languages
+/// could not follow. They leave alone what is decorated with `NoContraction`.
 const PASSES: [Passes; 15] = [
     Passes::EliminateDeadFunctions,
     Passes::DeadBranchElim,
@@ -77,6 +80,10 @@ fn optimize(words: &[u32]) -> Result<Vec<u32>, Box<dyn Error>> {
         optimizer.register_pass(pass);
     }
     let options = spirv_tools::opt::Options { preserve_bindings: true, ..Default::default() };
-    let binary = optimizer.optimize(words, &mut |message: spirv_tools::error::Message| eprintln!("spirv-opt: {}", message.message), Some(options))?;
+    let binary = optimizer.optimize(
+        words,
+        &mut |message: spirv_tools::error::Message| eprintln!("spirv-opt: {}", message.message),
+        Some(options),
+    )?;
     Ok(binary.as_words().to_vec())
 }

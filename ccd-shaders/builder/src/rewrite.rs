@@ -1,4 +1,5 @@
-//! What modules need before they run elsewhere than in rust-gpu's own runner: the memory model that hosts enable, and no contraction.
+//! What modules need before they run elsewhere than in rust-gpu's own runner: the memory model that
+//! hosts enable, and no contraction.
 
 use std::collections::HashSet;
 
@@ -48,17 +49,24 @@ fn opcode(instruction: &[u32]) -> u32 {
 /// Without line numbers of sources, which would name the folders of whoever built them.
 pub fn without_lines(words: &[u32]) -> Vec<u32> {
     let mut out = words[..5].to_vec();
-    instructions(words).filter(|i| ![OP_LINE, OP_NO_LINE].contains(&opcode(i))).for_each(|i| out.extend_from_slice(i));
+    instructions(words)
+        .filter(|i| ![OP_LINE, OP_NO_LINE].contains(&opcode(i)))
+        .for_each(|i| out.extend_from_slice(i));
     out
 }
 
-/// Replaces the Vulkan memory model by GLSL's, which needs no feature of the device: drops its capabilities and those of unused number types, widens
-/// the scope of a queue family to the device, strips availability and visibility (implied there).
+/// Replaces the Vulkan memory model by GLSL's, which needs no feature of the device: drops its
+/// capabilities and those of unused number types, widens the scope of a queue family to the device,
+/// strips availability and visibility (implied there).
 pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
     let uses = |op: u32, bits: u32| instructions(words).any(|i| opcode(i) == op && i[2] == bits);
     let (float64, int64) = (uses(OP_TYPE_FLOAT, 64), uses(OP_TYPE_INT, 64));
-    let uint = instructions(words).find(|i| opcode(i) == OP_TYPE_INT && i[2] == 32 && i[3] == 0).map(|i| i[1]);
-    let constant = |id: u32| instructions(words).find(|i| opcode(i) == OP_CONSTANT && i[2] == id).map(|i| i[3]);
+    let uint = instructions(words)
+        .find(|i| opcode(i) == OP_TYPE_INT && i[2] == 32 && i[3] == 0)
+        .map(|i| i[1]);
+    let constant = |id: u32| {
+        instructions(words).find(|i| opcode(i) == OP_CONSTANT && i[2] == id).map(|i| i[3])
+    };
     let mut bound = words[3];
     let mut added: Vec<[u32; 4]> = Vec::new();
     let mut of_value = |value: u32| -> Result<u32, String> {
@@ -76,7 +84,8 @@ pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
         let mut instruction = instruction.to_vec();
         let (scopes, semantics): (Vec<usize>, Vec<usize>) = match op {
             OP_CAPABILITY => {
-                let unused = instruction[1] == CAPABILITY_FLOAT64 && !float64 || instruction[1] == CAPABILITY_INT64 && !int64;
+                let unused = instruction[1] == CAPABILITY_FLOAT64 && !float64
+                    || instruction[1] == CAPABILITY_INT64 && !int64;
                 if unused || CAPABILITIES_VULKAN_MEMORY_MODEL.contains(&instruction[1]) {
                     continue;
                 }
@@ -93,8 +102,12 @@ pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
                 instruction[2] = GLSL450;
                 (vec![], vec![])
             }
-            OP_LOAD if instruction.len() > 4 && instruction[4] & 0x38 != 0 => return Err("a load with memory operands".into()),
-            OP_STORE if instruction.len() > 3 && instruction[3] & 0x38 != 0 => return Err("a store with memory operands".into()),
+            OP_LOAD if instruction.len() > 4 && instruction[4] & 0x38 != 0 => {
+                return Err("a load with memory operands".into());
+            }
+            OP_STORE if instruction.len() > 3 && instruction[3] & 0x38 != 0 => {
+                return Err("a store with memory operands".into());
+            }
             OP_CONTROL_BARRIER => (vec![1, 2], vec![3]),
             OP_MEMORY_BARRIER => (vec![1], vec![2]),
             OP_ATOMIC_STORE => (vec![2], vec![3]),
@@ -127,19 +140,25 @@ pub fn glsl_memory_model(words: &[u32]) -> Result<Vec<u32>, String> {
     Ok(out)
 }
 
-/// Decorates every result of floating-point arithmetic with `NoContraction`, so that no driver fuses or reorders it.
+/// Decorates every result of floating-point arithmetic with `NoContraction`, so that no driver
+/// fuses or reorders it.
 pub fn forbid_contraction(words: &[u32]) -> Vec<u32> {
-    let decorated: HashSet<u32> =
-        instructions(words).filter(|i| opcode(i) == OP_DECORATE && i[2] == DECORATION_NO_CONTRACTION).map(|i| i[1]).collect();
+    let decorated: HashSet<u32> = instructions(words)
+        .filter(|i| opcode(i) == OP_DECORATE && i[2] == DECORATION_NO_CONTRACTION)
+        .map(|i| i[1])
+        .collect();
     let results = instructions(words).filter(|i| OP_ARITHMETIC.contains(&opcode(i))).map(|i| i[2]);
     let missing: Vec<u32> = results.filter(|id| !decorated.contains(id)).collect();
     let mut out = words[..5].to_vec();
     let mut missing = Some(missing);
     for instruction in instructions(words) {
-        // Decorations stand together; types, which come next, are never the first thing that is decorated here.
+        // Decorations stand together; types, which come next, are never the first thing that is
+        // decorated here.
         let types = (19..=46).contains(&opcode(instruction)) || opcode(instruction) == 59;
         if types && let Some(ids) = missing.take() {
-            ids.iter().for_each(|&id| out.extend_from_slice(&[3 << 16 | OP_DECORATE, id, DECORATION_NO_CONTRACTION]));
+            ids.iter().for_each(|&id| {
+                out.extend_from_slice(&[3 << 16 | OP_DECORATE, id, DECORATION_NO_CONTRACTION])
+            });
         }
         out.extend_from_slice(instruction);
     }

@@ -7,8 +7,6 @@
 //! contraction. It may also flush operands and results that are not normal.
 
 use bytemuck::{Pod, Zeroable};
-use ccd_core::math::real::sealed::Sealed;
-use ccd_core::model::precision::{Record, Slices};
 use ccd_core::{Num, Real};
 use std::cell::{Cell, RefCell};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -116,12 +114,7 @@ impl Num for Adversarial {
     }
 }
 
-impl Sealed for Adversarial {}
-
 impl Real for Adversarial {
-    fn slices<'a, R: Record, const N: usize>(_: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
-        unreachable!("no pipeline takes these numbers")
-    }
     fn to_f64(self) -> f64 {
         self.0
     }

@@ -1,0 +1,156 @@
+//! Which overlaps are candidates: features without a common vertex, of bodies that are wanted, whose boxes overlap in the
+//! precision of the input.
+//!
+//! Written for one pair and for lanes of pairs: a backend says only how it compares ids and numbers. What it does with rows
+//! of eight or blocks of 32 is its own.
+
+use crate::kernel::memory::at;
+use crate::layout::{Frame, Leaf, split};
+use crate::math::aabb::Aabb;
+use crate::math::real::{Mask, Num};
+
+/// An id, or several side by side.
+pub trait Ids: Copy {
+    /// The answer of a comparison.
+    type Mask: Mask;
+    /// Whether the id is one of two.
+    fn is_one_of(self, a: u32, b: u32) -> Self::Mask;
+}
+
+impl Ids for u32 {
+    type Mask = bool;
+    #[inline(always)]
+    fn is_one_of(self, a: u32, b: u32) -> bool {
+        self == a || self == b
+    }
+}
+
+/// Whether a vertex is a corner of the face: then it is no candidate.
+#[inline(always)]
+pub fn is_corner<I: Ids>(vertex: u32, face: [I; 3]) -> I::Mask {
+    face[0].is_one_of(vertex, vertex) | face[1].is_one_of(vertex, vertex) | face[2].is_one_of(vertex, vertex)
+}
+
+/// Whether two edges have a common vertex: then they are no candidate.
+#[inline(always)]
+pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
+    b[0].is_one_of(a[0], a[1]) | b[1].is_one_of(a[0], a[1])
+}
+
+/// Whether features of two bodies are looked at: not if both are fixed, and of one body only with `self_contact`.
+///
+/// A body is twice its number, plus one if it is fixed: [`crate::model::bodies::Bodies::words`].
+#[inline(always)]
+pub fn bodies_meet(a: u32, b: u32, self_contact: bool) -> bool {
+    (a / 2 != b / 2 || self_contact) && a & b & 1 == 0
+}
+
+/// Whether two boxes overlap by more than `slack` on every axis: then also those that they were rounded from. False if a
+/// bound is NaN.
+#[inline(always)]
+pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
+    let x = (a.max[0] - b.min[0]).gt(slack) & (b.max[0] - a.min[0]).gt(slack);
+    let y = (a.max[1] - b.min[1]).gt(slack) & (b.max[1] - a.min[1]).gt(slack);
+    let z = (a.max[2] - b.min[2]).gt(slack) & (b.max[2] - a.min[2]).gt(slack);
+    x & y & z
+}
+
+/// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex and a face, 1: two edges.
+///
+/// `bodies`: a word per vertex. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
+#[inline(always)]
+pub fn wanted(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
+    let (p, q) = (&a.vertices, &b.vertices);
+    if frame.has(Frame::FLAG_TOPOLOGY) {
+        let neighbours = if kind == 0 { is_corner(p[0], *q) } else { share_vertex([p[0], p[1]], [q[0], q[1]]) };
+        if neighbours {
+            return false;
+        }
+    }
+    if frame.has(Frame::FLAG_BODIES) {
+        let self_contact = frame.has(Frame::FLAG_SELF_CONTACT);
+        if !bodies_meet(at(bodies, p[0] as usize), at(bodies, q[0] as usize), self_contact) {
+            return false;
+        }
+    }
+    if frame.has(Frame::FLAG_CONFIRM) && !overlap_surely(boxes[0], boxes[1], frame.slack) {
+        return overlap_exactly(p, q, keys);
+    }
+    true
+}
+
+/// Whether the exact boxes of two features overlap.
+#[inline(always)]
+fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    overlap_on::<0, 3>(p, q, keys) & overlap_on::<1, 4>(p, q, keys) & overlap_on::<2, 5>(p, q, keys)
+}
+
+/// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
+#[inline(always)]
+fn overlap_on<const MIN: usize, const MAX: usize>(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
+    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys)) & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
+}
+
+/// Whether the number of key `a` is greater than that of key `b`.
+#[inline(always)]
+fn above(a: [u32; 2], b: [u32; 2]) -> bool {
+    a[1] > b[1] || (a[1] == b[1] && a[0] > b[0])
+}
+
+#[inline(always)]
+fn least<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let lesser = |a: [u32; 2], b: [u32; 2]| if above(a, b) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    lesser(lesser(key(vertices[0]), key(vertices[1])), key(vertices[2]))
+}
+
+#[inline(always)]
+fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u32; 2] {
+    let greater = |a: [u32; 2], b: [u32; 2]| if above(b, a) { b } else { a };
+    let key = |i: u32| at(keys, i as usize)[KEY];
+    greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
+}
+
+/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.
+#[inline(always)]
+pub fn bound_key(x: f64) -> [u32; 2] {
+    let [low, high] = split(x);
+    if high >> 31 == 0 || (high == 1 << 31 && low == 0) {
+        // Both zeros are equal as bounds.
+        [low, high | 1 << 31]
+    } else {
+        [!low, !high]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_in_the_order_of_numbers() {
+        let x = [-1e300, -2.0, -1.0, -1e-300, 0.0, 1e-310, 1.0, 1.0 + f64::EPSILON, 4e9, 1e300];
+        for i in 0..x.len() {
+            for j in 0..x.len() {
+                assert_eq!(above(bound_key(x[i]), bound_key(x[j])), x[i] > x[j], "{:e} {:e}", x[i], x[j]);
+            }
+        }
+        assert_eq!(bound_key(0.0), bound_key(-0.0));
+    }
+
+    #[test]
+    fn neighbours_and_bodies_are_told_apart() {
+        assert!(is_corner(5, [1, 5, 2]) && !is_corner(5, [1, 2, 3]));
+        assert!(share_vertex([1, 2], [2, 9]) && share_vertex([1, 2], [9, 1]) && !share_vertex([1, 2], [3, 4]));
+        let [a, b, fixed, other_fixed] = [2, 4, 7, 9];
+        assert!(bodies_meet(a, b, false) && bodies_meet(a, fixed, false) && bodies_meet(a, a, true));
+        assert!(!bodies_meet(a, a, false) && !bodies_meet(fixed, other_fixed, true) && !bodies_meet(fixed, fixed, true));
+    }
+
+    #[test]
+    fn sure_overlap_is_more_than_the_slack() {
+        let of = |min: f32, max: f32| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] };
+        assert!(overlap_surely(&of(0.0, 1.0), &of(0.5, 2.0), 0.25));
+        assert!(!overlap_surely(&of(0.0, 1.0), &of(0.75, 2.0), 0.25) && !overlap_surely(&of(0.0, f32::NAN), &of(0.5, 2.0), 0.25));
+    }
+}

@@ -1,0 +1,287 @@
+//! What happens to a row of overlaps before any arithmetic on features: pairs that share a vertex
+//! go, pairs of bodies that nobody wants, and pairs that overlap only because boxes were rounded.
+//! What is left are candidates; whoever takes them does the rest.
+
+use crate::broad_phase::block_bvh::{BlockBvh, lane_ids};
+use crate::broad_phase::pair_descent::{Rows, keep};
+use crate::broad_phase::pair_list::Lister;
+use crate::simd::{Bits, Block, EMPTY, Mask, RowSimd, WIDTH, Work};
+use crate::threads::Threads;
+use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
+use ccd_core::broad_phase::swept_box;
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::contact::Kind;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::precision::{Points, Precision, Slices};
+use ccd_core::model::quantization::margin;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
+use ccd_core::{Aabb, Num, Real};
+use std::marker::PhantomData;
+
+/// Positions at both ends of a step, as given.
+pub type Given<'a> = Slices<'a, Points, 2>;
+
+/// What all workers of a step read.
+pub struct Scene<'a> {
+    pub mesh: &'a Mesh,
+    pub bodies: Option<&'a Bodies>,
+    pub given: Given<'a>,
+    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in the
+    /// origin and the unit of a [`ccd_core::model::quantization::Table`].
+    pub table: &'a [[f32; WIDTH]],
+    pub table_error: f32,
+    /// The minimum distance in that unit, rounded up.
+    pub table_distance: f32,
+    pub min_distance: f64,
+    /// Where boxes were rounded: how far, see `slack_at`.
+    pub slack: Option<f32>,
+    /// Keep contacts, or only the least time of impact.
+    pub keep_contacts: bool,
+}
+
+impl Scene<'_> {
+    /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of
+    /// this line and of the gap.
+    fn needed_gap(&self) -> f32 {
+        (self.table_distance + 2.0 * self.table_error) * 1.0001
+    }
+
+    /// Whether the swept boxes of two features overlap in the precision of the input.
+    #[inline(never)]
+    fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
+        match self.given {
+            Precision::F32(x) => boxes_overlap(x, self.min_distance, &a, &b),
+            Precision::F64(x) => boxes_overlap(x, self.min_distance, &a, &b),
+        }
+    }
+}
+
+fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[u32]) -> bool {
+    let swept = |v: u32| swept_box::swept(x[0][v as usize], x[1][v as usize]);
+    let of = |ids: &[u32]| {
+        let all = ids.iter().skip(1).fold(swept(ids[0]), |all, &v| all.union(&swept(v)));
+        all.inflated(margin(min_distance))
+    };
+    of(a).overlaps(&of(b))
+}
+
+/// The features of one tree in leaf order, eight side by side.
+#[derive(Debug, Default)]
+pub struct Leaves<const N: usize> {
+    /// Vertices of the features.
+    pub vertices: Vec<[[u32; WIDTH]; N]>,
+    /// Boxes of the features at the start and at the end, of the positions in the table.
+    pub ends: Vec<[Block; 2]>,
+}
+
+impl<const N: usize> Leaves<N> {
+    /// Vertices, from those of every feature and the order of leaves.
+    pub fn order(&mut self, threads: &Threads, order: &[u32], features: impl Fn(u32) -> [u32; N] + Sync) {
+        self.vertices.resize(order.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
+        threads.fill(&mut self.vertices, |i| {
+            let of = lane_ids(order, i).map(&features);
+            std::array::from_fn(|k| of.map(|vertices| vertices[k]))
+        });
+    }
+
+    /// Boxes at both ends, from the table of positions.
+    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
+        let vertices = &self.vertices;
+        self.ends.resize(vertices.len(), [EMPTY; 2]);
+        threads.fill(&mut self.ends, |i| crate::simd::run_rows!(Place { table, vertices: &vertices[i] }));
+    }
+}
+
+/// The boxes of eight features at both ends.
+struct Place<'a, const N: usize> {
+    table: &'a [[f32; WIDTH]],
+    vertices: &'a [[u32; WIDTH]; N],
+}
+
+impl<S: RowSimd, const N: usize> Work<S> for Place<'_, N> {
+    type Out = [Block; 2];
+
+    #[inline(always)]
+    fn call(self, simd: S) -> [Block; 2] {
+        let first = simd.gather(self.table, &self.vertices[0]);
+        let (mut min, mut max) = (first, first);
+        for ids in &self.vertices[1..] {
+            let next = simd.gather(self.table, ids);
+            for k in 0..WIDTH {
+                min[k] = min[k].min(next[k]);
+                max[k] = max[k].max(next[k]);
+            }
+        }
+        [block(simd, &min, &max, 0), block(simd, &min, &max, 4)]
+    }
+}
+
+/// The boxes whose bounds begin at component `k`.
+#[inline(always)]
+fn block<S: RowSimd>(simd: S, min: &[S::Lanes; WIDTH], max: &[S::Lanes; WIDTH], k: usize) -> Block {
+    Block {
+        min: [simd.store(min[k]), simd.store(min[k + 1]), simd.store(min[k + 2])],
+        max: [simd.store(max[k]), simd.store(max[k + 1]), simd.store(max[k + 2])],
+    }
+}
+
+/// Takes candidates.
+pub trait Take: Send {
+    /// Whether pairs that an axis separates throughout may be left out after they were counted.
+    const FILTERED: bool;
+    /// Counts candidates.
+    fn count(&mut self, n: u64);
+    /// Takes the pairs of `id` with the lanes `mask` of `ids`.
+    fn take<S: RowSimd>(&mut self, simd: S, scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32);
+    /// A task begins.
+    fn begin(&mut self, task: usize);
+    /// No further candidate comes.
+    fn finish(&mut self, scene: &Scene, kind: Kind);
+}
+
+impl Take for Lister {
+    const FILTERED: bool = false;
+
+    #[inline(always)]
+    fn count(&mut self, _n: u64) {}
+
+    #[inline(always)]
+    fn take<S: RowSimd>(&mut self, simd: S, _scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+        match kind {
+            Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
+            Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
+        }
+    }
+
+    fn begin(&mut self, task: usize) {
+        Lister::begin(self, task);
+    }
+
+    fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
+}
+
+/// Edges against edges of one tree.
+pub struct EdgeRows<'a, W> {
+    pub scene: &'a Scene<'a>,
+    pub edges: &'a BlockBvh,
+    pub leaves: &'a Leaves<2>,
+    pub worker: PhantomData<fn(W)>,
+}
+
+/// Vertices of one tree against faces of another.
+pub struct FaceRows<'a, W> {
+    pub scene: &'a Scene<'a>,
+    pub vertices: &'a BlockBvh,
+    pub faces: &'a BlockBvh,
+    pub vertex_leaves: &'a Leaves<1>,
+    pub face_leaves: &'a Leaves<3>,
+    pub worker: PhantomData<fn(W)>,
+}
+
+impl<W: Take> Rows for EdgeRows<'_, W> {
+    type Worker = W;
+
+    #[inline(always)]
+    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
+        // Two numbers and not an array: one that a call refers to would live in memory.
+        let (a0, a1) = (self.leaves.vertices[a][0][lane], self.leaves.vertices[a][1][lane]);
+        let ends_b = &self.leaves.vertices[b];
+        let b01 = [Row { simd, ids: &ends_b[0] }, Row { simd, ids: &ends_b[1] }];
+        mask &= !share_vertex([a0, a1], b01).bits();
+        if let Some(bodies) = self.scene.bodies {
+            mask = keep(mask, |j| bodies.wants(a0, ends_b[0][j]));
+        }
+        if let Some(slack) = self.scene.slack {
+            let sure = simd.overlaps_surely(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
+            let unsure = mask & !sure;
+            if unsure != 0 {
+                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]]));
+            }
+        }
+        worker.count(mask.count_ones() as u64);
+        if W::FILTERED {
+            mask &= !separated(simd, &self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
+        }
+        if mask != 0 {
+            let (id, ids) = (self.edges.order()[a * WIDTH + lane], lane_ids(self.edges.order(), b));
+            worker.take(simd, self.scene, Kind::EdgeEdge, id, &ids, mask);
+        }
+    }
+
+    fn begin(&self, worker: &mut W, task: usize) {
+        worker.begin(task);
+    }
+
+    fn end(&self, worker: &mut W) {
+        worker.finish(self.scene, Kind::EdgeEdge);
+    }
+}
+
+impl<W: Take> Rows for FaceRows<'_, W> {
+    type Worker = W;
+
+    #[inline(always)]
+    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
+        let vertex = self.vertex_leaves.vertices[a][0][lane];
+        let corners = &self.face_leaves.vertices[b];
+        let [f0, f1, f2] = corners;
+        let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
+        mask &= !is_corner(vertex, face).bits();
+        if let Some(bodies) = self.scene.bodies {
+            mask = keep(mask, |j| bodies.wants(vertex, corners[0][j]));
+        }
+        if let Some(slack) = self.scene.slack {
+            let sure = simd.overlaps_surely(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
+            let unsure = mask & !sure;
+            if unsure != 0 {
+                let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
+                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([vertex], of(j)));
+            }
+        }
+        worker.count(mask.count_ones() as u64);
+        if W::FILTERED {
+            mask &= !separated(simd, &self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
+        }
+        if mask != 0 {
+            worker.take(simd, self.scene, Kind::VertexFace, vertex, &lane_ids(self.faces.order(), b), mask);
+        }
+    }
+
+    fn begin(&self, worker: &mut W, task: usize) {
+        worker.begin(task);
+    }
+
+    fn end(&self, worker: &mut W) {
+        worker.finish(self.scene, Kind::VertexFace);
+    }
+}
+
+/// Ids of a row, compared by an instruction set.
+#[derive(Clone, Copy)]
+struct Row<'a, S> {
+    simd: S,
+    ids: &'a [u32; WIDTH],
+}
+
+impl<S: RowSimd> Ids for Row<'_, S> {
+    type Mask = Bits;
+    #[inline(always)]
+    fn is_one_of(self, a: u32, b: u32) -> Bits {
+        Bits(self.simd.equals(self.ids, [a, b]))
+    }
+}
+
+/// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
+/// step.
+#[inline(always)]
+fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+    let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
+    let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
+    axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()
+}
+
+/// `[min, max]`.
+#[inline(always)]
+fn bounds<N>(of: Aabb<N>) -> [[N; 3]; 2] {
+    [of.min, of.max]
+}

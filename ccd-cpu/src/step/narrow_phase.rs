@@ -1,0 +1,187 @@
+//! From candidates to contacts: pairs are queued, full queues pass the `f32` filters many at a
+//! time, and what is left is decided in `f64`.
+//!
+//! Pairs enter the arithmetic with the lesser edge first, so no result depends on the order of
+//! leaves.
+
+use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
+use crate::step::candidates::{Scene, Take};
+use ccd_core::layout::Pair;
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::precision::Precision;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::{cascade, decide};
+use ccd_core::{Num, Real, Verdict};
+use std::time::{Duration, Instant};
+
+/// Pairs that a queue holds before it is worked off: fits the first-level cache with the positions
+/// it touches.
+const QUEUE: usize = 512;
+
+/// What one worker gathers.
+#[derive(Debug, Default)]
+#[repr(align(128))]
+pub struct Worker {
+    queue: Vec<Pair>,
+    pub contacts: Vec<Contact>,
+    pub toi: Option<f64>,
+    pub n_candidates: u64,
+    pub n_filtered: u64,
+    pub narrow: Duration,
+}
+
+impl Worker {
+    /// Forgets the last step, keeps buffers.
+    pub fn reset(&mut self) {
+        self.queue.clear();
+        self.queue.reserve(QUEUE + WIDTH);
+        self.contacts.clear();
+        self.toi = None;
+        self.start_kind();
+        self.narrow = Duration::ZERO;
+    }
+
+    /// Starts counting another kind of pair.
+    pub fn start_kind(&mut self) {
+        self.n_candidates = 0;
+        self.n_filtered = 0;
+    }
+
+    /// Filters and decides what is queued.
+    #[inline(never)]
+    fn flush(&mut self, scene: &Scene, kind: Kind) {
+        let start = Instant::now();
+        let pairs = &mut self.queue;
+        crate::simd::run!(Filter { pairs, scene, kind });
+        self.n_filtered += self.queue.len() as u64;
+        for i in 0..self.queue.len() {
+            self.decide(scene, kind, self.queue[i]);
+        }
+        self.queue.clear();
+        self.narrow += start.elapsed();
+    }
+
+    fn decide(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let verdict = match scene.given {
+            Precision::F32(x) => decide(scene, kind, pair, x),
+            Precision::F64(x) => decide(scene, kind, pair, x),
+        };
+        let Some(contact) = Contact::of(kind, pair, verdict) else { return };
+        self.toi = Some(self.toi.map_or(contact.toi, |t| t.min(contact.toi)));
+        if scene.keep_contacts {
+            self.contacts.push(contact);
+        }
+    }
+}
+
+/// The verdict on a pair, from positions as given, in `f64`.
+fn decide<T: Real>(scene: &Scene, kind: Kind, pair: Pair, x: [&[[T; 3]]; 2]) -> Verdict<f64> {
+    decide::pair(kind, scene.mesh.vertices_of(kind, pair), x, scene.min_distance)
+}
+
+impl Take for Worker {
+    const FILTERED: bool = true;
+
+    #[inline(always)]
+    fn count(&mut self, n: u64) {
+        self.n_candidates += n;
+    }
+
+    #[inline(always)]
+    fn take<S: RowSimd>(&mut self, simd: S, scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+        match kind {
+            Kind::VertexFace => simd.append::<false>(&mut self.queue, id, ids, mask),
+            Kind::EdgeEdge => simd.append::<true>(&mut self.queue, id, ids, mask),
+        }
+        if self.queue.len() >= QUEUE {
+            self.flush(scene, kind);
+        }
+    }
+
+    #[inline(always)]
+    fn begin(&mut self, _task: usize) {}
+
+    fn finish(&mut self, scene: &Scene, kind: Kind) {
+        if !self.queue.is_empty() {
+            self.flush(scene, kind);
+        }
+    }
+}
+
+/// Keeps of `pairs` what the `f32` filters cannot reject, in place: first over the whole step, then
+/// what is left over each half of it.
+struct Filter<'a> {
+    pairs: &'a mut Vec<Pair>,
+    scene: &'a Scene<'a>,
+    kind: Kind,
+}
+
+impl<S: Simd> Work<S> for Filter<'_> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(mut self, simd: S) {
+        // The whole step, then its halves: a loop, so that the filters are compiled once for both.
+        for halves in [false, true] {
+            match self.kind {
+                Kind::VertexFace => self.keep::<S, true>(simd, halves),
+                Kind::EdgeEdge => self.keep::<S, false>(simd, halves),
+            }
+        }
+    }
+}
+
+impl Filter<'_> {
+    /// Keeps what cannot be rejected over the whole step or over one of its halves, in order. (No
+    /// closures here: they would not be compiled with the instruction set.)
+    #[inline(always)]
+    fn keep<S: Simd, const VERTEX_FACE: bool>(&mut self, simd: S, halves: bool) {
+        let patch = if VERTEX_FACE { Patch::Triangle } else { Patch::Parallelogram };
+        let distance = S::Lanes::splat(self.scene.table_distance);
+        let mut n = 0;
+        for start in (0..self.pairs.len()).step_by(S::LANES) {
+            let end = (start + S::LANES).min(self.pairs.len());
+            let pairs = &self.pairs[start..end];
+            let motion = load(simd, self.scene, self.kind, patch, pairs);
+            let parts = if halves { motion.halves().into() } else { [motion; 2] };
+            let mut rejected = all(S::LANES);
+            for part in &parts[..1 + halves as usize] {
+                rejected &= cascade::apart_throughout(part, patch, distance).bits();
+            }
+            let mut left = !rejected & all(end - start);
+            while left != 0 {
+                self.pairs[n] = self.pairs[start + left.trailing_zeros() as usize];
+                n += 1;
+                left &= left - 1;
+            }
+        }
+        self.pairs.truncate(n);
+    }
+}
+
+/// As many bits as there are lanes.
+#[inline(always)]
+fn all(n_lanes: usize) -> u32 {
+    (1 << n_lanes) - 1
+}
+
+/// The motion of as many pairs as there are lanes, or fewer; lanes past the last repeat it.
+#[inline(always)]
+fn load<S: Simd>(simd: S, scene: &Scene, kind: Kind, patch: Patch, pairs: &[Pair]) -> Motion<S::Lanes> {
+    let mut v = [[0u32; MAX_WIDTH]; 4];
+    for j in 0..S::LANES {
+        let four = scene.mesh.vertices_of(kind, pairs[j.min(pairs.len() - 1)]);
+        for k in 0..4 {
+            v[k][j] = four[k];
+        }
+    }
+    let error = S::Lanes::splat(scene.table_error);
+    let mut x0 = [[error; 3]; 4];
+    let mut x1 = [[error; 3]; 4];
+    for k in 0..4 {
+        let p = simd.gather(scene.table, &v[k]);
+        x0[k] = [p[0], p[1], p[2]];
+        x1[k] = [p[4], p[5], p[6]];
+    }
+    Motion::new(patch, &x0, &x1, error)
+}

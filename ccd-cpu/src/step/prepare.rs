@@ -1,0 +1,211 @@
+//! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
+//! that filters read.
+
+use crate::broad_phase::block_bvh::BlockBvh;
+use crate::simd::WIDTH;
+use crate::step::candidates::{Given, Leaves, Scene};
+use crate::threads::Threads;
+use ccd_core::broad_phase::swept_box;
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::precision::Precision;
+use ccd_core::model::quantization::{Scan, Table};
+use ccd_core::{Aabb, Error, Num, Real};
+
+/// Blocks may become this much looser than after the last build before trees are built anew:
+/// building costs about a tenth of a step, and traversal grows with looseness.
+pub const MAX_LOOSENESS: f64 = 1.15;
+
+/// Positions of a step, of which only the times up to `until` matter.
+#[derive(Clone, Copy)]
+pub struct Positions<'a> {
+    pub given: Given<'a>,
+    pub until: f64,
+}
+
+impl<'a> Positions<'a> {
+    /// Of the whole step: one for every vertex of `mesh` at both ends.
+    pub fn new(mesh: &Mesh, given: Given<'a>) -> Result<Self, Error> {
+        match given {
+            Precision::F32([x0, x1]) => mesh.check_positions(x0, x1)?,
+            Precision::F64([x0, x1]) => mesh.check_positions(x0, x1)?,
+        }
+        Ok(Self { given, until: 1.0 })
+    }
+
+    /// Whether the whole step matters.
+    pub fn whole(&self) -> bool {
+        self.until >= 1.0
+    }
+}
+
+/// The same in the precision of the input.
+struct Ends<'a, T> {
+    x0: &'a [[T; 3]],
+    x1: &'a [[T; 3]],
+    until: f64,
+}
+
+impl<T: Real> Ends<'_, T> {
+    /// Whether the whole step matters.
+    fn whole(&self) -> bool {
+        self.until >= 1.0
+    }
+
+    /// Position of vertex `i` at `until`, up to the rounding of four operations in `f64`.
+    fn end(&self, i: usize) -> [f64; 3] {
+        let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
+        if self.whole() { q } else { std::array::from_fn(|k| p[k] + (q[k] - p[k]) * self.until) }
+    }
+}
+
+/// Boxes, trees and tables of a mesh; buffers are kept between steps.
+#[derive(Debug, Default)]
+pub struct Prepared {
+    built: bool,
+    scans: Vec<Scan>,
+    scan: Scan,
+    table: Vec<[f32; WIDTH]>,
+    units: Table,
+    pub vertices: Feature<1>,
+    pub edges: Feature<2>,
+    pub faces: Feature<3>,
+}
+
+/// Boxes and tree of one kind of feature with `N` vertices.
+#[derive(Debug, Default)]
+pub struct Feature<const N: usize> {
+    boxes: Vec<Aabb<f32>>,
+    pub bvh: BlockBvh,
+    pub leaves: Leaves<N>,
+}
+
+impl Prepared {
+    /// Checks coordinates, fills the table and sweeps all boxes.
+    pub fn boxes(&mut self, threads: &Threads, mesh: &Mesh, options: &Options, x: &Positions) -> Result<(), Error> {
+        let until = x.until;
+        match x.given {
+            Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
+            Precision::F64([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
+        }?;
+        let vertices = &self.vertices.boxes;
+        self.edges.boxes.resize(mesh.edges().len(), Aabb::EMPTY);
+        threads.fill(&mut self.edges.boxes, |i| swept_box::edge(i, mesh.edges(), vertices));
+        self.faces.boxes.resize(mesh.faces().len(), Aabb::EMPTY);
+        threads.fill(&mut self.faces.boxes, |i| swept_box::face(i, mesh.faces(), vertices));
+        Ok(())
+    }
+
+    /// Checks coordinates, fills the table and sweeps the boxes of vertices.
+    fn vertices<T: Real>(&mut self, threads: &Threads, options: &Options, x: &Ends<T>) -> Result<(), Error> {
+        self.scan = self.scan(threads, x)?;
+        self.units = self.fill_table(threads, x);
+        self.sweep(threads, x, ccd_core::model::quantization::margin(options.min_distance));
+        Ok(())
+    }
+
+    /// What workers read of a step whose boxes and trees are there.
+    pub fn scene<'a>(&'a self, mesh: &'a Mesh, options: &'a Options, x: &Positions<'a>, keep_contacts: bool) -> Scene<'a> {
+        let rounds_boxes = match x.given {
+            Precision::F32(_) => self.scan.rounds_boxes::<f32>(options.min_distance),
+            Precision::F64(_) => self.scan.rounds_boxes::<f64>(options.min_distance),
+        };
+        // A shorter time has boxes of its own, which nobody compares with those of the input.
+        let rounded = rounds_boxes && x.whole();
+        Scene {
+            mesh,
+            bodies: options.bodies.as_ref(),
+            given: x.given,
+            table: &self.table,
+            table_error: self.units.error,
+            table_distance: self.units.distance(options.min_distance),
+            min_distance: options.min_distance,
+            slack: rounded.then(|| self.scan.slack(options.min_distance)),
+            keep_contacts,
+        }
+    }
+
+    /// Checks coordinates and finds their bounds and whether each is an `f32`.
+    fn scan<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Result<Scan, Error> {
+        const CHUNK: usize = 2048;
+        self.scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
+        threads.fill(&mut self.scans, |i| {
+            let mut scan = Scan::NONE;
+            for v in i * CHUNK..((i + 1) * CHUNK).min(x.x0.len()) {
+                scan.take(x.x0[v]);
+                scan.take(x.x1[v]);
+            }
+            scan
+        });
+        let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
+        if !all.finite {
+            ccd_core::model::error::check_coordinates(0, x.x0)?;
+            ccd_core::model::error::check_coordinates(1, x.x1)?;
+        }
+        Ok(all)
+    }
+
+    /// Fills the table that filters read; returns how far its numbers may be from the true ones
+    /// (minus a common origin).
+    fn fill_table<T: Real>(&mut self, threads: &Threads, x: &Ends<T>) -> Table {
+        let table = self.scan.table(x.whole());
+        self.table.resize(x.x0.len(), [0.0; WIDTH]);
+        threads.fill(&mut self.table, |i| {
+            let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
+            let (p, q) = (table.place(p), table.place(q));
+            [p[0], p[1], p[2], 0.0, q[0], q[1], q[2], 0.0]
+        });
+        table
+    }
+
+    /// Boxes of vertices.
+    fn sweep<T: Real>(&mut self, threads: &Threads, x: &Ends<T>, margin: T) {
+        let boxes = &mut self.vertices.boxes;
+        boxes.resize(x.x0.len(), Aabb::EMPTY);
+        if x.whole() {
+            threads.fill(boxes, |i| swept_box::vertex(i, x.x0, x.x1, margin));
+        } else {
+            threads.fill(boxes, |i| {
+                let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
+                let largest = ccd_core::math::vec3::max_abs(p).max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
+                // Four roundings of numbers at most twice the largest coordinate.
+                swept_box::swept(p, q).inflated(margin.to_f64() + largest * (16.0 * f64::UNIT)).round_out()
+            });
+        }
+    }
+
+    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns
+    /// whether they were built. Boxes of less than the `whole` step say nothing about looseness and
+    /// only refit.
+    pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>, whole: bool) -> bool {
+        let Self { vertices, edges, faces, table, .. } = self;
+        let mut loose = !self.built;
+        if self.built {
+            let v = vertices.bvh.refit(threads, &vertices.boxes);
+            let e = edges.bvh.refit(threads, &edges.boxes);
+            let f = faces.bvh.refit(threads, &faces.boxes);
+            loose = whole && v.max(e).max(f) > MAX_LOOSENESS;
+        }
+        if loose {
+            self.built = true;
+            let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
+            let any = bodies.is_some_and(Bodies::any_fixed);
+            let (of_vertex, of_edge, of_face) =
+                (|i: usize| fixed(i as u32), |i: usize| fixed(mesh.edges()[i][0]), |i: usize| fixed(mesh.faces()[i][0]));
+            vertices.bvh.build(threads, &vertices.boxes, any.then_some(&of_vertex));
+            edges.bvh.build(threads, &edges.boxes, any.then_some(&of_edge));
+            faces.bvh.build(threads, &faces.boxes, any.then_some(&of_face));
+            vertices.leaves.order(threads, vertices.bvh.order(), |v| [v]);
+            edges.leaves.order(threads, edges.bvh.order(), |e| mesh.edges()[e as usize]);
+            faces.leaves.order(threads, faces.bvh.order(), |f| mesh.faces()[f as usize]);
+        }
+        let height = vertices.bvh.height().max(faces.bvh.height());
+        vertices.bvh.raise(height);
+        faces.bvh.raise(height);
+        vertices.leaves.place(threads, table);
+        edges.leaves.place(threads, table);
+        faces.leaves.place(threads, table);
+        loose
+    }
+}

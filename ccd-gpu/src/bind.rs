@@ -1,0 +1,66 @@
+//! The buffers of each kernel by name: a structure a kernel, made from the kernel table.
+//!
+//! `B` is a buffer on the device, or, for [`crate::harness`], the bytes that one is filled with.
+
+use bytemuck::Pod;
+use ccd_core::kernel::Id;
+use ccd_core::layout::Params;
+
+/// A kernel with its buffers.
+pub trait Bind<B> {
+    /// The kernel.
+    const ID: Id;
+    /// Its record in [`Params`].
+    type Own: Pod;
+    /// Its buffers in the order of their bindings.
+    fn buffers(&self) -> Vec<&B>;
+    /// The same, to be changed.
+    fn buffers_mut(&mut self) -> Vec<&mut B>;
+}
+
+/// Bytes that the parameters of a dispatch have room for: also the greatest alignment of them that
+/// a device may ask for.
+pub const PARAMS_BYTES: usize = 256;
+
+macro_rules! own {
+    () => {
+        ccd_core::layout::Plain
+    };
+    ($own:ident) => {
+        ccd_core::layout::$own
+    };
+}
+
+macro_rules! binds {
+    ($(
+        $(#[$doc:meta])*
+        $id:ident = $name:ident($threads:literal threads, $barriers:literal barriers, $float:ident
+            $(, Params<$own:ident>)?) { $($field:ident: $access:ident),* }
+    )*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Debug)]
+        pub struct $id<B> {
+            $(
+                #[doc = concat!("Access: `", stringify!($access), "`.")]
+                pub $field: B,
+            )*
+        }
+
+        impl<B> Bind<B> for $id<B> {
+            const ID: Id = Id::$id;
+            type Own = own!($($own)?);
+
+            fn buffers(&self) -> Vec<&B> {
+                vec![$(&self.$field),*]
+            }
+
+            fn buffers_mut(&mut self) -> Vec<&mut B> {
+                vec![$(&mut self.$field),*]
+            }
+        }
+
+        const _: () = assert!(size_of::<Params<own!($($own)?)>>() <= PARAMS_BYTES);
+    )*};
+}
+
+ccd_core::kernels!(binds);

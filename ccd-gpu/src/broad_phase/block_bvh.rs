@@ -1,0 +1,177 @@
+//! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
+
+use super::block_levels::Levels;
+use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, SceneBounds};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use crate::sort::Sort;
+use ccd_core::Aabb;
+use ccd_core::broad_phase::morton_key;
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Plain};
+use wgpu::BufferUsages as U;
+
+/// Workgroups of kernels that take one item after another: enough for the largest GPUs; few where a
+/// CPU plays one, because each costs it some time to start.
+pub fn groups(device: &Device) -> u32 {
+    if device.info().adapter.device_type == wgpu::DeviceType::Cpu { 64 } else { 8192 }
+}
+
+/// Pairs of nodes that one dispatch takes at most: some milliseconds of a small device, so that no
+/// driver thinks that it hangs.
+pub const DISPATCH_LIMIT: u32 = 1 << 20;
+
+/// What a pass over a list of pairs of nodes is about.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
+    /// Level of the nodes.
+    pub level: u32,
+    /// Every so many-th pair is looked at.
+    pub step: u32,
+}
+
+/// Trees over up to three sets of boxes, which one sort orders.
+pub struct Tree {
+    pub levels: Levels,
+    count: [u32; 3],
+    pub boxes: wgpu::Buffer,
+    pub nodes: wgpu::Buffer,
+    pub leaves: wgpu::Buffer,
+    bounds: wgpu::Buffer,
+    sort: Sort,
+    /// Most workgroups of a kernel that loops over a list.
+    pub groups: u32,
+    /// By kind: all pairs of nodes where the descent starts.
+    start: [List; 2],
+    /// By kind and level below the start: pairs of nodes.
+    pub pairs: [Vec<List>; 2],
+}
+
+impl Tree {
+    /// Makes room for these numbers of boxes.
+    pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+        let n: u64 = count.iter().map(|&c| c as u64).sum();
+        let limit = device.info().limits.max_storage_buffer_binding_size;
+        let too_large = Error::TooLarge { what: "nodes of the tree", bytes: n * size_of::<Aabb>() as u64, limit };
+        let levels = Levels::new(count).ok_or(too_large)?;
+        let nodes =
+            device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+        // Nodes that only fill up a block stay as they are now.
+        let empty = vec![Aabb::EMPTY; 1 << 16];
+        let all = nodes.size() / size_of::<Aabb>() as u64;
+        for first in (0..all).step_by(empty.len()) {
+            let n = (all - first).min(empty.len() as u64) as usize;
+            device.queue().write_buffer(&nodes, first * size_of::<Aabb>() as u64, bytemuck::cast_slice(&empty[..n]));
+        }
+        let start = |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
+        let pairs = |kind: u32| -> Result<Vec<List>, Error> {
+            // A node overlaps some tens of others on real scenes; what does not fit makes the list
+            // grow.
+            (1..levels.start(kind))
+                .map(|level| {
+                    List::new(device, "pairs of nodes", 2, levels.nodes(level, if kind == 0 { 2 } else { 1 }).saturating_mul(40).max(4096))
+                })
+                .collect()
+        };
+        Ok(Self {
+            boxes: device.buffer("boxes", n * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?,
+            leaves: device.buffer("leaves", levels.padded(0) as u64 * size_of::<Leaf>() as u64, U::STORAGE)?,
+            bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
+            sort: Sort::new(device, n as u32)?,
+            start: [start(0)?, start(1)?],
+            pairs: [pairs(0)?, pairs(1)?],
+            groups: groups(device),
+            levels,
+            count,
+            nodes,
+        })
+    }
+
+    /// What a frame says of these sets; the caller sets the rest.
+    pub fn frame(&self) -> Frame {
+        let [v, e, f] = self.count;
+        Frame { count: self.count, start: [0, v, v + e, v + e + f], ..Frame::default() }
+    }
+
+    /// What kernels are told of the trees; the caller sets the rest.
+    pub fn record(&self) -> Blocks {
+        Blocks { slots: self.levels.slots, kind: 0, level: 0, step: 1, limit: DISPATCH_LIMIT }
+    }
+
+    /// Lists whose headers must be zero before [`Tree::descend`].
+    pub fn lists(&self) -> impl Iterator<Item = &List> {
+        self.pairs.iter().flatten()
+    }
+
+    /// What must be zero before [`Tree::sort`].
+    pub fn clear_bounds(&self, recorder: &mut Recorder) {
+        recorder.clear(&self.bounds, 32);
+    }
+
+    /// Sorts all boxes by set and along the Morton curve. Of the bounds of all boxes, those of the
+    /// first `n_bounding` are enough.
+    pub fn sort(&self, recorder: &mut Recorder, frame: &Frame, n_bounding: u32) {
+        let (boxes, bounds, n) = (&self.boxes, &self.bounds, frame.start[3]);
+        let dispatch = Dispatch { n: n_bounding, ..Dispatch::default() };
+        let p = Params { frame: *frame, dispatch, own: Plain::default() };
+        let groups = n_bounding.div_ceil(Id::SceneBounds.threads() * morton_key::CHUNK as u32);
+        recorder.dispatch(&SceneBounds { boxes, bounds }, &p, groups);
+        let [keys, order] = self.sorted();
+        recorder.each(&Morton { boxes, bounds, keys, order }, &p, n);
+        recorder.stage("sort");
+        self.sort.run(recorder, n, 32, 0);
+    }
+
+    /// Keys and numbers of all boxes; four passes of a sort end where they began.
+    pub fn sorted(&self) -> [&wgpu::Buffer; 2] {
+        self.sort.half(0)
+    }
+
+    /// Boxes of all nodes, in the order of the last sort.
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, edges: &wgpu::Buffer, faces: &wgpu::Buffer) {
+        let Self { boxes, nodes, leaves, .. } = self;
+        let [_, order] = self.sorted();
+        let mut p = Params { frame: *frame, dispatch: Dispatch::default(), own: self.record() };
+        recorder.each(&FitLeaves { boxes, order, edges, faces, nodes, leaves }, &p, self.levels.padded(0));
+        for level in 1..self.levels.top() {
+            p.own.level = level;
+            recorder.each(&FitLevel { nodes }, &p, self.levels.padded(level));
+        }
+    }
+
+    /// Pairs of blocks of these kinds that overlap; the result is in [`Tree::block_pairs`]. Level
+    /// by level for all kinds, so that a device works on both at once.
+    pub fn descend(&self, recorder: &mut Recorder, frame: &Frame, kinds: &[u32]) {
+        for level in (2..=self.levels.top()).rev() {
+            for &kind in kinds.iter().filter(|&&kind| level <= self.levels.start(kind)) {
+                let lists = &self.pairs[kind as usize];
+                let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
+                let output = &lists[level as usize - 2];
+                let kernel = NodePairs { nodes: &self.nodes, input: input.buffer(), output: output.buffer() };
+                self.each_part(frame, Pass { kind, level, step: 1 }, input, output, |p| {
+                    recorder.dispatch(&kernel, p, self.groups.min(input.room()));
+                });
+            }
+        }
+    }
+
+    /// Pairs of nodes of level 1.
+    pub fn block_pairs(&self, kind: usize) -> &List {
+        self.pairs[kind].first().unwrap_or(&self.start[kind])
+    }
+
+    /// Calls `run` with the parameters of each dispatch over the pairs of `input`.
+    pub fn each_part(&self, frame: &Frame, pass: Pass, input: &List, output: &List, mut run: impl FnMut(&Params<Blocks>)) {
+        let Pass { kind, level, step } = pass;
+        let own = Blocks { kind, level, step, ..self.record() };
+        let (room_in, room_out) = (input.room(), output.room());
+        for part in 0..room_in.div_ceil(step).div_ceil(DISPATCH_LIMIT) {
+            let dispatch = Dispatch { n: 0, first: part * DISPATCH_LIMIT * step, room_in, room_out };
+            run(&Params { frame: *frame, dispatch, own });
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! Lists that kernels append to: a header that counts what was wanted, then the entries for which
+//! there was room.
+
+use crate::device::Device;
+use crate::error::Error;
+use crate::readback::word;
+use ccd_core::layout::{LIST_HEADER, Pair};
+use wgpu::BufferUsages as U;
+
+/// Bytes of a header.
+pub const HEADER_BYTES: u64 = 4 * LIST_HEADER as u64;
+
+/// What the header of a list says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Header {
+    /// Entries wanted, which may exceed the room.
+    pub wanted: u32,
+    /// Candidates looked at.
+    pub looked_at: u32,
+}
+
+/// The header of a list that was read; a count that ran over is refused.
+pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
+    for i in [0, 1] {
+        if word(bytes, i + 2) > 0 {
+            let count = (word(bytes, i + 2) as u64) << 32 | word(bytes, i) as u64;
+            return Err(ccd_core::Error::TooMany { element: "overlapping pairs", count, limit: u32::MAX as u64 }.into());
+        }
+    }
+    Ok(Header { wanted: word(bytes, 0), looked_at: word(bytes, 1) })
+}
+
+/// The pairs of a list that was read.
+pub fn read_pairs(bytes: &[u8]) -> Vec<Pair> {
+    bytemuck::pod_collect_to_vec(&bytes[HEADER_BYTES as usize..])
+}
+
+/// A list on the device.
+#[derive(Clone, Debug)]
+pub struct List {
+    what: &'static str,
+    buffer: wgpu::Buffer,
+    /// Entries that fit.
+    room: u32,
+    /// 32-bit words of an entry.
+    words: u32,
+}
+
+impl List {
+    /// A list of entries of `words` words with room for `room`.
+    pub fn new(device: &Device, what: &'static str, words: u32, room: u32) -> Result<Self, Error> {
+        let bytes = HEADER_BYTES + room as u64 * words as u64 * 4;
+        let buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+        Ok(Self { what, buffer, room, words })
+    }
+
+    /// A list that holds these pairs from the start.
+    pub fn of_pairs(device: &Device, what: &'static str, pairs: &[[u32; 2]]) -> Result<Self, Error> {
+        let list = Self::new(device, what, 2, pairs.len() as u32)?;
+        let mut words = vec![pairs.len() as u32, 0, 0, 0];
+        words.extend(pairs.iter().flatten());
+        device.queue().write_buffer(&list.buffer, 0, bytemuck::cast_slice(&words));
+        Ok(list)
+    }
+
+    /// The buffer: a header of four words, of which the first is the number of entries wanted and
+    /// the third is 0 unless that exceeds 32 bits, then the entries.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+
+    /// Entries that fit.
+    pub fn room(&self) -> u32 {
+        self.room
+    }
+
+    /// Bytes of the header and `n` entries, at most of all.
+    pub fn bytes(&self, n: u32) -> u64 {
+        HEADER_BYTES + n.min(self.room) as u64 * self.words as u64 * 4
+    }
+
+    /// The same list with another room.
+    pub fn resized(&self, device: &Device, room: u32) -> Result<Self, Error> {
+        Self::new(device, self.what, self.words, room)
+    }
+
+    /// If more than there is room for was `wanted`, replaces the list by a larger one. Returns
+    /// whether it did.
+    pub fn grow(&mut self, device: &Device, wanted: u32) -> Result<bool, Error> {
+        if wanted <= self.room {
+            return Ok(false);
+        }
+        // Some more, as the next frame may want more; without it where the device has too little
+        // for that.
+        let larger = wanted.saturating_add(wanted / 4);
+        *self = match Self::new(device, self.what, self.words, larger) {
+            Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => Self::new(device, self.what, self.words, wanted)?,
+            other => other?,
+        };
+        Ok(true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_that_ran_over_are_refused() {
+        let header = |words: [u32; 4]| read_header(bytemuck::cast_slice(&words));
+        assert_eq!(header([7, u32::MAX, 0, 0]).unwrap(), Header { wanted: 7, looked_at: u32::MAX });
+        for (words, count) in [([5, 0, 1, 0], "4294967301"), ([5, 6, 0, 2], "8589934598")] {
+            let error = header(words).unwrap_err().to_string();
+            assert!(error.contains(count) && error.contains("4294967295"), "{error}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Everything that a session has on a device.
+
+use super::contact_order::ContactOrder;
+use super::lists::Lists;
+use super::upload::Positions;
+use crate::broad_phase::block_bvh::Tree;
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use ccd_core::layout::{Frame, Path, Touch};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use wgpu::BufferUsages as U;
+
+/// Everything on the device.
+pub struct Buffers {
+    pub tree: Tree,
+    pub positions: Positions,
+    /// Paths up to the earliest time of impact so far.
+    pub shortened: wgpu::Buffer,
+    pub edges: wgpu::Buffer,
+    pub faces: wgpu::Buffer,
+    pub bodies: wgpu::Buffer,
+    /// What kernels are told of bodies.
+    body_flags: u32,
+    /// Pairs that the filters leave, by kind.
+    pub survivors: [List; 2],
+    /// Pairs that `f32` leaves open, by kind.
+    pub undecided: [List; 2],
+    pub contacts: List,
+    /// Candidates, by kind; as small as possible until they are asked for.
+    pub candidates: [List; 2],
+    /// Contacts in order, where there are enough of them, and for how many the next frame does
+    /// that.
+    pub order: Option<ContactOrder>,
+    pub to_order: u32,
+    /// The keys of the earliest times of impact, by kind: a buffer each, so that no kind waits for
+    /// the other.
+    pub earliest: [wgpu::Buffer; 2],
+    /// Candidates of the sample by which the earliest time is bounded, by kind.
+    pub sample: wgpu::Buffer,
+    pub never: wgpu::Buffer,
+}
+
+impl Buffers {
+    pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
+        let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
+        let fixed = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
+            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+            device.queue().write_buffer(&buffer, 0, bytes);
+            Ok(buffer)
+        };
+        let (bodies, body_flags) = options.bodies.as_ref().map_or((&[][..], 0), |bodies| {
+            (bodies.words(), Frame::FLAG_BODIES | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 })
+        });
+        let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
+        let features = count[0] + count[1] + count[2];
+        Ok(Self {
+            tree: Tree::new(device, count)?,
+            positions: Positions::new(device, mesh.n_vertices())?,
+            shortened: device.buffer("paths", count[0] as u64 * size_of::<Path>() as u64, U::STORAGE)?,
+            edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
+            faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
+            bodies: fixed("bodies", bytemuck::cast_slice(bodies))?,
+            body_flags,
+            survivors: [list("filtered vertex-face pairs", 2, features / 2)?, list("filtered edge-edge pairs", 2, features)?],
+            undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
+            contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
+            candidates: [list("vertex-face candidates", 2, 0)?, list("edge-edge candidates", 2, 0)?],
+            order: None,
+            to_order: 0,
+            earliest: [fixed("time of impact", &[0; 4])?, fixed("time of impact", &[0; 4])?],
+            sample: fixed("candidates of a sample", &[0; 8])?,
+            never: fixed("no time of impact", &[0xff; 16])?,
+        })
+    }
+
+    /// All lists.
+    pub fn lists(&self) -> Lists<&List> {
+        Lists {
+            candidates: self.candidates.each_ref(),
+            survivors: self.survivors.each_ref(),
+            undecided: self.undecided.each_ref(),
+            contacts: &self.contacts,
+            descent: self.tree.pairs.each_ref().map(|lists| lists.iter().collect()),
+        }
+    }
+
+    /// All lists, to be replaced by larger ones.
+    pub fn lists_mut(&mut self) -> Lists<&mut List> {
+        Lists {
+            candidates: self.candidates.each_mut(),
+            survivors: self.survivors.each_mut(),
+            undecided: self.undecided.each_mut(),
+            contacts: &mut self.contacts,
+            descent: self.tree.pairs.each_mut().map(|lists| lists.iter_mut().collect()),
+        }
+    }
+
+    /// What a frame says to all kernels.
+    pub fn describe(&self, options: &Options) -> Frame {
+        let mut frame = self.tree.frame();
+        frame.flags |= Frame::FLAG_TOPOLOGY | self.body_flags;
+        self.positions.describe(&mut frame, options.min_distance);
+        frame
+    }
+}

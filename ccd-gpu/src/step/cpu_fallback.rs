@@ -1,0 +1,53 @@
+//! The end of a step on the CPU: what `f32` left open is decided in `f64`, and contacts get their
+//! canonical order.
+
+use ccd_core::Real;
+use ccd_core::layout::{Pair, Touch};
+use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::narrow_phase::decide;
+
+/// Pairs that a thread takes at least; starting one costs as much as some tens of pairs.
+const MIN_SHARE: usize = 256;
+
+/// Decides pairs in `f64` on all cores and appends those that touch or stay undecided.
+pub fn decide<T: Real + Sync>(
+    mesh: &Mesh,
+    kind: Kind,
+    pairs: &[Pair],
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    min_distance: f64,
+    out: &mut Vec<Contact>,
+) {
+    let one = |&pair: &Pair| {
+        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), [x0, x1], min_distance);
+        Contact::of(kind, pair, verdict)
+    };
+    if pairs.len() <= MIN_SHARE {
+        out.extend(pairs.iter().filter_map(one));
+        return;
+    }
+    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let share = pairs.len().div_ceil(cores).max(MIN_SHARE);
+    std::thread::scope(|scope| {
+        let threads: Vec<_> =
+            pairs.chunks(share).map(|part| scope.spawn(move || part.iter().filter_map(one).collect::<Vec<_>>())).collect();
+        for thread in threads {
+            match thread.join() {
+                Ok(found) => out.extend(found),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+    });
+}
+
+/// Appends the contacts of a list as a device wrote them, without its header.
+pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
+    out.extend(bytes.chunks_exact(size_of::<Touch>()).map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))));
+}
+
+/// Puts contacts in their canonical order.
+pub fn sort(contacts: &mut [Contact]) {
+    contacts.sort_unstable_by_key(|c| (c.kind, c.a, c.b));
+}

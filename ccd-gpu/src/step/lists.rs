@@ -1,0 +1,89 @@
+//! The lists of a frame, or something for each of them, by name.
+
+use std::convert::Infallible;
+
+/// One `T` for each list; pairs of them are by kind.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Lists<T> {
+    /// Candidates.
+    pub candidates: [T; 2],
+    /// Pairs that the filters leave.
+    pub survivors: [T; 2],
+    /// Pairs that `f32` leaves open.
+    pub undecided: [T; 2],
+    /// Contacts.
+    pub contacts: T,
+    /// Pairs of nodes, a list a level.
+    pub descent: [Vec<T>; 2],
+}
+
+impl<T> Lists<T> {
+    /// Something else for each list, or the first error.
+    pub fn try_map<U, E>(self, mut f: impl FnMut(T) -> Result<U, E>) -> Result<Lists<U>, E> {
+        let mut two = |[a, b]: [T; 2]| Ok([f(a)?, f(b)?]);
+        let (candidates, survivors) = (two(self.candidates)?, two(self.survivors)?);
+        let undecided = two(self.undecided)?;
+        let contacts = f(self.contacts)?;
+        let mut all = |lists: Vec<T>| lists.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>();
+        let [vf, ee] = self.descent;
+        Ok(Lists { candidates, survivors, undecided, contacts, descent: [all(vf)?, all(ee)?] })
+    }
+
+    /// Something else for each list.
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Lists<U> {
+        let Ok(lists) = self.try_map(|list| Ok::<U, Infallible>(f(list)));
+        lists
+    }
+
+    /// Both for each list. Both have as many levels.
+    pub fn zip<U>(self, other: Lists<U>) -> Lists<(T, U)> {
+        let two = |[a, b]: [T; 2], [c, d]: [U; 2]| [(a, c), (b, d)];
+        let all = |a: Vec<T>, b: Vec<U>| a.into_iter().zip(b).collect();
+        let ([vf, ee], [other_vf, other_ee]) = (self.descent, other.descent);
+        Lists {
+            candidates: two(self.candidates, other.candidates),
+            survivors: two(self.survivors, other.survivors),
+            undecided: two(self.undecided, other.undecided),
+            contacts: (self.contacts, other.contacts),
+            descent: [all(vf, other_vf), all(ee, other_ee)],
+        }
+    }
+
+    /// References to each.
+    pub fn each_ref(&self) -> Lists<&T> {
+        Lists {
+            candidates: self.candidates.each_ref(),
+            survivors: self.survivors.each_ref(),
+            undecided: self.undecided.each_ref(),
+            contacts: &self.contacts,
+            descent: self.descent.each_ref().map(|lists| lists.iter().collect()),
+        }
+    }
+
+    /// All of them, without their names.
+    pub fn into_vec(self) -> Vec<T> {
+        let mut out = Vec::new();
+        self.map(|list| out.push(list));
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lists() -> Lists<u32> {
+        let (candidates, survivors, undecided) = ([1, 2], [3, 4], [5, 6]);
+        Lists { candidates, survivors, undecided, contacts: 7, descent: [vec![8], vec![9, 10]] }
+    }
+
+    #[test]
+    fn each_list_keeps_its_name() {
+        assert_eq!(lists().map(|i| i), lists());
+        assert_eq!(lists().into_vec(), (1..=10).collect::<Vec<_>>());
+        let both = lists().zip(lists().map(|i| 10 * i)).into_vec();
+        assert!(both.iter().all(|(a, b)| 10 * a == *b) && both.len() == 10);
+        assert_eq!(lists().each_ref().map(|i| *i), lists());
+        assert_eq!(lists().try_map(|i| if i < 7 { Ok(i) } else { Err(i) }), Err(7));
+    }
+}

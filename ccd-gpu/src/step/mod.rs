@@ -1,0 +1,23 @@
+//! A step of a mesh on a device: its buffers, its dispatches, and what the host does before and
+//! after them.
+
+pub mod buffers;
+pub mod contact_order;
+pub mod cpu_fallback;
+pub mod lists;
+mod passes;
+mod upload;
+
+/// What a frame is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    Contacts,
+    /// With a sample first, and paths cut at what it finds.
+    Earliest,
+    /// In one pass over everything.
+    EarliestAtOnce,
+    Candidates,
+}
+
+/// Of how many pairs of blocks one is sampled to bound the earliest time of impact.
+pub const SAMPLE: u32 = 64;

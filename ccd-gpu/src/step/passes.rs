@@ -1,0 +1,176 @@
+//! What a frame is: the dispatches from positions to results.
+
+use super::buffers::Buffers;
+use super::upload::{Boxes, Positions};
+use super::{Goal, SAMPLE};
+use crate::bind::{
+    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, FilterEdgeEdge, FilterVertexFace, ListCandidates,
+    PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
+};
+use crate::broad_phase::block_bvh::Pass;
+use crate::growable_list::HEADER_BYTES;
+use crate::recorder::Recorder;
+use ccd_core::Num;
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Decision, Dispatch, Frame, Params, Plain};
+
+/// Stages by kind.
+const LIST: [&str; 2] = ["list vertex-face", "list edge-edge"];
+const FILTER: [&str; 2] = ["filter vertex-face", "filter edge-edge"];
+const DECIDE: [&str; 2] = ["decide vertex-face", "decide edge-edge"];
+
+impl Buffers {
+    /// Everything from positions to results.
+    pub fn record(&self, recorder: &mut Recorder, frame: &Frame, goal: Goal, wide: bool) {
+        self.clear(recorder);
+        for earliest in &self.earliest {
+            recorder.copy(&self.never, 0, earliest, 0, 4);
+        }
+        self.tree.clear_bounds(recorder);
+        recorder.stage("boxes");
+        let paths = &self.positions.paths;
+        self.sweep(recorder, frame, paths, self.positions.boxes);
+        self.tree.sort(recorder, frame, frame.count[0]);
+        recorder.stage("build");
+        self.tree.fit(recorder, frame, &self.edges, &self.faces);
+        match goal {
+            Goal::Candidates => {
+                self.descend(recorder, frame);
+                [0, 1].into_iter().for_each(|kind| self.list(recorder, frame, kind));
+            }
+            Goal::Contacts => {
+                let keep = Frame { flags: frame.flags | Frame::FLAG_KEEP, ..*frame };
+                self.contacts(recorder, &keep, paths, 1, wide);
+                if let Some(order) = self.order.as_ref().filter(|_| self.to_order > 0) {
+                    recorder.stage("order contacts");
+                    order.run(recorder, &keep, &self.contacts, self.to_order);
+                }
+            }
+            Goal::EarliestAtOnce => self.contacts(recorder, frame, paths, 1, wide),
+            Goal::Earliest => self.earliest(recorder, frame, wide),
+        }
+    }
+
+    /// A part of the block pairs first; what it finds bounds the time that matters, and shorter
+    /// paths have smaller boxes.
+    fn earliest(&self, recorder: &mut Recorder, frame: &Frame, wide: bool) {
+        let paths = &self.positions.paths;
+        self.contacts(recorder, frame, paths, SAMPLE, wide);
+        recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
+        recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
+        // The end of a cut path is off by four roundings of numbers up to twice the coordinates;
+        // where denormals are flushed, also by less than the smallest normal number for what is
+        // read and each of three results, and once more for the start of the path where boxes read
+        // it.
+        let error = frame.path_error + self.positions.reach * (16.0 * f32::UNIT) + 8.0 * f32::MIN_NORMAL;
+        let cut =
+            Frame { path_error: error, margin: (frame.margin + error).next_up(), flags: frame.flags & !Frame::FLAG_CONFIRM, ..*frame };
+        self.clear(recorder);
+        recorder.stage("shorten");
+        let [of_vf, of_ee] = &self.earliest;
+        let shortened = &self.shortened;
+        recorder.each(&Shorten { paths, of_vf, of_ee, shortened }, &plain(&cut), cut.count[0]);
+        self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
+        self.tree.fit(recorder, &cut, &self.edges, &self.faces);
+        self.contacts(recorder, &cut, shortened, 1, wide);
+    }
+
+    fn clear(&self, recorder: &mut Recorder) {
+        self.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
+    }
+
+    fn sweep(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, of_vertices: Boxes) {
+        let ([v, e, f], p) = (frame.count, plain(frame));
+        let Positions { wide, keys, .. } = &self.positions;
+        let (edges, faces, boxes) = (&self.edges, &self.faces, &self.tree.boxes);
+        match of_vertices {
+            Boxes::OfPaths => recorder.each(&SweepVertices { paths, boxes }, &p, v),
+            Boxes::OfPositions => recorder.each(&PlaceVertices { positions: wide, paths, keys, boxes }, &p, v),
+            Boxes::Sent => {}
+        }
+        recorder.each(&SweepEdges { edges, boxes }, &p, e);
+        recorder.each(&SweepFaces { faces, boxes }, &p, f);
+    }
+
+    fn descend(&self, recorder: &mut Recorder, frame: &Frame) {
+        recorder.stage("block pairs");
+        self.tree.descend(recorder, frame, &[0, 1]);
+    }
+
+    fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: usize) {
+        recorder.stage(LIST[kind]);
+        let (tree, output) = (&self.tree, &self.candidates[kind]);
+        let input = tree.block_pairs(kind);
+        let kernel = ListCandidates {
+            nodes: &tree.nodes,
+            leaves: &tree.leaves,
+            bodies: &self.bodies,
+            keys: &self.positions.keys,
+            input: input.buffer(),
+            output: output.buffer(),
+        };
+        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step: 1 }, input, output, |p| {
+            recorder.dispatch(&kernel, p, tree.groups.min(input.room()));
+        });
+    }
+
+    /// Filters candidates of every `step`-th block pair and decides what is left.
+    fn contacts(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, step: u32, wide: bool) {
+        self.descend(recorder, frame);
+        [0, 1].into_iter().for_each(|kind| self.filter(recorder, frame, paths, kind, step));
+        [0, 1].into_iter().for_each(|kind| self.decide(recorder, frame, kind, wide));
+    }
+
+    fn filter(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, kind: usize, step: u32) {
+        recorder.stage(FILTER[kind]);
+        let (tree, list) = (&self.tree, &self.survivors[kind]);
+        let pairs = tree.block_pairs(kind);
+        let (nodes, leaves, bodies, keys) = (&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys);
+        let (input, output) = (pairs.buffer(), list.buffer());
+        let groups = tree.groups.min(pairs.room());
+        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step }, pairs, list, |p| match kind {
+            0 => recorder.dispatch(&FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output }, p, groups),
+            _ => recorder.dispatch(&FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output }, p, groups),
+        });
+    }
+
+    fn decide(&self, recorder: &mut Recorder, frame: &Frame, kind: usize, wide: bool) {
+        recorder.stage(DECIDE[kind]);
+        let (input, open) = (&self.survivors[kind], &self.undecided[kind]);
+        let frame = Frame { path_error: self.positions.path_error(), ..*frame };
+        let (room_in, room_out) = (input.room(), self.contacts.room());
+        let dispatch = Dispatch { n: 0, first: 0, room_in, room_out };
+        let groups = self.tree.groups.min(room_in.div_ceil(Id::DecideVertexFace.threads()));
+        // Where contacts are not kept, a list that stays as it is and that the other kind does not
+        // have, so that a device works on both at once.
+        let keep = frame.has(Frame::FLAG_KEEP);
+        let contacts = if keep { &self.contacts } else { &self.candidates[kind] }.buffer();
+        let Positions { paths, wide: positions, .. } = &self.positions;
+        let (faces, edges) = (&self.faces, &self.edges);
+        let (input, undecided, earliest) = (input.buffer(), open.buffer(), &self.earliest[kind]);
+        if wide {
+            let p = Params { frame, dispatch, own: Plain::default() };
+            if kind == 0 {
+                let kernel = DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
+                recorder.dispatch(&kernel, &p, groups);
+            } else {
+                let kernel = DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
+                recorder.dispatch(&kernel, &p, groups);
+            }
+        } else {
+            let p = Params { frame, dispatch, own: Decision { room_open: open.room() } };
+            if kind == 0 {
+                let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
+                recorder.dispatch(&kernel, &p, groups);
+            } else {
+                let kernel = DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };
+                recorder.dispatch(&kernel, &p, groups);
+            }
+        }
+    }
+}
+
+/// Parameters of a kernel that needs to know no more than the frame.
+fn plain(frame: &Frame) -> Params {
+    Params { frame: *frame, ..Params::default() }
+}

@@ -1,0 +1,176 @@
+//! From the caller's positions to what kernels read: paths in `f32` and, where those or boxes are
+//! rounded, the exact numbers besides.
+
+use crate::device::Device;
+use crate::error::Error;
+use ccd_core::broad_phase::{placement, swept_box};
+use ccd_core::layout::{Frame, Path, split};
+use ccd_core::math::real::Real;
+use ccd_core::model::error;
+use ccd_core::model::precision::{Points, Precision};
+use ccd_core::model::quantization::{Scan, Table, margin};
+use ccd_core::{Aabb, Coordinate};
+use wgpu::BufferUsages as U;
+
+/// Positions on the device.
+pub struct Positions {
+    pub paths: wgpu::Buffer,
+    /// As given, in `f64`: all at the start of the step, then all at its end.
+    pub wide: wgpu::Buffer,
+    pub keys: wgpu::Buffer,
+    /// How the last upload left boxes of vertices.
+    pub boxes: Boxes,
+    /// Whether paths are exact.
+    pub exact: bool,
+    /// Origin, unit and error of paths.
+    table: Table,
+    slack: f32,
+    /// Bound of the coordinates of paths.
+    pub reach: f32,
+    host_paths: Vec<Path>,
+    host_wide: Vec<[f64; 3]>,
+    host_keys: Vec<[[u32; 2]; 6]>,
+    host_boxes: Vec<Aabb>,
+}
+
+/// What makes the boxes of vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boxes {
+    /// A kernel, from paths.
+    OfPaths,
+    /// A kernel, from positions in `f64`, from which it makes paths and keys, too.
+    OfPositions,
+    /// The host has sent them.
+    Sent,
+}
+
+impl Positions {
+    /// Room for the paths of `n` vertices.
+    pub fn new(device: &Device, n: usize) -> Result<Self, Error> {
+        let usage = U::STORAGE | U::COPY_DST | U::COPY_SRC;
+        Ok(Self {
+            paths: device.buffer("paths", (n * size_of::<Path>()) as u64, usage)?,
+            // Made when first needed.
+            wide: device.buffer("positions in f64", 0, usage)?,
+            keys: device.buffer("keys of exact boxes", 0, usage)?,
+            boxes: Boxes::OfPaths,
+            exact: true,
+            table: Table::AS_GIVEN,
+            slack: 0.0,
+            reach: 0.0,
+            host_paths: Vec::new(),
+            host_wide: Vec::new(),
+            host_keys: Vec::new(),
+            host_boxes: Vec::new(),
+        })
+    }
+
+    /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
+    /// go if kernels cannot make them.
+    pub fn upload<T: Coordinate>(
+        &mut self,
+        device: &Device,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+        min_distance: f64,
+        boxes: &wgpu::Buffer,
+    ) -> Result<bool, Error> {
+        let mut scan = Scan::NONE;
+        for (p, q) in x0.iter().zip(x1) {
+            scan.take(*p);
+            scan.take(*q);
+        }
+        if !scan.finite {
+            error::check_coordinates(0, x0)?;
+            error::check_coordinates(1, x1)?;
+        }
+        let table = scan.table(true);
+        self.table = table;
+        self.exact = table == Table::AS_GIVEN;
+        let extent = (0..3).fold(0.0, |m: f64, k| m.max(scan.bounds.max[k] - scan.bounds.min[k]));
+        self.reach = if self.exact { scan.greatest() } else { extent * table.scale }.round_up();
+        // Boxes are made of paths only where those are the positions.
+        let rounded = scan.rounds_boxes::<T>(min_distance) || !self.exact;
+        self.slack = if rounded { scan.slack(min_distance) } else { 0.0 };
+        self.boxes = match (rounded, device.info().wide) {
+            (false, _) => Boxes::OfPaths,
+            (true, true) => Boxes::OfPositions,
+            (true, false) => Boxes::Sent,
+        };
+        let queue = device.queue();
+        if self.boxes == Boxes::OfPositions {
+            let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
+            let replaced = make_room(device, "positions in f64", &mut self.wide, 2 * bytes)?
+                | make_room(device, "keys of exact boxes", &mut self.keys, (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64)?;
+            for (x, at) in [(x0, 0), (x1, bytes)] {
+                match T::slices::<Points, 1>([x]) {
+                    Precision::F64([x]) => queue.write_buffer(&self.wide, at, bytemuck::cast_slice(x)),
+                    // Rare: coordinates that are too large for the filters as they are.
+                    Precision::F32([x]) => {
+                        self.host_wide.clear();
+                        self.host_wide.extend(x.iter().map(|p| p.map(f64::from)));
+                        queue.write_buffer(&self.wide, at, bytemuck::cast_slice(&self.host_wide));
+                    }
+                }
+            }
+            return Ok(replaced);
+        }
+        let path_end = |p: &[T; 3]| {
+            let p = table.place([p[0].to_f64(), p[1].to_f64(), p[2].to_f64()]);
+            [p[0], p[1], p[2], 0.0]
+        };
+        self.host_paths.clear();
+        self.host_paths.extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
+        queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
+        if self.boxes == Boxes::OfPaths {
+            return Ok(false);
+        }
+        let margin: T = margin(min_distance);
+        self.host_keys.clear();
+        self.host_boxes.clear();
+        for (p, q) in x0.iter().zip(x1) {
+            let exact = swept_box::swept(*p, *q).inflated(margin);
+            self.host_keys.push(placement::keys(&Aabb { min: exact.min.map(T::to_f64), max: exact.max.map(T::to_f64) }));
+            self.host_boxes.push(exact.round_out());
+        }
+        let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
+        let replaced = make_room(device, "keys of exact boxes", &mut self.keys, keys.len() as u64)?;
+        queue.write_buffer(&self.keys, 0, keys);
+        queue.write_buffer(boxes, 0, bytemuck::cast_slice(&self.host_boxes));
+        Ok(replaced)
+    }
+
+    /// How far a coordinate of a path may be from the true one.
+    pub fn path_error(&self) -> f32 {
+        self.table.error
+    }
+
+    /// Takes the paths that are there, which the caller has written, as exact.
+    pub fn take_paths(&mut self) {
+        (self.boxes, self.exact, self.table) = (Boxes::OfPaths, true, Table::AS_GIVEN);
+        self.slack = 0.0;
+    }
+
+    /// Sets what kernels must know of the positions.
+    pub fn describe(&self, frame: &mut Frame, min_distance: f64) {
+        frame.path_error = self.table.error;
+        frame.slack = self.slack;
+        frame.margin = margin(min_distance * self.table.scale);
+        frame.min_distance = self.table.distance(min_distance);
+        frame.distance_bits = split(min_distance);
+        frame.origin = self.table.origin.map(split);
+        frame.scale_bits = split(self.table.scale);
+        frame.margin_bits = split(margin(min_distance));
+        frame.flags |= if self.exact { Frame::FLAG_EXACT } else { 0 };
+        frame.flags |= if self.slack > 0.0 { Frame::FLAG_CONFIRM } else { 0 };
+    }
+}
+
+/// Replaces a buffer that is too small. Returns whether it was.
+fn make_room(device: &Device, what: &'static str, buffer: &mut wgpu::Buffer, bytes: u64) -> Result<bool, Error> {
+    let too_small = buffer.size() < bytes;
+    if too_small {
+        *buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+    }
+    Ok(too_small)
+}

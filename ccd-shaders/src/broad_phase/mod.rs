@@ -1,0 +1,7 @@
+//! From boxes to pairs of them: order, trees, traversal. The filters stand here, too, with the
+//! pairs of blocks at which they go on at once, in the same workgroup.
+
+pub mod block_bvh;
+pub mod block_pairs;
+pub mod bounds;
+pub mod radix_tree;

@@ -1,0 +1,113 @@
+//! Threads and what they share: numbers of threads and workgroups, atomics, lists.
+
+use ccd_core::layout::{LIST_HEADER, Pair};
+use ccd_core::kernel::memory::{at, put};
+use spirv_std::arch::{IndexUnchecked, atomic_i_add, atomic_or, atomic_u_max, atomic_u_min};
+use spirv_std::glam::UVec3;
+use spirv_std::memory::{Scope, Semantics};
+
+const DEVICE: u32 = Scope::QueueFamily as u32;
+const WORKGROUP: u32 = Scope::Workgroup as u32;
+const RELAXED: u32 = Semantics::NONE.bits();
+
+/// Number of this workgroup; grids of more than 65,535 are folded into two dimensions.
+#[inline(always)]
+pub fn group(id: UVec3, n: UVec3) -> u32 {
+    id.y * n.x + id.x
+}
+
+/// Adds to a word of a buffer and returns what it was.
+#[inline(always)]
+pub fn add(words: &mut [u32], i: usize, value: u32) -> u32 {
+    // SAFETY: callers' indices are in range; the scope and the order are valid for storage buffers.
+    unsafe { atomic_i_add::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) }
+}
+
+/// Adds to word 0 or 1 of a list's header and returns what it was; two words behind it is counted
+/// how often it ran over.
+#[inline(always)]
+pub fn count(list: &mut [u32], i: usize, value: u32) -> u32 {
+    let old = add(list, i, value);
+    if old.wrapping_add(value) < old {
+        add(list, i + 2, 1);
+    }
+    old
+}
+
+/// Raises a word of a buffer.
+#[inline(always)]
+pub fn raise(words: &mut [u32], i: usize, value: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_u_max::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) };
+}
+
+/// Lowers a word of a buffer.
+#[inline(always)]
+pub fn lower(words: &mut [u32], i: usize, value: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_u_min::<u32, DEVICE, RELAXED>(words.get_unchecked_mut(i), value) };
+}
+
+/// Adds to a word of workgroup memory and returns what it was.
+#[inline(always)]
+pub fn add_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) -> u32 {
+    // SAFETY: callers' indices are in range; the scope is that of the memory.
+    unsafe { atomic_i_add::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), value) }
+}
+
+/// Sets bits of a word of workgroup memory.
+#[inline(always)]
+pub fn or_shared<const N: usize>(words: &mut [u32; N], i: u32, bits: u32) {
+    // SAFETY: as above.
+    unsafe { atomic_or::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), bits) };
+}
+
+/// Element `i` of an array in workgroup memory.
+#[inline(always)]
+pub fn get<T: Copy, const N: usize>(shared: &[T; N], i: u32) -> T {
+    // SAFETY: callers' indices are in range.
+    unsafe { *shared.index_unchecked(i as usize) }
+}
+
+/// Sets element `i` of an array in workgroup memory.
+#[inline(always)]
+pub fn set<T: Copy, const N: usize>(shared: &mut [T; N], i: u32, value: T) {
+    // SAFETY: as above.
+    unsafe { *shared.index_unchecked_mut(i as usize) = value };
+}
+
+/// Waits for the workgroup; what its threads wrote to workgroup memory before is seen after.
+#[inline(always)]
+pub fn barrier() {
+    spirv_std::arch::workgroup_memory_barrier_with_group_sync();
+}
+
+/// Entries of a list that are there: those wanted, as far as there was room.
+#[inline(always)]
+pub fn length(list: &[u32], room: u32) -> u32 {
+    at(list, 0).min(room)
+}
+
+/// Pair `i` of a list.
+#[inline(always)]
+pub fn read_pair(list: &[u32], i: u32) -> Pair {
+    let from = LIST_HEADER + 2 * i as usize;
+    Pair { a: at(list, from), b: at(list, from + 1) }
+}
+
+/// Writes pair `i` of a list; one for which there is no room is only counted.
+#[inline(always)]
+pub fn write_pair(list: &mut [u32], room: u32, i: u32, pair: Pair) {
+    if i < room {
+        let to = LIST_HEADER + 2 * i as usize;
+        put(list, to, pair.a);
+        put(list, to + 1, pair.b);
+    }
+}
+
+/// Counts and writes one pair.
+#[inline(always)]
+pub fn append(list: &mut [u32], room: u32, pair: Pair) {
+    let i = count(list, 0, 1);
+    write_pair(list, room, i, pair);
+}
