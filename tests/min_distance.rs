@@ -2,7 +2,7 @@
 //! all of the distance.
 
 use ccd::scenes::{Random, triangle_soup};
-use ccd::{Kind, Mesh, Options, Real, Session, State, TOI_TOLERANCE};
+use ccd::{Coordinate, Kind, Mesh, Options, Real, Session, State, TOI_TOLERANCE};
 use first::{First, first_within, point_triangle, segment_segment};
 use std::collections::HashMap;
 
@@ -73,7 +73,7 @@ fn every_pair(
 
 /// Contacts of a step are those of every pair. Returns how many of them begin with a gap in half to
 /// all of the distance.
-fn check<T: Real>(mesh: &Mesh, x0: &Positions, x1: &Positions, d: f64) -> usize {
+fn check<T: Coordinate>(mesh: &Mesh, x0: &Positions, x1: &Positions, d: f64) -> usize {
     let narrow = |x: &Positions| -> Vec<[T; 3]> { x.iter().map(|p| p.map(T::from_f64)).collect() };
     let (x0, x1) = (narrow(x0), narrow(x1));
     let wide = |x: &[[T; 3]]| -> Positions { x.iter().map(|p| p.map(|c| c.to_f64())).collect() };
