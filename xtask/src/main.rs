@@ -8,7 +8,6 @@ mod gpu;
 #[cfg(any(feature = "report", feature = "gpu-report", test))]
 mod markdown;
 mod mutants;
-mod mutations;
 #[cfg(feature = "report")]
 mod report;
 mod shaders;

@@ -1,10 +1,44 @@
 //! Mutations of `ccd-core` that make it unsound, one at a time: its tests must notice each of them.
 //!
-//! Works in `target/mutants` on a copy of the crate, so that the sources are never touched and one build serves the next.
+//! The list is `mutants.txt`: of each its name and file, what stands there (`-`), what is put there
+//! (`+`), why that is unsound, and, where no test can see it, why it is not (`=`).
+//!
+//! Works in `target/mutants` on a copy of the crate, so that the sources are never touched and one
+//! build serves the next.
 
-use crate::mutations::{MUTANTS, Mutant};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// One change of one place.
+#[derive(Debug)]
+struct Mutant {
+    name: &'static str,
+    /// From the root of the repository.
+    file: &'static str,
+    /// Exactly what stands there, once.
+    text: &'static str,
+    with: &'static str,
+    /// Why it is unsound.
+    why: &'static str,
+    /// Why no test can see it, if none can.
+    survives: Option<&'static str>,
+}
+
+/// The list.
+fn mutants() -> Result<Vec<Mutant>, String> {
+    include_str!("mutants.txt").split("\n\n").map(parse).collect()
+}
+
+fn parse(block: &'static str) -> Result<Mutant, String> {
+    let mut lines = block.lines();
+    let mut line = |mark: &str| lines.next().and_then(|l| l.strip_prefix(mark));
+    let parsed = || -> Option<Mutant> {
+        let (name, file) = line("")?.split_once(" in ")?;
+        let (text, with, why) = (line("- ")?, line("+ ")?, line("  ")?);
+        Some(Mutant { name, file, text, with, why, survives: line("= ") })
+    }();
+    parsed.ok_or_else(|| format!("xtask/src/mutants.txt: cannot be read:\n{block}"))
+}
 
 /// What a run of the tests says.
 #[derive(Debug, PartialEq)]
@@ -18,7 +52,8 @@ enum Outcome {
 
 /// Tries the mutants whose name contains `name`.
 pub fn run(root: &Path, name: &str) -> Result<(), String> {
-    let chosen: Vec<&Mutant> = MUTANTS.iter().filter(|m| m.name.contains(name)).collect();
+    let all = mutants()?;
+    let chosen: Vec<&Mutant> = all.iter().filter(|m| m.name.contains(name)).collect();
     if chosen.is_empty() {
         return Err(format!("no mutant is called {name}"));
     }
@@ -26,7 +61,7 @@ pub fn run(root: &Path, name: &str) -> Result<(), String> {
     prepare(root, &copy)?;
     // All texts first: a list that is out of date costs no hour.
     let texts = chosen.iter().map(|m| mutated(&copy, m)).collect::<Result<Vec<_>, _>>();
-    let texts = texts.map_err(|e| format!("{e}; xtask/src/mutations.rs must follow the sources"))?;
+    let texts = texts.map_err(|e| format!("{e}; xtask/src/mutants.txt must follow the sources"))?;
     match test(root, &copy)? {
         Outcome::Survived => println!("no mutation: all tests pass"),
         other => return Err(format!("without a mutation: {other:?}")),
@@ -76,10 +111,14 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
     }
     let manifest = read(&root.join("Cargo.toml"))?;
     let shared = manifest.find("[workspace.package]").zip(manifest.find("[profile.release]"));
-    let (from, to) = shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
+    let (from, to) =
+        shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
     // Fast to compile, fast enough to run.
     let profile = "[profile.test]\nopt-level = 1\ndebug = false\n[profile.test.package.\"*\"]\nopt-level = 2\n";
-    let text = format!("[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}", &manifest[from..to]);
+    let text = format!(
+        "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}",
+        &manifest[from..to]
+    );
     let path = copy.join("Cargo.toml");
     if read(&path).ok().as_ref() != Some(&text) { write(&path, &text) } else { Ok(()) }
 }
@@ -102,7 +141,8 @@ fn test(root: &Path, copy: &Path) -> Result<Outcome, String> {
         .env("RUST_BACKTRACE", "0")
         .output()
         .map_err(|e| format!("cargo: {e}"))?;
-    let (stdout, stderr) = (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
+    let (stdout, stderr) =
+        (String::from_utf8_lossy(&out.stdout), String::from_utf8_lossy(&out.stderr));
     Ok(outcome(out.status.success(), &stdout, &stderr))
 }
 
@@ -111,10 +151,13 @@ fn outcome(success: bool, stdout: &str, stderr: &str) -> Outcome {
     if success {
         return Outcome::Survived;
     }
-    let failed = stdout.lines().filter_map(|l| l.strip_prefix("---- ")?.strip_suffix(" stdout ----")).next();
+    let failed =
+        stdout.lines().filter_map(|l| l.strip_prefix("---- ")?.strip_suffix(" stdout ----")).next();
     match failed {
         Some(name) => Outcome::Killed(name.into()),
-        None => Outcome::Broken(stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into()),
+        None => Outcome::Broken(
+            stderr.lines().find(|l| l.contains("error")).unwrap_or("no test ran").into(),
+        ),
     }
 }
 
@@ -159,10 +202,12 @@ mod tests {
     #[test]
     fn every_mutant_has_its_place_and_its_reason() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
-        for (i, m) in MUTANTS.iter().enumerate() {
+        let all = mutants().unwrap_or_else(|e| panic!("{e}"));
+        assert!(all.len() > 50, "{} mutants", all.len());
+        for (i, m) in all.iter().enumerate() {
             assert_ne!(mutated(root, m), read(&root.join(m.file)), "{} changes nothing", m.name);
             mutated(root, m).unwrap_or_else(|e| panic!("{e}"));
-            assert!(!m.why.is_empty() && MUTANTS[..i].iter().all(|n| n.name != m.name), "{}", m.name);
+            assert!(!m.why.is_empty() && all[..i].iter().all(|n| n.name != m.name), "{}", m.name);
         }
     }
 }

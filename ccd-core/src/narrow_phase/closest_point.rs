@@ -1,4 +1,5 @@
-//! The point of a patch nearest to the origin: gives a direction to separate along, and an upper bound of the distance.
+//! The point of a patch nearest to the origin: gives a direction to separate along, and an upper
+//! bound of the distance.
 
 use crate::math::real::Real;
 use crate::math::vec3::{dot, scale, sub};
@@ -18,11 +19,12 @@ fn to_segment<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 
 /// The shortest `a - s b - r c` with `(s, r)` in the patch, up to rounding.
 ///
-/// Whatever rounding does, the result is some such vector, up to `6 u (A + B + C)` a component, where `A B C`
-/// bound those of `a b c`: its length bounds the distance from above. For `s` and `r` are within the patch
-/// as they are computed (their sum may exceed 1 by `u`), however wrong; then `b s`, `c r`, their sum and
-/// the difference round by `u (A + 3 B + 3 C)`, and a side from a corner, `(a - b) - (c - b) x`, by
-/// `u (2 A + 5 B + 3 C)`. A degenerate patch (collinear or zero sides) is handled by its boundary.
+/// Whatever rounding does, the result is some such vector, up to `6 u (A + B + C)` a component,
+/// where `A B C` bound those of `a b c`: its length bounds the distance from above. For `s` and `r`
+/// are within the patch as they are computed (their sum may exceed 1 by `u`), however wrong; then
+/// `b s`, `c r`, their sum and the difference round by `u (A + 3 B + 3 C)`, and a side from a
+/// corner, `(a - b) - (c - b) x`, by `u (2 A + 5 B + 3 C)`. A degenerate patch (collinear or zero
+/// sides) is handled by its boundary.
 pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3] {
     let (bb, bc, cc) = (dot(b, b), dot(b, c), dot(c, c));
     let (ab, ac) = (dot(a, b), dot(a, c));

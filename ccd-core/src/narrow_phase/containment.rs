@@ -1,29 +1,34 @@
-//! Whether the features meet inside their extents while they are coplanar, decided for a whole interval of time at once.
+//! Whether the features meet inside their extents while they are coplanar, decided for a whole
+//! interval of time at once.
 //!
-//! Contact is `a = s b + r c`. Projected along the axis in which the patch's normal is greatest this is a 2x2 system, and
-//! `s = S / D`, `r = R / D` with `D = b x c`, `S = a x c`, `R = b x a` (2D cross products). Signs of `S`, `R`, `D - S - R` (triangle) or
-//! `D - S`, `D - R` (parallelogram) relative to `D` that hold over the interval decide; a value within its error decides nothing.
+//! Contact is `a = s b + r c`. Projected along the axis in which the patch's normal is greatest
+//! this is a 2x2 system, and `s = S / D`, `r = R / D` with `D = b x c`, `S = a x c`, `R = b x a`
+//! (2D cross products). Signs of `S`, `R`, `D - S - R` (triangle) or `D - S`, `D - R`
+//! (parallelogram) relative to `D` that hold over the interval decide; a value within its error
+//! decides nothing.
 //!
 //! # The bounds
-//! Let `M` bound the components of a vector at both ends of the step, `u` be the unit roundoff, `e` the
-//! input error of a difference.
+//! Let `M` bound the components of a vector at both ends of the step, `u` be the unit roundoff, `e`
+//! the input error of a difference.
 //!
-//! *Time.* Half the width is rounded by `u / 2` at most (the interval is in `[0, 1]`), the middle by `u`, and the
-//! sum with what covers this by `u / 2`: `2 u`, where the code adds `4 u`.
+//! *Time.* Half the width is rounded by `u / 2` at most (the interval is in `[0, 1]`), the middle
+//! by `u`, and the sum with what covers this by `u / 2`: `2 u`, where the code adds `4 u`.
 //!
-//! *Ball.* The ends of the vector carry `u M + e`. The centre is `x0 + (x1 - x0) t`: `2 u M` for the
-//! difference, `2 u M` for the product, `u M` for the sum. Together `6 u M + e`, where the code adds `8 u M + e`.
-//! Over the interval it travels half the width times the difference; `1.01` covers the roundings of these
-//! products. The size is at least every component of every vector in the ball.
+//! *Ball.* The ends of the vector carry `u M + e`. The centre is `x0 + (x1 - x0) t`: `2 u M` for
+//! the difference, `2 u M` for the product, `u M` for the sum. Together `6 u M + e`, where the code
+//! adds `8 u M + e`. Over the interval it travels half the width times the difference; `1.01`
+//! covers the roundings of these products. The size is at least every component of every vector in
+//! the ball.
 //!
-//! *Products.* With radii `p r` and sizes `P R`, a product of components varies by at most `p R + P r` over
-//! the balls, two of them by twice that: `2.01` with its roundings. A multiplication and the subtraction of
-//! two products round by `4 u P R`, where the code adds `8 u`. Flushing moves a component by at most 6 times
-//! the smallest normal number: two products lose `12 (P + R) + 3`, below `256 (1 + P)(1 + R)`. A value is at
-//! most `2 P R`; where it overflows, so does `4 P R`, which is part of the error.
+//! *Products.* With radii `p r` and sizes `P R`, a product of components varies by at most
+//! `p R + P r` over the balls, two of them by twice that: `2.01` with its roundings. A
+//! multiplication and the subtraction of two products round by `4 u P R`, where the code adds
+//! `8 u`. Flushing moves a component by at most 6 times the smallest normal number: two products
+//! lose `12 (P + R) + 3`, below `256 (1 + P)(1 + R)`. A value is at most `2 P R`; where it
+//! overflows, so does `4 P R`, which is part of the error.
 //!
-//! *Sums.* `D - S - R` adds the three errors, and two roundings of at most `u (|D| + |S| + |R|)` each, where
-//! the code adds `4 u`.
+//! *Sums.* `D - S - R` adds the three errors, and two roundings of at most `u (|D| + |S| + |R|)`
+//! each, where the code adds `4 u`.
 
 use crate::math::real::Real;
 use crate::math::vec3::{cross, lerp, max_abs, sub};
@@ -33,7 +38,8 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Inside {
-    /// At no time in the interval does the projected `a` lie in the projected patch: no contact there.
+    /// At no time in the interval does the projected `a` lie in the projected patch: no contact
+    /// there.
     Outside,
     /// At every time in the interval at which the features are coplanar, they touch.
     Inside,
@@ -63,7 +69,8 @@ impl<R: Real> Ball<R> {
     }
 }
 
-/// `p x q` in the plane of axes `i`, `j`, with a bound of its error over both balls (see above; `2 x 2 x 2 u` is `8 u`).
+/// `p x q` in the plane of axes `i`, `j`, with a bound of its error over both balls (see above;
+/// `2 x 2 x 2 u` is `8 u`).
 #[inline]
 pub fn cross2<R: Real>(p: &Ball<R>, q: &Ball<R>, i: usize, j: usize) -> (R, R) {
     let value = p.centre[i] * q.centre[j] - p.centre[j] * q.centre[i];

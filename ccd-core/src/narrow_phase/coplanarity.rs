@@ -1,38 +1,40 @@
 //! The Bernstein non-penetration filter with a rounding bound that any GPU or CPU keeps.
 //!
-//! `f(t) = a(t) . (b(t) x c(t))` is a cubic whose zeros are the only times at which the four points are coplanar, hence
-//! the only times of contact. In Bernstein form its control values enclose it: all of one sign means no contact [Tang 2010],
-//! [da Silva 2013]. Changed here: the triple products are summed per Bernstein index, so that
-//! nothing is divided, and one bound covers every control value.
+//! `f(t) = a(t) . (b(t) x c(t))` is a cubic whose zeros are the only times at which the four points
+//! are coplanar, hence the only times of contact. In Bernstein form its control values enclose it:
+//! all of one sign means no contact [Tang 2010], [da Silva 2013]. Changed
+//! here: the triple products are summed per Bernstein index, so that nothing is divided, and one
+//! bound covers every control value.
 //!
 //! # The bound
-//! Let `A B C` bound the components of `a b c` at both ends, `u` the unit roundoff, `e` the input error
-//! of a difference. Three times each Bernstein value is a sum of at most 18 products of three
+//! Let `A B C` bound the components of `a b c` at both ends, `u` the unit roundoff, `e` the input
+//! error of a difference. Three times each Bernstein value is a sum of at most 18 products of three
 //! components (`6 x 3`).
 //!
-//! - *Operations.* A product passes at most 2 multiplications and 17 additions, in whatever order they
-//!   are summed, contracted or not, and one multiplication by three: `20 u`.
-//! - *Factors.* A difference is rounded once: `u`. The middle of a step that was halved is the mean of
-//!   two such: `u (|a0| + |a1|) / 2` from them and `u A` from their sum. The end that is not in the half
-//!   may be three times as great as what is, since it is twice the middle less the other end: so `2 u A`
-//!   and `u A`, together `3 u A`, and `9 u` for three factors.
+//! - *Operations.* A product passes at most 2 multiplications and 17 additions, in whatever order
+//!   they are summed, contracted or not, and one multiplication by three: `20 u`.
+//! - *Factors.* A difference is rounded once: `u`. The middle of a step that was halved is the mean
+//!   of two such: `u (|a0| + |a1|) / 2` from them and `u A` from their sum. The end that is not in
+//!   the half may be three times as great as what is, since it is twice the middle less the other
+//!   end: so `2 u A` and `u A`, together `3 u A`, and `9 u` for three factors.
 //! - *Input.* Each factor is off by `e`: `e (A B + B C + C A)` a product.
 //!
-//! `error <= 18 (20 u + 9 u) A B C + 18 e (A B + B C + C A)`: `524` for `522` and `19` for `18` absorb
-//! terms of second order and the roundings of the bound itself (a part in 10^5 where `u` is 2^-24).
+//! `error <= 18 (20 u + 9 u) A B C + 18 e (A B + B C + C A)`: `524` for `522` and `19` for `18`
+//! absorb terms of second order and the roundings of the bound itself (a part in 10^5 where `u` is
+//! 2^-24).
 //!
-//! - *Flushing.* A component is off by at most 5 times the smallest normal number (two operands, their
-//!   difference, the sum and the half of a middle), so 18 products lose `90 (A B + B C + C A)` times
-//!   that, `18 (A + B + C)` for products of two factors, `36` for products of three and sums:
-//!   below `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
-//! - *Overflow.* No intermediate result is above `18 A B C`, or `8 B C` before it is multiplied by `a`. Where
-//!   one overflows so does `8 B C` or `64 A B C` (or the latter is NaN), which is part of the bound, and
-//!   the filter answers "unknown".
+//! - *Flushing.* A component is off by at most 5 times the smallest normal number (two operands,
+//!   their difference, the sum and the half of a middle), so 18 products lose `90 (A B + B C + C
+//!   A)` times that, `18 (A + B + C)` for products of two factors, `36` for products of three and
+//!   sums: below `256 MIN_NORMAL (1 + A)(1 + B)(1 + C)`.
+//! - *Overflow.* No intermediate result is above `18 A B C`, or `8 B C` before it is multiplied by
+//!   `a`. Where one overflows so does `8 B C` or `64 A B C` (or the latter is NaN), which is part
+//!   of the bound, and the filter answers "unknown".
 //!
 //! The greatest normal is a sum of absolute components, each of them at most four products of two
-//! factors: `(6 u + u + 3 u) 4 B C / 2 = 20 u B C` (`16 u` at the ends), for three `60 u B C`: `8 u 8 B C`
-//! covers it. Input: `2 e (B + C)` a component. What is relative to the sum itself is in the factor
-//! `1.0001` of [`Coplanarity::clearance`].
+//! factors: `(6 u + u + 3 u) 4 B C / 2 = 20 u B C` (`16 u` at the ends), for three `60 u B C`:
+//! `8 u 8 B C` covers it. Input: `2 e (B + C)` a component. What is relative to the sum itself is
+//! in the factor `1.0001` of [`Coplanarity::clearance`].
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, cross, dot, sum_abs};
@@ -47,7 +49,8 @@ pub struct Coplanarity<N> {
     pub c: [N; 4],
     /// Bound of the error of `3 c[0]`, `c[1]`, `c[2]`, `3 c[3]`, hence of `3 f(t)` at every `t`.
     pub bound: N,
-    /// Upper bound of `|b(t) x c(t)|` over the step: turns `f` into a distance to the plane (or between the lines).
+    /// Upper bound of `|b(t) x c(t)|` over the step: turns `f` into a distance to the plane (or
+    /// between the lines).
     pub normal: N,
 }
 
@@ -74,8 +77,9 @@ impl<N: Num> Coplanarity<N> {
         Self { c, bound: rounding + input + flushed, normal }
     }
 
-    /// Positive only if the features certainly stay further than `min_distance >= 0` apart for all of `[0, 1]`; the size means
-    /// nothing. NaN where a computation overflowed: so compare with `> 0`.
+    /// Positive only if the features certainly stay further than `min_distance >= 0` apart for all
+    /// of `[0, 1]`; the size means nothing. NaN where a computation overflowed: so compare with
+    /// `> 0`.
     #[inline(always)]
     pub fn clearance(&self, min_distance: N) -> N {
         let three = N::splat(3.0);
@@ -88,7 +92,8 @@ impl<N: Num> Coplanarity<N> {
     }
 }
 
-/// Whether a vertex and a face certainly do not come within `min_distance` during the step; `false` says nothing.
+/// Whether a vertex and a face certainly do not come within `min_distance` during the step; `false`
+/// says nothing.
 ///
 /// `t0`, `t1`: `v f0 f1 f2` at the start and the end.
 #[inline]
@@ -97,7 +102,8 @@ pub fn vertex_face_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R
     Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
 }
 
-/// Whether two edges certainly do not come within `min_distance` during the step; `false` says nothing.
+/// Whether two edges certainly do not come within `min_distance` during the step; `false` says
+/// nothing.
 ///
 /// `t0`, `t1`: `ea0 ea1 eb0 eb1` at the start and the end.
 #[inline]

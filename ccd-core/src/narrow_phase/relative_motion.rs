@@ -1,13 +1,14 @@
-//! One form for both elemental tests: a vector `a` against the patch spanned by `b` and `c`, all moving linearly.
+//! One form for both elemental tests: a vector `a` against the patch spanned by `b` and `c`, all
+//! moving linearly.
 //!
 //! | test | `a` | `b` | `c` | patch |
 //! |---|---|---|---|---|
 //! | vertex-face | `v - f0` | `f1 - f0` | `f2 - f0` | triangle: `s, r >= 0`, `s + r <= 1` |
 //! | edge-edge | `eb0 - ea0` | `ea1 - ea0` | `eb0 - eb1` | parallelogram: `0 <= s, r <= 1` |
 //!
-//! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch [Provot 1997]. Taking
-//! differences first recentres the query: each difference has relative error of one unit roundoff, however far from the
-//! origin the query is.
+//! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch
+//! [Provot 1997]. Taking differences first recentres the query: each difference has relative error
+//! of one unit roundoff, however far from the origin the query is.
 
 use crate::math::real::Num;
 use crate::math::vec3::{add, max_abs, scale, sub};
@@ -36,8 +37,8 @@ pub struct Motion<N> {
 }
 
 impl<N: Num> Motion<N> {
-    /// From the four points of a query over `patch`, at both times. `coordinate_error`: how far each coordinate may be from the
-    /// true one.
+    /// From the four points of a query over `patch`, at both times. `coordinate_error`: how far each
+    /// coordinate may be from the true one.
     #[inline(always)]
     pub fn new(patch: Patch, t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
         match patch {
@@ -46,7 +47,8 @@ impl<N: Num> Motion<N> {
         }
     }
 
-    /// From `v f0 f1 f2` at both times. `coordinate_error`: how far each coordinate may be from the true one.
+    /// From `v f0 f1 f2` at both times. `coordinate_error`: how far each coordinate may be from the
+    /// true one.
     #[inline(always)]
     pub fn vertex_face(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
         Self {
@@ -57,7 +59,8 @@ impl<N: Num> Motion<N> {
         }
     }
 
-    /// From `ea0 ea1 eb0 eb1` at both times. `coordinate_error`: how far each coordinate may be from the true one.
+    /// From `ea0 ea1 eb0 eb1` at both times. `coordinate_error`: how far each coordinate may be
+    /// from the true one.
     #[inline(always)]
     pub fn edge_edge(t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
         Self {
@@ -70,8 +73,9 @@ impl<N: Num> Motion<N> {
 
     /// The first and the second half of the step.
     ///
-    /// The vectors in the middle are off by up to three units of roundoff of the greatest component in
-    /// the half, instead of one (derived in `coplanarity.rs`), which the bounds of filters allow for.
+    /// The vectors in the middle are off by up to three units of roundoff of the greatest component
+    /// in the half, instead of one (derived in `coplanarity.rs`), which the bounds of filters allow
+    /// for.
     #[inline(always)]
     pub fn halves(&self) -> (Self, Self) {
         let half = N::splat(0.5);
@@ -91,7 +95,8 @@ impl<N: Num> Motion<N> {
         Self { a: both(&self.a), b: both(&self.b), c: both(&self.c), error: self.error * unit }
     }
 
-    /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error included.
+    /// Bounds of the absolute components of `a`, `b`, `c` over the whole step, input error
+    /// included.
     #[inline(always)]
     pub fn magnitudes(&self) -> [N; 3] {
         [
@@ -103,8 +108,9 @@ impl<N: Num> Motion<N> {
 }
 
 impl<N: Num> Motion<N> {
-    /// The corners of the patch seen from the origin of `a`: `a`, `a - b`, `a - c` and, for a parallelogram, `a - b - c`
-    /// (for a triangle `a` again). The features touch exactly when the hull of these points contains the origin.
+    /// The corners of the patch seen from the origin of `a`: `a`, `a - b`, `a - c` and, for a
+    /// parallelogram, `a - b - c` (for a triangle `a` again). The features touch exactly when the
+    /// hull of these points contains the origin.
     #[inline(always)]
     pub fn corners(&self, patch: Patch, time: usize) -> [[N; 3]; 4] {
         let (a, b, c) = (self.a[time], self.b[time], self.c[time]);
@@ -113,13 +119,14 @@ impl<N: Num> Motion<N> {
         [a, ab, sub(a, c), last]
     }
 
-    /// Bound of the error of a component of any corner, and of its scalar product with a vector per unit of
-    /// that vector's components (their absolute sum).
+    /// Bound of the error of a component of any corner, and of its scalar product with a vector per
+    /// unit of that vector's components (their absolute sum).
     ///
-    /// Of `S = A + B + C`: at most `3 u S` from the differences (where the step was halved), `2 u S` from
-    /// two subtractions, `3 u S` from a multiplication and two additions: `8 u S`, where the code has `16 u S`.
-    /// `3 e` from the input. Flushing: 5 times the smallest normal number a difference, 2 for the
-    /// subtractions, 5 for products and sums with a vector whose components add up to 1: below `256`.
+    /// Of `S = A + B + C`: at most `3 u S` from the differences (where the step was halved),
+    /// `2 u S` from two subtractions, `3 u S` from a multiplication and two additions: `8 u S`,
+    /// where the code has `16 u S`. `3 e` from the input. Flushing: 5 times the smallest normal
+    /// number a difference, 2 for the subtractions, 5 for products and sums with a vector whose
+    /// components add up to 1: below `256`.
     #[inline(always)]
     pub fn corner_error(&self) -> N {
         let [a, b, c] = self.magnitudes();

@@ -1,11 +1,12 @@
-//! Boxes, margins, tables and separating axes: what must hold for every number, checked in a wider arithmetic.
+//! Boxes, margins, tables and separating axes: what must hold for every number, checked in a wider
+//! arithmetic.
 
 use crate::common::random::Random;
 use ccd_core::broad_phase::swept_box::swept;
 use ccd_core::math::vec3::sub;
 use ccd_core::model::quantization::{Scan, margin, slack_at};
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
-use ccd_core::narrow_phase::separating_direction::axis_separated;
+use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
 use ccd_core::{Aabb, Num, Real};
 
 fn number(random: &mut Random) -> f64 {
@@ -83,7 +84,8 @@ fn rounded_boxes_overlap_by_no_more_than_the_slack_unless_they_do_in_truth() {
     assert!(n > 10_000, "{n} overlaps that rounding made");
 }
 
-/// Places what lies between two numbers of `f32` as far as possible; returns the greatest error as a multiple of the bound.
+/// Places what lies between two numbers of `f32` as far as possible; returns the greatest error as
+/// a multiple of the bound.
 fn check_table(low: f64, high: f64) -> f64 {
     let mut scan = Scan::NONE;
     scan.take([low; 3]);
@@ -131,6 +133,9 @@ fn an_axis_separates_at_both_ends_or_not_at_all() {
     check(0.0, 0.0, 1.0, 1.0, 0.0, false);
     check(0.0, 0.0, 2.0, 0.5, 0.0, false);
     check(0.0, 0.0, 2.0, -2.0, 0.0, false);
+    // Enough at one end, too little at the other.
+    check(0.0, 0.0, 1.5, 3.0, 1.0, false);
+    check(0.0, 0.0, 3.0, 1.5, 1.0, false);
     check(f32::NAN, 0.0, 2.0, 2.0, 0.0, false);
     check(0.0, 0.0, 2.0, f32::NAN, 0.0, false);
 }
@@ -153,7 +158,8 @@ fn halves_meet_in_the_middle() {
                 assert!((p[1][k] - 0.5 * (whole[0][k] + whole[1][k])).abs() < 1e-15);
             }
         }
-        // The hull of the corners holds the origin where the features meet: corners are differences of points.
+        // The hull of the corners holds the origin where the features meet: corners are differences
+        // of points.
         let corners = m.corners(patch, 1);
         let want = match patch {
             Patch::Triangle => [(0, 1), (0, 2), (0, 3), (0, 1)],
@@ -162,6 +168,44 @@ fn halves_meet_in_the_middle() {
         for (corner, (i, j)) in corners.into_iter().zip(want) {
             let apart = sub(corner, sub(t1[i], t1[j]));
             assert!(apart.iter().all(|c| c.abs() < 1e-14), "{patch:?} {i} {j}: {apart:?}");
+        }
+    }
+}
+
+#[test]
+fn features_beside_each_other_keep_their_distance() {
+    // A point beside a triangle, and an edge beside an edge, all in one plane, with a gap of 1/4.
+    let triangle = [[0.25, -0.25, 0.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let edges = [[1.25, 0.25, 0.0], [2.0, 0.25, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+    for (patch, x) in [(Patch::Triangle, triangle), (Patch::Parallelogram, edges)] {
+        let m = match patch {
+            Patch::Triangle => Motion::vertex_face(&x, &x, 0.0),
+            Patch::Parallelogram => Motion::edge_edge(&x, &x, 0.0),
+        };
+        for (d, want) in
+            [(0.0, true), (0.1, true), (0.249, true), (0.25, false), (0.251, false), (1.0, false)]
+        {
+            assert_eq!(beside(&m, patch, d) > 0.0, want, "{patch:?} at {d}");
+        }
+        // Apart at one end of the step only, on either side.
+        let mirrored = x.map(|p| p.map(|c| -c));
+        let mut onto = x;
+        let first = if matches!(patch, Patch::Triangle) { 0..1 } else { 0..2 };
+        first.for_each(|i| onto[i] = [onto[i][0] - 0.5, onto[i][1] + 0.5, 0.0]);
+        for (t0, t1, want) in [(x, onto, false), (onto, x, false), (mirrored, mirrored, true)] {
+            let backwards = [t0, t1].map(|x| x.map(|p| p.map(|c: f64| -c)));
+            for [t0, t1] in [[t0, t1], backwards] {
+                let m = match patch {
+                    Patch::Triangle => Motion::vertex_face(&t0, &t1, 0.0),
+                    Patch::Parallelogram => Motion::edge_edge(&t0, &t1, 0.0),
+                };
+                assert_eq!(beside(&m, patch, 0.0) > 0.0, want, "{patch:?} {t0:?} {t1:?}");
+            }
+        }
+        // Of points that are known up to an error, the gap may be less by twice that.
+        for (error, want) in [(0.01, true), (0.126, false)] {
+            let m = Motion { error: 2.0 * error, ..m };
+            assert_eq!(beside(&m, patch, 0.0) > 0.0, want, "{patch:?} with errors of {error}");
         }
     }
 }

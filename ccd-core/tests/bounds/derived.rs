@@ -1,12 +1,14 @@
-//! Every bound is at least what its derivation needs: counts of operations, written down anew from docs/ERROR-BOUNDS.md.
+//! Every bound is at least what its derivation needs: counts of operations, written down anew from
+//! docs/ERROR-BOUNDS.md.
 
 use crate::common::Points;
 use crate::common::random::Random;
-use ccd_core::Real;
 use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
-use ccd_core::narrow_phase::relative_motion::Motion;
+use ccd_core::narrow_phase::query::solve;
+use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::{Real, TOI_TOLERANCE, Verdict};
 
 /// Rounding of the bounds themselves and of what is computed here.
 const NEARLY: f64 = 1.0 - 1e-5;
@@ -59,6 +61,26 @@ fn check_band<R: Real>(error: f64) {
         let c = [1.0 + depth, 3.0 * depth - 1.0, 3.0 * depth - 1.0, 1.0 + depth].map(R::from_f64);
         let n = Cubic::new(c, R::from_f64(error)).zero_intervals().1;
         assert_eq!(n > 0, want, "{part} of the band, input error {error:e}, {c:?}");
+    }
+}
+
+/// A vertex that falls through a face, of points that are known up to an error, is told as soon as
+/// it may touch.
+#[test]
+fn errors_of_the_input_make_a_hit_earlier() {
+    let at = |y: f64| [[0.25, y, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    for coordinate_error in [1e-10, 1e-9, 3e-9] {
+        let m = Motion::vertex_face(&at(1.0), &at(-1.0), coordinate_error);
+        let verdict = solve(&m, Patch::Triangle, 0.0);
+        // The cubic is 1 - 2 t, and the components of all vectors are at most 1: 3 f is off by 18 e
+        // 3.
+        let latest = 0.5 - 0.5 * 18.0 * m.error * NEARLY;
+        let early =
+            matches!(verdict, Verdict::Hit { toi } if toi <= latest && toi >= 0.5 - TOI_TOLERANCE);
+        assert!(
+            early,
+            "{verdict:?}, but {latest} at the latest with errors of {coordinate_error:e}"
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! Queries with a minimum distance against the first time at which an independent distance is as small.
+//! Queries with a minimum distance against the first time at which an independent distance is as
+//! small.
 
 use crate::common::distance::{First, first_within, point_triangle, segment_segment};
 use crate::common::random::Random;
@@ -7,7 +8,8 @@ use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::{Real, TOI_TOLERANCE, Verdict};
 
-/// A query, its minimum distance, and what measures its distance: a function, and the points of the first feature.
+/// A query, its minimum distance, and what measures its distance: a function, and the points of the
+/// first feature.
 struct Query<R> {
     patch: Patch,
     t0: Points<R>,
@@ -29,7 +31,8 @@ fn least(distance: fn([[f64; 3]; 4]) -> f64, t0: &Points<f64>, t1: &Points<f64>)
     at(0.5 * (lo + hi))
 }
 
-/// Points that move anyhow, fast or slowly; the distance is anything or nearly the least that they reach.
+/// Points that move anyhow, fast or slowly; the distance is anything or nearly the least that they
+/// reach.
 fn query<R: Real>(random: &mut Random) -> Query<R> {
     let slow = random.power(-10.0, 1.0);
     let t0: Points<f64> = std::array::from_fn(|_| random.vector());

@@ -1,4 +1,5 @@
-//! Bounds and verdicts of the core against exact arithmetic, adversaries and independent computation; no data needed.
+//! Bounds and verdicts of the core against exact arithmetic, adversaries and independent
+//! computation; no data needed.
 
 mod boxes;
 mod common;

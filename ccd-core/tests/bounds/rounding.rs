@@ -1,6 +1,8 @@
-//! Every bound against an adversary: each operation off by one unit of roundoff either way, ascent on error over bound.
+//! Every bound against an adversary: each operation off by one unit of roundoff either way, ascent
+//! on error over bound.
 //!
-//! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that docs/ERROR-BOUNDS.md states.
+//! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that
+//! docs/ERROR-BOUNDS.md states.
 
 use crate::common::adversary::{Adversarial, UNIT, under, undisturbed};
 use crate::common::ascent::Ascent;
@@ -41,19 +43,34 @@ enum Part {
     Second,
 }
 
-/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial arithmetic, and the
-/// true `a b c`.
-fn motion(x: &[f64], patch: Patch, part: Part, size: f64, error: f64) -> (Motion<Adversarial>, [[V; 2]; 3]) {
+/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial
+/// arithmetic, and the true `a b c`.
+fn motion(
+    x: &[f64],
+    patch: Patch,
+    part: Part,
+    size: f64,
+    error: f64,
+) -> (Motion<Adversarial>, [[V; 2]; 3]) {
     let point = |t: usize, i: usize| -> V { std::array::from_fn(|k| size * x[12 * t + 3 * i + k]) };
-    let off =
-        |t: usize, i: usize| -> V { std::array::from_fn(|k| point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)) };
+    let off = |t: usize, i: usize| -> V {
+        std::array::from_fn(|k| {
+            point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)
+        })
+    };
     let given = |t: usize| std::array::from_fn(|i| wrap(point(t, i)));
     let (t0, t1) = (given(0), given(1));
     let e = Adversarial(error);
-    let difference = |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
+    let difference =
+        |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
     let (m, mut exact) = match patch {
-        Patch::Triangle => (Motion::vertex_face(&t0, &t1, e), [difference(0, 1), difference(2, 1), difference(3, 1)]),
-        Patch::Parallelogram => (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)]),
+        Patch::Triangle => (
+            Motion::vertex_face(&t0, &t1, e),
+            [difference(0, 1), difference(2, 1), difference(3, 1)],
+        ),
+        Patch::Parallelogram => {
+            (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
+        }
     };
     let (first, second) = m.halves();
     let m = match part {
@@ -89,7 +106,12 @@ fn check_control(name: &str, k: usize, part: Part, size: f64, error: f64, docume
         let c = plane.c[k].0 * if k == 0 || k == 3 { 3.0 } else { 1.0 };
         (c - control(&exact, k)) / plane.bound.0
     };
-    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(name, 1 + k as u64, [2, 200], documented);
+    Ascent { n_inputs: 48, flush: size < 1e-6, ratio }.check(
+        name,
+        1 + k as u64,
+        [2, 200],
+        documented,
+    );
 }
 
 #[test]
@@ -160,8 +182,8 @@ fn separations_beside() {
         (Patch::Parallelogram, Part::Whole, 0.016),
         (Patch::Parallelogram, Part::Second, 0.012),
     ] {
-        // Points that touch at both ends in the same corner or along the same side: the true separation is nowhere
-        // positive.
+        // Points that touch at both ends in the same corner or along the same side: the true
+        // separation is nowhere positive.
         let ratio = |x: &[f64]| {
             let mut x = x.to_vec();
             let (s, r) = match (x[24] > 0.0, patch) {
@@ -184,12 +206,18 @@ fn separations_beside() {
                 }
             }
             x.resize(48, 0.0);
-            let separation = || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
+            let separation =
+                || beside(&motion(&x, patch, part, 1.0, 0.0).0, patch, Adversarial(0.0)).0;
             // Without errors of rounding nearly the bound alone is left.
             let bound = -undisturbed(separation);
             1.0 + separation() / bound
         };
-        Ascent { n_inputs: 26, flush: false, ratio }.check(&format!("beside, {patch:?} {part:?}"), 11, [2, 200], documented);
+        Ascent { n_inputs: 26, flush: false, ratio }.check(
+            &format!("beside, {patch:?} {part:?}"),
+            11,
+            [2, 200],
+            documented,
+        );
     }
 }
 
@@ -206,7 +234,12 @@ fn values_of_cubics() {
         let t = 0.5 + 0.5 * x[4];
         (cubic(x).value(Adversarial(t)).0 - exact(x, t)) / (12.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 5, flush: false, ratio: value }.check("value of a cubic", 13, [2, 600], 0.66);
+    Ascent { n_inputs: 5, flush: false, ratio: value }.check(
+        "value of a cubic",
+        13,
+        [2, 600],
+        0.66,
+    );
     // The value at a critical point as found, against the true extreme value.
     let turning = |x: &[f64]| {
         let (ends, n) = cubic(x).pieces();
@@ -227,18 +260,28 @@ fn values_of_cubics() {
         let sign = if x[5] > 0.0 { 1.0 } else { -1.0 };
         sign * (got - exact(x, t)) / (256.0 * UNIT * largest(x))
     };
-    Ascent { n_inputs: 6, flush: false, ratio: turning }.check("value at a critical point", 15, [3, 700], 0.0126);
+    Ascent { n_inputs: 6, flush: false, ratio: turning }.check(
+        "value at a critical point",
+        15,
+        [3, 700],
+        0.0126,
+    );
 }
 
 #[test]
 fn balls_and_products_over_an_interval() {
     // Widths of the interval: none (rounding alone), and all of the step.
-    for (width, error, documented) in
-        [(0.0, 0.0, [0.43, 0.41]), (1.0, 0.0, [0.99, 0.71]), (0.0, 0.01, [0.99, 0.88]), (1e-3, 1e-4, [0.99, 0.93])]
-    {
+    for (width, error, documented) in [
+        (0.0, 0.0, [0.43, 0.41]),
+        (1.0, 0.0, [0.99, 0.71]),
+        (0.0, 0.01, [0.99, 0.88]),
+        (1e-3, 1e-4, [0.99, 0.93]),
+    ] {
         let vector = |x: &[f64], from: usize| -> ([[Adversarial; 3]; 2], [V; 2]) {
             let given = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k]) });
-            let true_ones = [0, 3].map(|i| -> V { std::array::from_fn(|k| x[from + i + k] + error * x[from + 6 + i + k]) });
+            let true_ones = [0, 3].map(|i| -> V {
+                std::array::from_fn(|k| x[from + i + k] + error * x[from + 6 + i + k])
+            });
             (given.map(wrap), true_ones)
         };
         let times = |x: &[f64]| {
@@ -257,7 +300,12 @@ fn balls_and_products_over_an_interval() {
             (b.centre[0].0 - at(&exact, times(x).2)[0]) / b.radius.0
         };
         let name = format!("ball, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(&name, 17, [2, 250], documented[0]);
+        Ascent { n_inputs: 26, flush: false, ratio: radius }.check(
+            &name,
+            17,
+            [2, 250],
+            documented[0],
+        );
         let product = |x: &[f64]| {
             let ((p, p_true), (q, q_true)) = (vector(x, 0), vector(x, 12));
             let (value, bound) = cross2(&ball(x, &p), &ball(x, &q), 0, 1);
@@ -265,7 +313,12 @@ fn balls_and_products_over_an_interval() {
             (value.0 - cross(at(&p_true, t), at(&q_true, t))[2]) / bound.0
         };
         let name = format!("product, width {width}, input error {error}");
-        Ascent { n_inputs: 26, flush: false, ratio: product }.check(&name, 19, [2, 250], documented[1]);
+        Ascent { n_inputs: 26, flush: false, ratio: product }.check(
+            &name,
+            19,
+            [2, 250],
+            documented[1],
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! Cubics and queries that nearly touch, in `f32` and `f64`, against exact arithmetic: no zero and no contact is missed.
+//! Cubics and queries that nearly touch, in `f32` and `f64`, against exact arithmetic: no zero and
+//! no contact is missed.
 
 use crate::common::exact::Contact;
 use crate::common::oracle::{self, Answer};
@@ -7,7 +8,7 @@ use crate::common::tangential::{Query, cubic, intervals, query};
 use crate::common::{Points, exact, widen};
 use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::Patch;
-use ccd_core::{Real, Verdict};
+use ccd_core::{Real, TOI_TOLERANCE, Verdict};
 
 /// Every zero of any cubic within the error is in an interval. Returns how many zeros there were.
 fn check_cubic<R: Real>(c: [R; 4], error: R) -> usize {
@@ -28,8 +29,10 @@ fn check_query<R: Real>(q: &Query<R>) -> bool {
     let (t0, t1) = (widen(&q.t0), widen(&q.t1));
     let toi = verdict.toi().map(|t| t.to_f64());
     match exact::contact(q.patch, &t0, &t1) {
-        Contact::At([lo, hi]) => {
-            let early = toi.is_some_and(|t| t <= hi);
+        Contact::At([lo, hi], first) => {
+            let exact = first && matches!(verdict, Verdict::Hit { .. });
+            let least = if exact { lo - TOI_TOLERANCE } else { 0.0 };
+            let early = toi.is_some_and(|t| t <= hi && t >= least);
             assert!(early, "contact in [{lo}, {hi}], but {verdict:?}: {:?} {t0:?} {t1:?}", q.patch);
             true
         }
@@ -42,10 +45,21 @@ fn check_query<R: Real>(q: &Query<R>) -> bool {
     }
 }
 
-/// The vertex passes a point of a face that turns, so that the cubic is a parabola that just reaches zero.
+/// The vertex passes a point of a face that turns, so that the cubic is a parabola that just
+/// reaches zero.
 const GRAZING: [Points<f64>; 2] = [
-    [[-0.5406958777051462, 0.22532161286897426, 0.027710373284185068], [0.0; 3], [1.0, 0.0, -0.6464761151854638], [0.0, 1.0, 0.0]],
-    [[0.37682135579077886, 0.22532161286897426, -0.019311892065309713], [0.0; 3], [1.0, 0.0, 0.36357560701938263], [0.0, 1.0, 0.0]],
+    [
+        [-0.5406958777051462, 0.22532161286897426, 0.027710373284185068],
+        [0.0; 3],
+        [1.0, 0.0, -0.6464761151854638],
+        [0.0, 1.0, 0.0],
+    ],
+    [
+        [0.37682135579077886, 0.22532161286897426, -0.019311892065309713],
+        [0.0; 3],
+        [1.0, 0.0, 0.36357560701938263],
+        [0.0, 1.0, 0.0],
+    ],
 ];
 
 #[test]
@@ -88,10 +102,16 @@ fn a_wrong_interval_and_a_late_verdict_are_noticed() {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
     let at = |y: f64| [[0.25, y, 0.25], face[0], face[1], face[2]];
     let narrow = |x: Points<f64>| x.map(|p| p.map(|c| c as f32));
-    let Contact::At([lo, hi]) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else { panic!("no contact") };
+    let Contact::At([lo, hi], true) = exact::contact(Patch::Triangle, &at(1.0), &at(-1.0)) else {
+        panic!("no contact")
+    };
     assert!(lo <= 0.5 && hi >= 0.5 && hi - lo < 1e-15);
     assert_eq!(exact::contact(Patch::Triangle, &at(1.0), &at(0.5)), Contact::Free);
-    assert!(check_query(&Query { patch: Patch::Triangle, t0: narrow(at(1.0)), t1: narrow(at(-1.0)) }));
+    assert!(check_query(&Query {
+        patch: Patch::Triangle,
+        t0: narrow(at(1.0)),
+        t1: narrow(at(-1.0))
+    }));
 }
 
 #[test]
@@ -107,7 +127,7 @@ fn integers_and_rational_numbers_agree() {
             _ => (Patch::Parallelogram, oracle::edge_edge(&t0, &t1)),
         };
         match (exact::contact(patch, &t0, &t1), want) {
-            (Contact::At(got), Answer::Contact(lo, hi)) => {
+            (Contact::At(got, _), Answer::Contact(lo, hi)) => {
                 assert!(got[0] <= hi && lo <= got[1], "{got:?} {lo} {hi}: {patch:?} {t0:?} {t1:?}");
                 seen[0] += 1;
             }

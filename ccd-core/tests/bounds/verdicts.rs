@@ -1,4 +1,5 @@
-//! Whole queries in adversarial arithmetic: a contact that is there is never missed and never answered late.
+//! Whole queries in adversarial arithmetic: a contact that is there is never missed and never
+//! answered late.
 
 use crate::common::Points;
 use crate::common::adversary::{Adversarial, UNIT, under};
@@ -21,7 +22,8 @@ fn at(x: &[V; 2], t: f64) -> V {
     std::array::from_fn(|k| x[0][k] * (1.0 - t) + x[1][k] * t)
 }
 
-/// Contact inside of the patch, on a side, or in a corner; at any time, or at an end; planar, parallel or general.
+/// Contact inside of the patch, on a side, or in a corner; at any time, or at an end; planar,
+/// parallel or general.
 fn touch(random: &mut Random) -> Touch {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
     let t = [0.0, 1.0, 0.5, random.unit()][random.below(4)];
@@ -80,7 +82,8 @@ fn choices(random: &mut Random) -> Vec<i8> {
         .collect()
 }
 
-/// No bound of a time is later than the contact by more than the rounding of the coordinates in `f64`.
+/// No bound of a time is later than the contact by more than the rounding of the coordinates in
+/// `f64`.
 const LATE: f64 = 1e-9;
 
 #[test]
@@ -140,7 +143,8 @@ fn containment_is_certain() {
         assert!(got != Inside::Outside, "{:?} {:?} at {} in [{lo}, {hi}] {ways:?}", q.patch, q.x, q.t);
         n[got as usize] += 1;
         if got == Inside::Inside {
-            // The projected point is in the patch all the time: at both ends too, by exact signs of the same fractions.
+            // The projected point is in the patch all the time: at both ends too, by exact signs of
+            // the same fractions.
             for t in [lo, q.t, hi] {
                 assert!(in_patch(&q, t), "{:?} {:?} at {t} in [{lo}, {hi}] {ways:?}", q.patch, q.x);
             }
@@ -170,7 +174,8 @@ fn a_witness_is_near() {
     let mut random = Random::new(4);
     let mut n = [0; 2];
     for _ in 0..8_000 {
-        // The vector from the patch to the point at the time is a normal of known length, so this is the distance.
+        // The vector from the patch to the point at the time is a normal of known length, so this
+        // is the distance.
         let q = touch(&mut random);
         let [_, b, c] = [0, 1, 2].map(|i| at(&q.x[i], q.t));
         let normal = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];

@@ -1,8 +1,10 @@
-//! A number whose every operation is as wrong as an adversary wants it, within what the bounds allow.
+//! A number whose every operation is as wrong as an adversary wants it, within what the bounds
+//! allow.
 //!
-//! The unit roundoff is 2^-24, carried in `f64`, so that exact values are computed beside it. The adversary chooses for
-//! each operation, in the order of execution, an error of `-u`, 0 or `+u` (quotients: five times that, 2.5 units in the
-//! last place); 0 for a product stands for contraction. It may also flush operands and results that are not normal.
+//! The unit roundoff is 2^-24, carried in `f64`, so that exact values are computed beside it. The
+//! adversary chooses for each operation, in the order of execution, an error of `-u`, 0 or `+u`
+//! (quotients: five times that, 2.5 units in the last place); 0 for a product stands for
+//! contraction. It may also flush operands and results that are not normal.
 
 use bytemuck::{Pod, Zeroable};
 use ccd_core::{Num, Real};
@@ -24,7 +26,8 @@ thread_local! {
     static FLUSH: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs `work` under these choices, 0 where they end. Returns its result and the number of operations.
+/// Runs `work` under these choices, 0 where they end. Returns its result and the number of
+/// operations.
 pub fn under<T>(choices: &[i8], flush: bool, work: impl FnOnce() -> T) -> (T, usize) {
     CHOICES.with_borrow_mut(|all| {
         all.clear();

@@ -1,5 +1,5 @@
-//! A directed search for the greatest ratio of error to bound: over inputs by hill climbing, over the choices of an
-//! adversary by the sign of each operation's effect.
+//! A directed search for the greatest ratio of error to bound: over inputs by hill climbing, over
+//! the choices of an adversary by the sign of each operation's effect.
 
 use super::adversary::under;
 use super::random::Random;
@@ -11,7 +11,8 @@ pub struct Peak {
     pub inputs: Vec<f64>,
 }
 
-/// A function of inputs in `[-1, 1]`, in adversarial arithmetic: an error, with its sign, as a multiple of its bound.
+/// A function of inputs in `[-1, 1]`, in adversarial arithmetic: an error, with its sign, as a
+/// multiple of its bound.
 pub struct Ascent<F> {
     pub n_inputs: usize,
     pub flush: bool,
@@ -19,8 +20,8 @@ pub struct Ascent<F> {
 }
 
 impl<F: Fn(&[f64]) -> f64> Ascent<F> {
-    /// The ratio under the choices that raise it most: to first order an error is a sum of independent effects, so the
-    /// sign of each alone is the best choice for all together.
+    /// The ratio under the choices that raise it most: to first order an error is a sum of
+    /// independent effects, so the sign of each alone is the best choice for all together.
     pub fn worst(&self, inputs: &[f64]) -> f64 {
         let run = |choices: &[i8]| {
             let (ratio, n) = under(choices, self.flush, || (self.ratio)(inputs));
@@ -79,7 +80,8 @@ impl<F: Fn(&[f64]) -> f64> Ascent<F> {
         peak
     }
 
-    /// Asserts that the bound holds, and that the search comes at least as near to it as the documents say.
+    /// Asserts that the bound holds, and that the search comes at least as near to it as the
+    /// documents say.
     pub fn check(&self, name: &str, seed: u64, [starts, steps]: [usize; 2], documented: f64) {
         let peak = self.climb(seed, starts, steps);
         println!("{name}: {:.4}", peak.ratio);

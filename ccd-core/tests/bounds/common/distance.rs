@@ -1,5 +1,5 @@
-//! Distances of features and the first time at which they are small, by other means than the library's: projections, and
-//! steps that no feature can outrun.
+//! Distances of features and the first time at which they are small, by other means than the
+//! library's: projections, and steps that no feature can outrun.
 
 type V = [f64; 3];
 
@@ -63,8 +63,15 @@ pub enum First {
     Unclear,
 }
 
-/// `distance` of four points, of which any of the first `n` and any of the others move towards each other.
-pub fn first_within(distance: fn([V; 4]) -> f64, n: usize, t0: &[V; 4], t1: &[V; 4], d: f64) -> First {
+/// `distance` of four points, of which any of the first `n` and any of the others move towards each
+/// other.
+pub fn first_within(
+    distance: fn([V; 4]) -> f64,
+    n: usize,
+    t0: &[V; 4],
+    t1: &[V; 4],
+    d: f64,
+) -> First {
     let path = |i: usize| minus(t1[i], t0[i]);
     let pairs = (0..n).flat_map(|i| (n..4).map(move |j| (i, j)));
     let speed = pairs.map(|(i, j)| length(minus(path(i), path(j)))).fold(0.0, f64::max);

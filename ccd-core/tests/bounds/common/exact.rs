@@ -16,7 +16,8 @@ fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let exponent = (bits >> 52 & 0x7ff) as i32;
     let fraction = (bits & ((1 << 52) - 1)) as i64;
-    let (m, e) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    let (m, e) =
+        if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
     (if x < 0.0 { -m } else { m }, e)
 }
 
@@ -24,7 +25,8 @@ fn parts(x: f64) -> (i64, i32) {
 fn integers<const N: usize>(x: [f64; N]) -> [BigInt; N] {
     let parts = x.map(parts);
     let least = parts.iter().filter(|p| p.0 != 0).map(|p| p.1).min().unwrap_or(0);
-    parts.map(|(m, e)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (e - least) as usize })
+    parts
+        .map(|(m, e)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (e - least) as usize })
 }
 
 /// Three times the control values of a cubic.
@@ -34,7 +36,8 @@ type Control = [BigInt; 4];
 struct Zeros {
     /// `k` of intervals `[k, k + 1] / 2^depth`, with the depth, ascending.
     at: Vec<(u128, u32)>,
-    /// Whether these are all zeros: none without a change of sign, none closer together than `2^-MAX_DEPTH`.
+    /// Whether these are all zeros: none without a change of sign, none closer together than
+    /// `2^-MAX_DEPTH`.
     all: bool,
 }
 
@@ -75,9 +78,9 @@ fn rounded_outward((k, depth): (u128, u32)) -> [f64; 2] {
     [f64::next_down(at(k)).max(0.0), f64::next_up(at(k + 1)).min(1.0)]
 }
 
-/// Intervals of `[0, 1]`, at most 2^-56 wide (then rounded outward to `f64`), that certainly hold a zero of
-/// `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3 + shift`, ascending. Zeros without a change of sign, or closer
-/// together than 2^-110, are left out.
+/// Intervals of `[0, 1]`, at most 2^-56 wide (then rounded outward to `f64`), that certainly hold a
+/// zero of `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3 + shift`, ascending. Zeros without a
+/// change of sign, or closer together than 2^-110, are left out.
 pub fn zeros(c: [f64; 4], shift: f64) -> Vec<[f64; 2]> {
     let [c0, c1, c2, c3, e] = integers([c[0], c[1], c[2], c[3], shift]);
     let (e3, three) = (&e * 3, BigInt::from(3));
@@ -89,24 +92,27 @@ type Vector = [BigInt; 3];
 /// Twice the control values of a quadratic.
 type Quadratic = [BigInt; 3];
 
-/// What is exactly true of a query. `oracle.rs` says the same in rational numbers, a thousand times slower near a
-/// tangent; a test compares them.
+/// What is exactly true of a query. `oracle.rs` says the same in rational numbers, a thousand times
+/// slower near a tangent; a test compares them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Contact {
     /// None in `[0, 1]`.
     Free,
-    /// There is one in this interval, and none that is certain before it.
-    At([f64; 2]),
+    /// There is one in this interval, and none that is certain before it; whether there is none at
+    /// all before it.
+    At([f64; 2], bool),
     /// Not decided: zeros that coincide, or lie on a boundary.
     Degenerate,
 }
 
 /// Of `v f0 f1 f2` or `ea0 ea1 eb0 eb1`.
 pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
-    let flat: [f64; 24] = std::array::from_fn(|i| if i < 12 { t0[i / 3][i % 3] } else { t1[i / 3 - 4][i % 3] });
+    let flat: [f64; 24] =
+        std::array::from_fn(|i| if i < 12 { t0[i / 3][i % 3] } else { t1[i / 3 - 4][i % 3] });
     let x = integers(flat);
-    let difference =
-        |p: usize, q: usize| -> [Vector; 2] { [0, 12].map(|t| std::array::from_fn(|k| &x[t + 3 * p + k] - &x[t + 3 * q + k])) };
+    let difference = |p: usize, q: usize| -> [Vector; 2] {
+        [0, 12].map(|t| std::array::from_fn(|k| &x[t + 3 * p + k] - &x[t + 3 * q + k]))
+    };
     let (a, b, c) = match patch {
         Patch::Triangle => (difference(0, 1), difference(2, 1), difference(3, 1)),
         Patch::Parallelogram => (difference(2, 0), difference(1, 0), difference(2, 3)),
@@ -121,14 +127,18 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
     };
     let n: [Quadratic; 3] = std::array::from_fn(|k| quadratic(&b, &c, k));
     let dot = |t: usize, i: usize| (0..3).map(|k| &a[t][k] * &n[k][i]).sum::<BigInt>();
-    // Six times the control values: index i of the product takes 1/3 or 2/3 of either way to split i.
-    let control = [dot(0, 0) * 3, dot(1, 0) + dot(0, 1) * 2, dot(0, 2) + dot(1, 1) * 2, dot(1, 2) * 3];
+    // Six times the control values: index i of the product takes 1/3 or 2/3 of either way to split
+    // i.
+    let control =
+        [dot(0, 0) * 3, dot(1, 0) + dot(0, 1) * 2, dot(0, 2) + dot(1, 1) * 2, dot(1, 2) * 3];
     let zeros = isolate(control);
     let mut certain = zeros.all;
     for at in zeros.at {
         let inside = (0..3).find_map(|k| {
             let (d, s, r) = (&n[k], quadratic(&a, &c, k), quadratic(&b, &a, k));
-            let minus = |p: &Quadratic, q: &Quadratic| -> Quadratic { std::array::from_fn(|i| &p[i] - &q[i]) };
+            let minus = |p: &Quadratic, q: &Quadratic| -> Quadratic {
+                std::array::from_fn(|i| &p[i] - &q[i])
+            };
             let positive = sign(d, at)?;
             let rest = match patch {
                 Patch::Triangle => vec![minus(&minus(d, &s), &r), s, r],
@@ -141,7 +151,7 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
             signs.iter().all(|s| *s == Some(positive)).then_some(true)
         });
         match inside {
-            Some(true) => return Contact::At(rounded_outward(at)),
+            Some(true) => return Contact::At(rounded_outward(at), certain),
             Some(false) => {}
             None => certain = false,
         }
@@ -149,7 +159,8 @@ pub fn contact(patch: Patch, t0: &Points<f64>, t1: &Points<f64>) -> Contact {
     if certain { Contact::Free } else { Contact::Degenerate }
 }
 
-/// The sign that a quadratic has all over `[k, k + 1] / 2^depth`, if its control values there show one.
+/// The sign that a quadratic has all over `[k, k + 1] / 2^depth`, if its control values there show
+/// one.
 fn sign(q: &Quadratic, (k, depth): (u128, u32)) -> Option<bool> {
     let n = BigInt::from(1u128 << depth);
     let blossom = |u: u128, v: u128| {
@@ -178,5 +189,8 @@ fn zeros_of_known_cubics() {
     // 1 - shift is zero everywhere or nowhere; t - shift at one place.
     assert!(zeros([1.0, 3.0, 3.0, 1.0], -0.5).is_empty());
     let all = zeros([0.0, 1.0, 2.0, 1.0], -0.1);
-    assert!(!all.is_empty() && all.iter().all(|[lo, hi]| *lo <= 0.1 && 0.1 <= *hi && hi - lo < 1e-15), "{all:?}");
+    assert!(
+        !all.is_empty() && all.iter().all(|[lo, hi]| *lo <= 0.1 && 0.1 <= *hi && hi - lo < 1e-15),
+        "{all:?}"
+    );
 }

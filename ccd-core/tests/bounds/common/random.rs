@@ -33,7 +33,8 @@ impl Random {
         if self.bits() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// About `2^x`, `x` uniform in `[lo, hi)`; without a logarithm, which machines round differently.
+    /// About `2^x`, `x` uniform in `[lo, hi)`; without a logarithm, which machines round
+    /// differently.
     pub fn power(&mut self, lo: f64, hi: f64) -> f64 {
         let x = self.between(lo, hi);
         (1.0 + (x - x.floor())) * f64::from_bits(((x.floor() as i64 + 1023) as u64) << 52)

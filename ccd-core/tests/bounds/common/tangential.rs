@@ -1,8 +1,10 @@
-//! Cubics that nearly touch zero, and queries whose features nearly graze: where rounding decides what is seen.
+//! Cubics that nearly touch zero, and queries whose features nearly graze: where rounding decides
+//! what is seen.
 //!
-//! A cubic `(t - tau)^2 (t - rho) + depth` has a critical point at `tau`; a depth of about the band of uncertainty puts
-//! the critical value at the band's edge, where noise makes it seem inside or outside. A query adds a side of the patch
-//! that is crossed at `tau`, so that only one of the zeros on both sides of it is a contact.
+//! A cubic `(t - tau)^2 (t - rho) + depth` has a critical point at `tau`; a depth of about the band
+//! of uncertainty puts the critical value at the band's edge, where noise makes it seem inside or
+//! outside. A query adds a side of the patch that is crossed at `tau`, so that only one of the
+//! zeros on both sides of it is a contact.
 
 use super::Points;
 use super::random::Random;
@@ -65,7 +67,8 @@ fn band(largest: f64, error: f64, unit: f64) -> f64 {
     error + 256.0 * unit * largest
 }
 
-/// A query of four points at both ends whose coplanarity nearly touches zero while they meet inside.
+/// A query of four points at both ends whose coplanarity nearly touches zero while they meet
+/// inside.
 pub struct Query<R> {
     pub patch: Patch,
     pub t0: Points<R>,
@@ -74,8 +77,9 @@ pub struct Query<R> {
 
 /// A member of the family.
 ///
-/// The plane is spanned by `b = (p, 0, h)` and `c = (0, q, g)`, all linear in time, and `a` is `s b + r c` at a time `tau`;
-/// its last component is chosen so that the cubic has a critical point there, of a value of about the band.
+/// The plane is spanned by `b = (p, 0, h)` and `c = (0, q, g)`, all linear in time, and `a` is
+/// `s b + r c` at a time `tau`; its last component is chosen so that the cubic has a critical point
+/// there, of a value of about the band.
 pub fn query<R: Real>(random: &mut Random) -> Query<R> {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
     let tau = time(random);
