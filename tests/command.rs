@@ -74,7 +74,8 @@ fn text(bytes: &[u8]) -> String {
 }
 
 fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}{}", text(&output.stdout), text(&output.stderr)))
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|e| panic!("{e}: {}{}", text(&output.stdout), text(&output.stderr)))
 }
 
 /// Exit status 2 and a message that says `what`.
@@ -93,12 +94,28 @@ fn check_finds_the_contact() {
     let (a, b) = (a.to_str().unwrap(), b.to_str().unwrap());
     let (csv, png) = (at("out.csv"), at("out.png"));
     for precision in ["f32", "f64"] {
-        let output = ccd(&["check", a, b, "--json", "--contacts", &csv, "--picture", &png, "--precision", precision, "--threads", "2"]);
+        let output = ccd(&[
+            "check",
+            a,
+            b,
+            "--json",
+            "--contacts",
+            &csv,
+            "--picture",
+            &png,
+            "--precision",
+            precision,
+            "--threads",
+            "2",
+        ]);
         assert_eq!(output.status.code(), Some(0));
         let value = json(&output);
         assert_eq!(value["mesh"], serde_json::json!({"vertices": 7, "edges": 8, "faces": 3}));
         assert_eq!(value["contacts"], serde_json::json!({"vf": 1, "ee": 0}));
-        assert_eq!((&value["undecided"], &value["backend"], &value["threads"]), (&0.into(), &"cpu".into(), &2.into()));
+        assert_eq!(
+            (&value["undecided"], &value["backend"], &value["threads"]),
+            (&0.into(), &"cpu".into(), &2.into())
+        );
         assert_eq!(value["precision"], precision);
         let toi = value["toi"].as_f64().unwrap();
         assert!(toi <= 0.5 && toi > 0.5 - 1e-6, "{toi}");
@@ -112,7 +129,9 @@ fn check_finds_the_contact() {
     assert_eq!(ccd(&["check", a, b, "--fail-on-contact"]).status.code(), Some(1));
     let free = ccd(&["check", a, a, "--fail-on-contact", "--json"]);
     assert_eq!((free.status.code(), &json(&free)["toi"]), (Some(0), &Value::Null));
-    assert!(text(&ccd(&["check", a, b]).stdout).contains("1 vertex-face, 0 edge-edge (0 undecided)"));
+    assert!(
+        text(&ccd(&["check", a, b]).stdout).contains("1 vertex-face, 0 edge-edge (0 undecided)")
+    );
     // A contact at a distance comes earlier.
     let near = json(&ccd(&["check", a, b, "--json", "--min-distance", "0.1"]));
     assert!((near["toi"].as_f64().unwrap() - 0.4).abs() < 1e-5, "{near}");
@@ -139,16 +158,30 @@ fn check_reads_every_line_end_of_obj() {
 
 fn sequence_steps_through_frames() {
     let dir = tempfile::tempdir().unwrap();
-    let frames: Vec<String> = (0..5).map(|i| obj(dir.path(), &format!("{i}.obj"), 0.3 * i as f64).to_str().unwrap().to_owned()).collect();
+    let frames: Vec<String> = (0..5)
+        .map(|i| obj(dir.path(), &format!("{i}.obj"), 0.3 * i as f64).to_str().unwrap().to_owned())
+        .collect();
     let (csv, png) = (dir.path().join("out.csv"), dir.path().join("out.png"));
-    let mut args = vec!["sequence", "--json", "--contacts", csv.to_str().unwrap(), "--picture", png.to_str().unwrap()];
+    let mut args = vec![
+        "sequence",
+        "--json",
+        "--contacts",
+        csv.to_str().unwrap(),
+        "--picture",
+        png.to_str().unwrap(),
+    ];
     args.extend(frames.iter().map(String::as_str));
     let value = json(&ccd(&args));
     let steps = value["steps"].as_array().unwrap();
     assert_eq!(steps.len(), 4);
     assert_eq!(steps[1]["contacts"]["vf"], 1);
-    assert_eq!((&value["summary"]["contacts"], &value["summary"]["free_steps"]), (&1.into(), &3.into()));
-    assert!(std::fs::read_to_string(&csv).unwrap().starts_with("frame,kind,a,b,toi,state\n1,vf,4,0,"));
+    assert_eq!(
+        (&value["summary"]["contacts"], &value["summary"]["free_steps"]),
+        (&1.into(), &3.into())
+    );
+    assert!(
+        std::fs::read_to_string(&csv).unwrap().starts_with("frame,kind,a,b,toi,state\n1,vf,4,0,")
+    );
     assert_eq!(&std::fs::read(&png).unwrap()[1..4], b"PNG");
     args.retain(|a| *a != "--json");
     assert!(text(&ccd(&args).stdout).contains("4 steps, 3 of them free; 1 contacts"));
@@ -165,7 +198,8 @@ fn queries_are_counted_against_their_answers() {
     };
     std::fs::write(&path, rows("1") + &rows("17")).unwrap();
     for precision in ["f32", "f64"] {
-        let value = json(&ccd(&["queries", path.to_str().unwrap(), "--json", "--precision", precision]));
+        let value =
+            json(&ccd(&["queries", path.to_str().unwrap(), "--json", "--precision", precision]));
         let total = &value["total"];
         let count = |key: &str| total[key].as_u64().unwrap();
         assert_eq!([count("queries"), count("hits"), count("misses")], [2, 1, 1]);
@@ -180,10 +214,21 @@ fn boxes_are_paired() {
     let dir = tempfile::tempdir().unwrap();
     let write = |name: &str, boxes: &[[f32; 6]]| {
         let path = dir.path().join(name);
-        std::fs::write(&path, boxes.iter().flatten().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>()).unwrap();
+        std::fs::write(
+            &path,
+            boxes.iter().flatten().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>(),
+        )
+        .unwrap();
         path.to_str().unwrap().to_owned()
     };
-    let a = write("a.bin", &[[0.0, 0.0, 0.0, 1.0, 1.0, 1.0], [1.0, 1.0, 1.0, 2.0, 2.0, 2.0], [3.0, 0.0, 0.0, 4.0, 1.0, 1.0]]);
+    let a = write(
+        "a.bin",
+        &[
+            [0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            [1.0, 1.0, 1.0, 2.0, 2.0, 2.0],
+            [3.0, 0.0, 0.0, 4.0, 1.0, 1.0],
+        ],
+    );
     let b = write("b.bin", &[[0.5, 0.5, 0.5, 3.0, 0.75, 0.75]]);
     for method in ccd::METHODS.iter().map(|row| row.name) {
         let within = json(&ccd(&["boxes", &a, "--json", "--method", method]));
@@ -215,15 +260,30 @@ fn bad_use_and_bad_input_end_with_status_2() {
     check_refused(&["check", a, a, "--min-distance", "-1"], "minimum distance is -1");
     check_refused(&["check", a, a, "--min-distance", "NaN"], "minimum distance is NaN");
     check_refused(&["check", a, a, "--backend", "tpu"], "tpu");
-    check_refused(&["check", a, a, "--backend", "gpu", "--adapter", "no such adapter"], "no such adapter");
+    check_refused(
+        &["check", a, a, "--backend", "gpu", "--adapter", "no such adapter"],
+        "no such adapter",
+    );
     check_refused(&["info", "--adapter", "no such adapter"], "no such adapter");
     check_refused(&["bench", "--size", "0"], "0.0001");
     check_refused(&["check", a, a, "--precision", "f16"], "f16");
-    check_refused(&["check", a, &write("short.obj", &full.replace("f 5 6 7\n", ""))], "has 2 faces");
-    check_refused(&["check", a, &write("other.obj", &full.replace("f 5 6 7", "f 5 7 6"))], "face 2");
+    check_refused(
+        &["check", a, &write("short.obj", &full.replace("f 5 6 7\n", ""))],
+        "has 2 faces",
+    );
+    check_refused(
+        &["check", a, &write("other.obj", &full.replace("f 5 6 7", "f 5 7 6"))],
+        "face 2",
+    );
     check_refused(&["check", a, &write("more.obj", &format!("{full}v 0 0 0\n"))], "8 vertices");
-    check_refused(&["check", a, &write("nan.obj", &full.replace("v 1 0 1", "v 1 nan 1"))], "nan.obj: line 4: `nan`");
-    check_refused(&["check", a, &write("far.obj", &full.replace("v 1 0 1", "v 1 1e200 1"))], "far.obj: vertex 3 at t1 has y = 10");
+    check_refused(
+        &["check", a, &write("nan.obj", &full.replace("v 1 0 1", "v 1 nan 1"))],
+        "nan.obj: line 4: `nan`",
+    );
+    check_refused(
+        &["check", a, &write("far.obj", &full.replace("v 1 0 1", "v 1 1e200 1"))],
+        "far.obj: vertex 3 at t1 has y = 10",
+    );
     // What text cannot say, bytes can.
     let ply = |name: &str, y: f64| {
         let head = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty double x\n\
@@ -234,16 +294,27 @@ fn bad_use_and_bad_input_end_with_status_2() {
         path.to_str().unwrap().to_owned()
     };
     let point = ply("point.ply", 0.0);
-    check_refused(&["check", &point, &ply("nan.ply", f64::NAN)], "nan.ply: vertex 0 at t1 has y = NaN");
-    check_refused(&["check", &point, &ply("inf.ply", f64::INFINITY)], "inf.ply: vertex 0 at t1 has y = inf");
-    check_refused(&["check", &write("index.obj", &full.replace("f 5 6 7", "f 5 6 70")), a], "face 2 refers to vertex 69");
+    check_refused(
+        &["check", &point, &ply("nan.ply", f64::NAN)],
+        "nan.ply: vertex 0 at t1 has y = NaN",
+    );
+    check_refused(
+        &["check", &point, &ply("inf.ply", f64::INFINITY)],
+        "inf.ply: vertex 0 at t1 has y = inf",
+    );
+    check_refused(
+        &["check", &write("index.obj", &full.replace("f 5 6 7", "f 5 6 70")), a],
+        "face 2 refers to vertex 69",
+    );
     check_refused(&["check", a, &write("dir.txt", "x")], ".ply or .obj");
     check_refused(&["sequence", a], "2 values");
     check_refused(&["queries", &write("none.csv", "1,1\n")], "vertex-face");
     check_refused(&["check", a, a, "--contacts", "/nowhere/out.csv"], "/nowhere/out.csv");
     assert_eq!(ccd(&["--help"]).status.code(), Some(0));
-    let empty =
-        write("empty.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n");
+    let empty = write(
+        "empty.ply",
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+    );
     let value = json(&ccd(&["check", &empty, &empty, "--json"]));
     assert_eq!((&value["mesh"]["vertices"], &value["toi"]), (&0.into(), &Value::Null));
 }
@@ -269,7 +340,15 @@ fn crumpled_sheet(dir: &Path, n: usize) -> [String; 2] {
             text += &format!("v {} {} {}\n", u + jitter(), jitter(), v + jitter());
         }
         for i in (0..n * (n - 1)).filter(|i| i % n != n - 1) {
-            text += &format!("f {} {} {}\nf {} {} {}\n", i + 1, i + n + 1, i + 2, i + 2, i + n + 1, i + n + 2);
+            text += &format!(
+                "f {} {} {}\nf {} {} {}\n",
+                i + 1,
+                i + n + 1,
+                i + 2,
+                i + 2,
+                i + n + 1,
+                i + n + 2
+            );
         }
         let path = dir.join(name);
         std::fs::write(&path, text).unwrap();
@@ -288,12 +367,19 @@ fn check_same_contacts(found: &str, want: &str, wgsl: bool, input: &str) {
     let rows = |text: &str| -> Vec<(String, f64)> {
         // The column of the time, in either kind of file, is the last but one.
         let split = |line: &str| line.rsplit(',').map(str::to_owned).collect::<Vec<_>>();
-        text.lines().skip(1).map(split).map(|c| (format!("{:?}", (&c[0], &c[2..])), c[1].parse().unwrap())).collect()
+        text.lines()
+            .skip(1)
+            .map(split)
+            .map(|c| (format!("{:?}", (&c[0], &c[2..])), c[1].parse().unwrap()))
+            .collect()
     };
     let (found, want) = (rows(found), rows(want));
     assert_eq!(found.len(), want.len(), "{input}");
     for (f, w) in found.iter().zip(&want) {
-        assert!(f.0 == w.0 && (f.1 - w.1).abs() <= ccd::TOI_TOLERANCE, "{input}: {f:?}, want {w:?}");
+        assert!(
+            f.0 == w.0 && (f.1 - w.1).abs() <= ccd::TOI_TOLERANCE,
+            "{input}: {f:?}, want {w:?}"
+        );
     }
 }
 
@@ -314,7 +400,8 @@ fn the_gpu_finds_what_the_cpu_finds() {
             assert_eq!((&cpu["backend"], &cpu["adapter"]), (&"cpu".into(), &Value::Null));
             for shaders in [&[][..], &["--shaders", "wgsl"]] {
                 let (gpu, found) = rows(&[&args[..], &["--backend", "gpu"], shaders].concat());
-                let wgsl = json(&ccd(&[&["info", "--json"], shaders].concat()))["shaders"] == "wgsl";
+                let wgsl =
+                    json(&ccd(&[&["info", "--json"], shaders].concat()))["shaders"] == "wgsl";
                 check_same_contacts(&found, &want, wgsl, &format!("{args:?} {shaders:?}"));
                 assert_eq!((&gpu["backend"], &gpu["threads"]), (&"gpu".into(), &Value::Null));
                 assert!(!gpu["adapter"].as_str().unwrap().is_empty());
@@ -330,17 +417,25 @@ fn the_gpu_finds_what_the_cpu_finds() {
     let words: Vec<&str> = first.split(' ').collect();
     let far = dir.path().join("far.obj");
     std::fs::write(&far, format!("v 1e200 {} {}\n{rest}", words[2], words[3])).unwrap();
-    check_refused(&["check", &a, far.to_str().unwrap(), "--backend", "gpu"], "far.obj: vertex 0 at t1 has x = 10");
+    check_refused(
+        &["check", &a, far.to_str().unwrap(), "--backend", "gpu"],
+        "far.obj: vertex 0 at t1 has x = 10",
+    );
     let [a, b] = [1.0f32, 2.5].map(|x| {
         let path = dir.path().join(format!("{x}.bin"));
-        let boxes: Vec<u8> =
-            (0..300).flat_map(|i| [x * i as f32, 0.0, 0.0, x * i as f32 + 3.0, 1.0, 1.0]).flat_map(f32::to_le_bytes).collect();
+        let boxes: Vec<u8> = (0..300)
+            .flat_map(|i| [x * i as f32, 0.0, 0.0, x * i as f32 + 3.0, 1.0, 1.0])
+            .flat_map(f32::to_le_bytes)
+            .collect();
         std::fs::write(&path, boxes).unwrap();
         path.to_str().unwrap().to_owned()
     });
     for files in [&[a.as_str()][..], &[&a, &b]] {
-        let pairs =
-            |backend: &str| json(&ccd(&[&["boxes", "--json", "--runs", "2", "--backend", backend], files].concat()))["pairs"].as_u64();
+        let pairs = |backend: &str| {
+            json(&ccd(&[&["boxes", "--json", "--runs", "2", "--backend", backend], files].concat()))
+                ["pairs"]
+                .as_u64()
+        };
         assert_eq!(pairs("gpu"), pairs("cpu"));
         assert!(pairs("gpu") > Some(100));
     }
@@ -353,7 +448,10 @@ fn auto_goes_on_with_the_cpu() {
     let output = ccd(&args);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{message}");
-    assert!(message.contains("no such adapter") && message.contains("going on with the CPU"), "{message}");
+    assert!(
+        message.contains("no such adapter") && message.contains("going on with the CPU"),
+        "{message}"
+    );
     assert_eq!(json(&ccd(&[&args[..], &["--json"]].concat()))["backend"], "cpu");
     // Where nothing is asked for, a small mesh is no work for a GPU, and that is no news.
     let output = ccd(&["check", &a, &b, "--json"]);
@@ -367,7 +465,11 @@ fn opengl_is_refused() {
     let [a, b] = crumpled_sheet(dir.path(), 90);
     let run = |backend: &str| {
         let args = ["check", &a, &b, "--json", "--backend", backend];
-        Command::new(env!("CARGO_BIN_EXE_ccd")).args(args).env("WGPU_BACKEND", "gl").output().unwrap()
+        Command::new(env!("CARGO_BIN_EXE_ccd"))
+            .args(args)
+            .env("WGPU_BACKEND", "gl")
+            .output()
+            .unwrap()
     };
     let refused = run("gpu");
     assert_eq!(refused.status.code(), Some(2));

@@ -161,7 +161,11 @@ impl Session {
     /// [`Session::step`]. `None`: the whole step is free.
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
         self.run(T::slices::<Points, 2>([x0, x1]), goal)?;
@@ -170,7 +174,11 @@ impl Session {
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
+    pub fn candidates<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Candidates, Error> {
         self.list(T::slices::<Points, 2>([x0, x1]))
     }
 
@@ -182,18 +190,26 @@ impl Session {
         let PerKind { vf, ee } = report.candidates;
         let mut plan = Plan::default();
         let [of_vf, of_ee] = &buffers.candidates;
-        let (part_vf, part_ee) = (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
+        let (part_vf, part_ee) =
+            (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
         let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| {
             recorder.read(&reading, part_vf, of_vf.buffer(), 0);
             recorder.read(&reading, part_ee, of_ee.buffer(), 0);
         })?;
-        reading.with(device, |bytes| Candidates { vf: read_pairs(part_vf.of(bytes)), ee: read_pairs(part_ee.of(bytes)) })
+        reading.with(device, |bytes| Candidates {
+            vf: read_pairs(part_vf.of(bytes)),
+            ee: read_pairs(part_ee.of(bytes)),
+        })
     }
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
-    pub fn candidates_on_device<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
+    pub fn candidates_on_device<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<[&List; 2], Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
@@ -222,7 +238,12 @@ impl Session {
         })??;
         let b = &self.buffers;
         let lists = b.lists().into_vec();
-        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
+        Ok(OnDevice {
+            contacts: &b.contacts,
+            undecided: [&b.undecided[0], &b.undecided[1]],
+            lists,
+            earliest: b.earliest.each_ref(),
+        })
     }
 
     #[inline(never)]
@@ -238,7 +259,11 @@ impl Session {
         if positions.upload(&self.device, given, distance, &tree.boxes)? {
             self.bench.forget();
         }
-        self.report = Report { contacts: std::mem::take(&mut self.report.contacts), rebuilt: true, ..Report::default() };
+        self.report = Report {
+            contacts: std::mem::take(&mut self.report.contacts),
+            rebuilt: true,
+            ..Report::default()
+        };
         self.report.contacts.clear();
         let uploaded = start.elapsed();
         let found = loop {
@@ -257,7 +282,11 @@ impl Session {
     /// many are to be read at once.
     fn plan_contacts(&mut self, goal: Goal) -> Result<u32, Error> {
         let Self { device, buffers, bench, expected, .. } = self;
-        let n = if goal == Goal::Contacts { (*expected + *expected / 4 + 256).min(buffers.contacts.room()) } else { 0 };
+        let n = if goal == Goal::Contacts {
+            (*expected + *expected / 4 + 256).min(buffers.contacts.room())
+        } else {
+            0
+        };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
         if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
             buffers.order = None;
@@ -296,7 +325,9 @@ impl Session {
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
             match &buffers.order {
-                Some(order) if buffers.to_order > 0 => recorder.read(&reading, of_contacts, &order.ordered, 0),
+                Some(order) if buffers.to_order > 0 => {
+                    recorder.read(&reading, of_contacts, &order.ordered, 0)
+                }
                 _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
@@ -304,10 +335,14 @@ impl Session {
         let headers = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
-            found.sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+            found.sampled =
+                word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
             let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
             let n = headers.contacts.wanted.min(guess) as usize;
-            cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
+            cpu_fallback::take_touches(
+                &of_contacts.of(bytes)[..n * size_of::<Touch>()],
+                &mut report.contacts,
+            );
             Ok::<_, Error>(headers)
         })??;
         self.stages = bench.times(&stages)?;
@@ -353,7 +388,12 @@ impl Session {
 
     /// Reads what the frame's own reading left: all contacts, if they were more than expected, and
     /// pairs that are left open.
-    fn read_rest(&mut self, found: &mut Found, n_contacts: u32, n_open: [u32; 2]) -> Result<(), Error> {
+    fn read_rest(
+        &mut self,
+        found: &mut Found,
+        n_contacts: u32,
+        n_open: [u32; 2],
+    ) -> Result<(), Error> {
         let Self { device, buffers, bench, readback, report, .. } = self;
         let Buffers { contacts, undecided: [vf, ee], .. } = buffers;
         let mut plan = Plan::default();
@@ -368,7 +408,10 @@ impl Session {
         found.open = reading.with(device, |bytes| {
             if n_contacts > 0 {
                 report.contacts.clear();
-                cpu_fallback::take_touches(&of_contacts.of(bytes)[HEADER_BYTES as usize..], &mut report.contacts);
+                cpu_fallback::take_touches(
+                    &of_contacts.of(bytes)[HEADER_BYTES as usize..],
+                    &mut report.contacts,
+                );
             }
             [read_pairs(of_vf.of(bytes)), read_pairs(of_ee.of(bytes))]
         })?;
@@ -392,7 +435,8 @@ impl Session {
         report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
         if goal != Goal::Contacts {
             // Contacts that the device counted are not in the list; their earliest time is.
-            let device = (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
+            let device =
+                (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
             report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
             contacts.clear();
         }

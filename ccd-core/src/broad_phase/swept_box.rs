@@ -1,6 +1,7 @@
 //! Map: boxes that enclose a primitive over the whole step, rounded outward to `f32`.
 //!
-//! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces are unions of their vertices.
+//! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces
+//! are unions of their vertices.
 
 use crate::kernel::memory::at;
 use crate::layout::Path;
@@ -27,9 +28,10 @@ pub fn end<R: Real>(p: [R; 3], q: [R; 3], until: R) -> [R; 3] {
     lerp(p, q, until)
 }
 
-/// How far a coordinate of [`end`] may be from the true one, for coordinates up to `largest`: three roundings of numbers up to
-/// two and three times that are below `8 u`; where denormals are flushed, less than the smallest normal number for what is
-/// read and each of three results, and once more for the start of the path where boxes read it.
+/// How far a coordinate of [`end`] may be from the true one, for coordinates up to `largest`: three
+/// roundings of numbers up to two and three times that are below `8 u`; where denormals are
+/// flushed, less than the smallest normal number for what is read and each of three results, and
+/// once more for the start of the path where boxes read it.
 #[inline(always)]
 pub fn end_error<R: Real>(largest: R) -> R {
     largest * (R::UNIT * R::splat(16.0)) + R::MIN_NORMAL * R::splat(8.0)

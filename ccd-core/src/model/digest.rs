@@ -1,4 +1,5 @@
-//! A digest of a set of pairs that does not depend on their order: what every backend must share for the same input.
+//! A digest of a set of pairs that does not depend on their order: what every backend must share
+//! for the same input.
 
 use crate::layout::Pair;
 
@@ -16,7 +17,9 @@ impl Digest {
     #[inline]
     pub fn add(&mut self, kind: u32, pair: Pair) {
         self.count += 1;
-        self.sum = self.sum.wrapping_add(mix(((pair.a as u64) << 32 | pair.b as u64) ^ mix(kind as u64 + 1)));
+        self.sum = self
+            .sum
+            .wrapping_add(mix(((pair.a as u64) << 32 | pair.b as u64) ^ mix(kind as u64 + 1)));
     }
 
     /// The digest of all pairs of one kind.

@@ -21,8 +21,13 @@ struct Query<R> {
 
 /// The least distance during the step, nearly.
 fn least(distance: fn([[f64; 3]; 4]) -> f64, t0: &Points<f64>, t1: &Points<f64>) -> f64 {
-    let at = |t: f64| distance(std::array::from_fn(|i| std::array::from_fn(|k| t0[i][k] + t * (t1[i][k] - t0[i][k]))));
-    let start = (0..=64).map(|i| i as f64 / 64.0).min_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap_or(0.0);
+    let at = |t: f64| {
+        distance(std::array::from_fn(|i| {
+            std::array::from_fn(|k| t0[i][k] + t * (t1[i][k] - t0[i][k]))
+        }))
+    };
+    let start =
+        (0..=64).map(|i| i as f64 / 64.0).min_by(|a, b| at(*a).total_cmp(&at(*b))).unwrap_or(0.0);
     let (mut lo, mut hi) = ((start - 1.0 / 64.0).max(0.0), (start + 1.0 / 64.0).min(1.0));
     for _ in 0..60 {
         let (p, q) = (lo + (hi - lo) * 0.4, lo + (hi - lo) * 0.6);
@@ -62,7 +67,9 @@ fn check<R: Real>(random: &mut Random, late: f64) -> [usize; 3] {
     let first = first_within(distance, n_first, &widen(&t0), &widen(&t1), d);
     let hit = matches!(verdict, Verdict::Hit { .. });
     let fine = match first {
-        First::At(t) => toi.is_some_and(|toi| toi <= t + late && (!hit || toi >= t - TOI_TOLERANCE - late)),
+        First::At(t) => {
+            toi.is_some_and(|toi| toi <= t + late && (!hit || toi >= t - TOI_TOLERANCE - late))
+        }
         First::Never => !hit,
         First::Unclear => true,
     };

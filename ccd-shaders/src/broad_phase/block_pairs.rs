@@ -13,8 +13,8 @@ use ccd_core::broad_phase::block_bvh::{
     NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack,
 };
 use ccd_core::broad_phase::candidate::wanted;
-use ccd_core::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
 use ccd_core::kernel::memory::at;
+use ccd_core::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
 use ccd_core::narrow_phase::cascade;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;

@@ -6,8 +6,8 @@ use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::broad_phase::{block_bvh, radix_tree};
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Blocks, Branch, Leaf, Node, Pair, Params};
 use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{Blocks, Branch, Leaf, Node, Pair, Params};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
