@@ -55,7 +55,9 @@ fn main() {
 fn obj(dir: &Path, name: &str, drop: f64) -> PathBuf {
     let y = |h: f64| h - drop;
     let text = format!(
-        "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0.3 {} 0.3\nv 0.2 {} 0.3\nv 0.4 {} 0.3\nf 1 2 3\nf 3 2 4\nf 5 6 7\n",
+        "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\n\
+         v 0.3 {} 0.3\nv 0.2 {} 0.3\nv 0.4 {} 0.3\n\
+         f 1 2 3\nf 3 2 4\nf 5 6 7\n",
         y(0.5),
         y(2.0),
         y(2.0)
@@ -193,7 +195,8 @@ fn queries_are_counted_against_their_answers() {
     // A vertex through a face, and past it; the second answer is wrong on purpose.
     let rows = |x: &str| {
         format!(
-            "{x},4,1,1,1,4,1\n0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,1,1,1\n{x},4,-1,1,1,4,1\n0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,1,1,1\n"
+            "{x},4,1,1,1,4,1\n0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,1,1,1\n\
+             {x},4,-1,1,1,4,1\n0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,1,1,1\n"
         )
     };
     std::fs::write(&path, rows("1") + &rows("17")).unwrap();
@@ -313,7 +316,8 @@ fn bad_use_and_bad_input_end_with_status_2() {
     assert_eq!(ccd(&["--help"]).status.code(), Some(0));
     let empty = write(
         "empty.ply",
-        "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n",
+        "ply\nformat ascii 1.0\nelement vertex 0\n\
+         property float x\nproperty float y\nproperty float z\nend_header\n",
     );
     let value = json(&ccd(&["check", &empty, &empty, "--json"]));
     assert_eq!((&value["mesh"]["vertices"], &value["toi"]), (&0.into(), &Value::Null));

@@ -71,7 +71,8 @@ impl fmt::Display for Info {
         )?;
         write!(
             f,
-            "            {} storage buffers a kernel, {} bytes of workgroup memory, {} threads a workgroup, {} workgroups a dimension",
+            "            {} storage buffers a kernel, {} bytes of workgroup memory, \
+             {} threads a workgroup, {} workgroups a dimension",
             l.max_storage_buffers_per_shader_stage,
             l.max_compute_workgroup_storage_size,
             l.max_compute_invocations_per_workgroup,

@@ -176,7 +176,8 @@ fn check_queries(device: &Device, dir: &Path) {
         }
     }
     println!(
-        "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; {n_open} left open by f32"
+        "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; \
+         {n_open} left open by f32"
     );
     assert_eq!(n, 7279);
 }
@@ -367,7 +368,8 @@ fn check_degenerate(device: &Device) {
             n_open += (answer == oracle::Answer::Degenerate) as usize;
         }
         println!(
-            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, {n_open} of them not decided exactly",
+            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, \
+             {n_open} of them not decided exactly",
             cpu.contacts.len()
         );
         assert!(cpu.undecided > 100, "nothing degenerate");
