@@ -56,11 +56,18 @@ fn boxes_hold_what_they_are_of() {
         for k in 0..3 {
             for c in [p[k], q[k]] {
                 assert!(exact.min[k] <= c && c <= exact.max[k], "{c:e} in {exact:?}");
-                assert!(rounded.min[k] as f64 <= c && c <= rounded.max[k] as f64, "{c:e} in {rounded:?}");
+                assert!(
+                    rounded.min[k] as f64 <= c && c <= rounded.max[k] as f64,
+                    "{c:e} in {rounded:?}"
+                );
             }
             // Sums of two numbers of f32 this near are exact in f64.
-            let (low, high) = (narrow.min[k] as f64 - grow as f64, narrow.max[k] as f64 + grow as f64);
-            assert!(grown.min[k] as f64 <= low && grown.max[k] as f64 >= high, "{narrow:?} grown by {grow:e}");
+            let (low, high) =
+                (narrow.min[k] as f64 - grow as f64, narrow.max[k] as f64 + grow as f64);
+            assert!(
+                grown.min[k] as f64 <= low && grown.max[k] as f64 >= high,
+                "{narrow:?} grown by {grow:e}"
+            );
         }
     }
 }
@@ -73,13 +80,17 @@ fn rounded_boxes_overlap_by_no_more_than_the_slack_unless_they_do_in_truth() {
         let x = number(&mut random);
         let y = x * (1.0 + random.power(-30.0, -22.0));
         let (a, b) = ([x.min(y); 3], [x.max(y); 3]);
-        let (a, b) = (Aabb { min: a.map(|c| c - 1.0), max: a }, Aabb { min: b, max: b.map(|c| c + 1.0) });
+        let (a, b) =
+            (Aabb { min: a.map(|c| c - 1.0), max: a }, Aabb { min: b, max: b.map(|c| c + 1.0) });
         let depth = a.round_out().max[0] - b.round_out().min[0];
         n += (depth > 0.0) as usize;
         let slack = slack_at(x.abs().max(y.abs()).round_up());
         assert!(a.overlaps(&b) || depth <= slack, "{x:e} {y:e}: {depth:e}, more than {slack:e}");
         // And it is no more than it must be, up to a factor of 4 and rounding.
-        assert!(slack <= 4.001 * (2.0 * f32::UNIT * x.abs().max(y.abs()) as f32 + f32::MIN_POSITIVE), "{slack:e}");
+        assert!(
+            slack <= 4.001 * (2.0 * f32::UNIT * x.abs().max(y.abs()) as f32 + f32::MIN_POSITIVE),
+            "{slack:e}"
+        );
     }
     assert!(n > 10_000, "{n} overlaps that rounding made");
 }
@@ -94,7 +105,11 @@ fn check_table(low: f64, high: f64) -> f64 {
     let mut worst = 0f64;
     // Near the ends, where numbers of f32 are furthest apart.
     for i in 0..2000 {
-        let p = if i % 2 == 0 { low + i as f64 * 1e-12 * (high - low) } else { high - i as f64 * 1e-12 * (high - low) };
+        let p = if i % 2 == 0 {
+            low + i as f64 * 1e-12 * (high - low)
+        } else {
+            high - i as f64 * 1e-12 * (high - low)
+        };
         let want = (p - table.origin[0]) * table.scale;
         worst = worst.max((table.place([p; 3])[0] as f64 - want).abs() / table.error as f64);
     }
@@ -120,10 +135,19 @@ fn an_axis_separates_at_both_ends_or_not_at_all() {
     let at = |x: f32| [[x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]];
     let check = |a0: f32, a1: f32, b0: f32, b1: f32, needed: f32, want: bool| {
         for turn in 0..3 {
-            let turned = |b: [[f32; 3]; 2]| b.map(|p| [p[turn], p[(turn + 1) % 3], p[(turn + 2) % 3]]);
+            let turned =
+                |b: [[f32; 3]; 2]| b.map(|p| [p[turn], p[(turn + 1) % 3], p[(turn + 2) % 3]]);
             let [p, q, r, s] = [a0, a1, b0, b1].map(|x| turned(at(x)));
-            assert_eq!(axis_separated(&p, &q, &r, &s, needed), want, "{a0} {a1} {b0} {b1} {needed} {turn}");
-            assert_eq!(axis_separated(&r, &s, &p, &q, needed), want, "{b0} {b1} {a0} {a1} {needed} {turn}");
+            assert_eq!(
+                axis_separated(&p, &q, &r, &s, needed),
+                want,
+                "{a0} {a1} {b0} {b1} {needed} {turn}"
+            );
+            assert_eq!(
+                axis_separated(&r, &s, &p, &q, needed),
+                want,
+                "{b0} {b1} {a0} {a1} {needed} {turn}"
+            );
         }
     };
     check(0.0, 0.0, 2.0, 2.0, 0.0, true);
@@ -152,7 +176,9 @@ fn halves_meet_in_the_middle() {
         };
         let (first, second) = m.halves();
         assert_eq!((m.error, first.error, second.error), (0.25, 0.25, 0.25));
-        for (whole, [p, q]) in [(m.a, [first.a, second.a]), (m.b, [first.b, second.b]), (m.c, [first.c, second.c])] {
+        for (whole, [p, q]) in
+            [(m.a, [first.a, second.a]), (m.b, [first.b, second.b]), (m.c, [first.c, second.c])]
+        {
             assert_eq!((p[0], p[1], q[1]), (whole[0], q[0], whole[1]));
             for k in 0..3 {
                 assert!((p[1][k] - 0.5 * (whole[0][k] + whole[1][k])).abs() < 1e-15);

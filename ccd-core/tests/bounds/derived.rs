@@ -19,7 +19,8 @@ fn check<R: Real>(random: &mut Random, coordinate_error: f64) {
     let (t0, t1) = (points(), points());
     let m = Motion::vertex_face(&t0, &t1, R::from_f64(coordinate_error));
     let e = m.error.to_f64();
-    let [a, b, c] = [m.a, m.b, m.c].map(|v| v.as_flattened().iter().fold(0.0f64, |m, x| m.max(x.to_f64().abs())) + e);
+    let [a, b, c] = [m.a, m.b, m.c]
+        .map(|v| v.as_flattened().iter().fold(0.0f64, |m, x| m.max(x.to_f64().abs())) + e);
     let plane = Coplanarity::new(&m);
     let least = 18.0 * 29.0 * u * a * b * c + 18.0 * e * (a * b + b * c + c * a);
     assert!(plane.bound.to_f64() >= least * NEARLY, "{:?}, but {least:e}: {m:?}", plane.bound);
@@ -30,19 +31,23 @@ fn check<R: Real>(random: &mut Random, coordinate_error: f64) {
     let (p, q) = (sums(0, 1), sums(1, 0));
     let middle = (0..3).map(|k| (0.5 * (p[k] + q[k])).abs()).sum::<f64>();
     let ends = [sums(0, 0), sums(1, 1)].map(|n| n.iter().map(|x| x.abs()).sum::<f64>());
-    let least = middle.max(ends[0]).max(ends[1]) * (1.0 - 12.0 * u) + 60.0 * u * b * c + 6.0 * e * (b + c) * NEARLY;
+    let least = middle.max(ends[0]).max(ends[1]) * (1.0 - 12.0 * u)
+        + 60.0 * u * b * c
+        + 6.0 * e * (b + c) * NEARLY;
     assert!(plane.normal.to_f64() >= least - 1e-3 * u, "{:?}, but {least:e}: {m:?}", plane.normal);
     let least = 8.0 * u * (a + b + c) + 3.0 * e;
     assert!(m.corner_error().to_f64() >= least, "{:?}, but {least:e}: {m:?}", m.corner_error());
     // A distance costs three times the distance times the normal.
     let d = random.power(-10.0, 2.0);
-    let (near, far) = (plane.clearance(R::splat(0.0)).to_f64(), plane.clearance(R::from_f64(d)).to_f64());
+    let (near, far) =
+        (plane.clearance(R::splat(0.0)).to_f64(), plane.clearance(R::from_f64(d)).to_f64());
     let least = 3.0 * d * plane.normal.to_f64();
     assert!(near - far >= least, "{near:e} - {far:e}, but {least:e}: {m:?} {d:e}");
     // Balls over an interval, and products of their vectors.
     let (middle, half) = (random.between(0.25, 0.75), random.power(-20.0, -2.0));
     let ball = |x: &[[R; 3]; 2]| Ball::new(x, R::from_f64(middle), R::from_f64(half), m.error);
-    let travel = (0..3).map(|k| (m.a[1][k].to_f64() - m.a[0][k].to_f64()).abs()).fold(0.0, f64::max);
+    let travel =
+        (0..3).map(|k| (m.a[1][k].to_f64() - m.a[0][k].to_f64()).abs()).fold(0.0, f64::max);
     let least = half * travel * (1.0 + 4.0 * u) + 6.0 * u * a + e;
     let (p, q) = (ball(&m.a), ball(&m.b));
     assert!(p.radius.to_f64() >= least, "{:?}, but {least:e}: {m:?}", p.radius);

@@ -27,7 +27,8 @@ fn at(x: &[V; 2], t: f64) -> V {
 fn touch(random: &mut Random) -> Touch {
     let patch = if random.below(2) == 0 { Patch::Triangle } else { Patch::Parallelogram };
     let t = [0.0, 1.0, 0.5, random.unit()][random.below(4)];
-    let mut pair = |size: f64| [random.vector().map(|c| c * size), random.vector().map(|c| c * size)];
+    let mut pair =
+        |size: f64| [random.vector().map(|c| c * size), random.vector().map(|c| c * size)];
     let (mut b, mut c, mut a) = (pair(1.0), pair(1.0), pair(1.0));
     let small = random.power(-12.0, 0.0);
     match random.below(6) {
@@ -105,7 +106,11 @@ fn no_contact_is_missed() {
             solve(&m, q.patch, zero)
         });
         let early = verdict.toi().is_some_and(|toi| toi.0 <= q.t + LATE);
-        assert!(early, "contact at {}, but {verdict:?}: {:?} {t0:?} {t1:?} {flush} {ways:?}", q.t, q.patch);
+        assert!(
+            early,
+            "contact at {}, but {verdict:?}: {:?} {t0:?} {t1:?} {flush} {ways:?}",
+            q.t, q.patch
+        );
         n_late += verdict.toi().is_some_and(|toi| toi.0 > 0.1) as usize;
     }
     assert!(n_late > 400, "{n_late} that were decided at all");
@@ -119,7 +124,8 @@ fn advancement_stops_before_a_contact() {
         let q = touch(&mut random);
         let ways = choices(&mut random);
         let (m, one) = (q.motion(), Adversarial(1.0));
-        let (got, _) = under(&ways, false, || advance(&m, q.patch, Adversarial(0.0), one, Adversarial(0.0)));
+        let (got, _) =
+            under(&ways, false, || advance(&m, q.patch, Adversarial(0.0), one, Adversarial(0.0)));
         let stops = matches!(got, Advance::Stuck(t) if t.0 <= q.t + LATE);
         assert!(stops, "contact at {}, but {got:?}: {:?} {:?} {ways:?}", q.t, q.patch, q.x);
         n_far += matches!(got, Advance::Stuck(t) if t.0 > 0.1) as usize;
@@ -138,9 +144,16 @@ fn containment_is_certain() {
         let lo = (q.t - width * random.unit()).clamp(0.0, 1.0);
         let hi = (lo + width).max(q.t).min(1.0);
         let ways = choices(&mut random);
-        let (got, _) = under(&ways, i % 3 == 0, || inside(&m, q.patch, Adversarial(lo), Adversarial(hi)));
+        let (got, _) =
+            under(&ways, i % 3 == 0, || inside(&m, q.patch, Adversarial(lo), Adversarial(hi)));
         // It touches at a time within the interval, so it is not outside.
-        assert!(got != Inside::Outside, "{:?} {:?} at {} in [{lo}, {hi}] {ways:?}", q.patch, q.x, q.t);
+        assert!(
+            got != Inside::Outside,
+            "{:?} {:?} at {} in [{lo}, {hi}] {ways:?}",
+            q.patch,
+            q.x,
+            q.t
+        );
         n[got as usize] += 1;
         if got == Inside::Inside {
             // The projected point is in the patch all the time: at both ends too, by exact signs of
@@ -178,7 +191,8 @@ fn a_witness_is_near() {
         // is the distance.
         let q = touch(&mut random);
         let [_, b, c] = [0, 1, 2].map(|i| at(&q.x[i], q.t));
-        let normal = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+        let normal =
+            [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
         let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
         if length < 1e-3 {
             continue;
@@ -191,7 +205,11 @@ fn a_witness_is_near() {
         let m = apart.motion();
         let run = || within(&m, apart.patch, Adversarial(apart.t), Adversarial(distance));
         let (near, _) = under(&ways, false, run);
-        assert!(!near || gap <= distance * (1.0 + 1e-9), "{gap} is not within {distance}: {:?} {ways:?}", apart.x);
+        assert!(
+            !near || gap <= distance * (1.0 + 1e-9),
+            "{gap} is not within {distance}: {:?} {ways:?}",
+            apart.x
+        );
         n[near as usize] += 1;
     }
     assert!(n[0] > 400 && n[1] > 400, "{n:?}");

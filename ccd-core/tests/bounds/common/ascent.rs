@@ -85,7 +85,16 @@ impl<F: Fn(&[f64]) -> f64> Ascent<F> {
     pub fn check(&self, name: &str, seed: u64, [starts, steps]: [usize; 2], documented: f64) {
         let peak = self.climb(seed, starts, steps);
         println!("{name}: {:.4}", peak.ratio);
-        assert!(peak.ratio <= 1.0, "{name}: the error is {} of its bound at {:?}", peak.ratio, peak.inputs);
-        assert!(peak.ratio >= documented, "{name}: {} of the bound, but {documented} is documented", peak.ratio);
+        assert!(
+            peak.ratio <= 1.0,
+            "{name}: the error is {} of its bound at {:?}",
+            peak.ratio,
+            peak.inputs
+        );
+        assert!(
+            peak.ratio >= documented,
+            "{name}: {} of the bound, but {documented} is documented",
+            peak.ratio
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! Pseudo-random numbers of a seed, the same on every machine (SplitMix64, Steele et al. 2014).
+//! Pseudo-random numbers of a seed, the same on every machine (SplitMix64, [Steele 2014]).
 
 #[derive(Clone, Debug)]
 pub struct Random(u64);
@@ -26,7 +26,7 @@ impl Random {
     }
 
     pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() >> 32) as usize * n >> 32
+        ((self.bits() >> 32) as usize * n) >> 32
     }
 
     pub fn sign(&mut self) -> f64 {

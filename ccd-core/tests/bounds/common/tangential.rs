@@ -113,11 +113,15 @@ pub fn query<R: Real>(random: &mut Random) -> Query<R> {
     shift(&mut x, s * at(p, tau));
     shift(&mut y, r * at(q, tau));
     // f = p q z - h q x - p g y; f(tau) = depth and f'(tau) = 0 give z there and its slope.
-    let (pt, qt, ht, gt, xt, yt) = (at(p, tau), at(q, tau), at(h, tau), at(g, tau), at(x, tau), at(y, tau));
+    let (pt, qt, ht, gt, xt, yt) =
+        (at(p, tau), at(q, tau), at(h, tau), at(g, tau), at(x, tau), at(y, tau));
     let w = pt * qt;
     let w_slope = slope(p) * qt + pt * slope(q);
     let rest = ht * qt * xt + pt * gt * yt;
-    let rest_slope = slope(h) * qt * xt + ht * (slope(q) * xt + qt * slope(x)) + slope(p) * gt * yt + pt * (slope(g) * yt + gt * slope(y));
+    let rest_slope = slope(h) * qt * xt
+        + ht * (slope(q) * xt + qt * slope(x))
+        + slope(p) * gt * yt
+        + pt * (slope(g) * yt + gt * slope(y));
     let z_for = |depth: f64| {
         let z = (rest + depth) / w;
         let z_slope = (rest_slope - w_slope * z) / w;
