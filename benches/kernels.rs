@@ -23,9 +23,15 @@ fn queries(c: &mut Criterion) {
     assert!(matches!(ccd::vertex_face(&hit, 0.0), Verdict::Hit { .. }));
     assert_eq!(ccd::vertex_face(&miss, 0.0), Verdict::Miss);
     assert!(matches!(ccd::edge_edge(&edges, 0.0), Verdict::Hit { .. }));
-    c.bench_function("query vertex-face, hit", |b| b.iter(|| ccd::vertex_face(black_box(&hit), 0.0)));
-    c.bench_function("query vertex-face, miss by filter", |b| b.iter(|| ccd::vertex_face(black_box(&miss), 0.0)));
-    c.bench_function("query vertex-face, at a distance", |b| b.iter(|| ccd::vertex_face(black_box(&hit), 0.01)));
+    c.bench_function("query vertex-face, hit", |b| {
+        b.iter(|| ccd::vertex_face(black_box(&hit), 0.0))
+    });
+    c.bench_function("query vertex-face, miss by filter", |b| {
+        b.iter(|| ccd::vertex_face(black_box(&miss), 0.0))
+    });
+    c.bench_function("query vertex-face, at a distance", |b| {
+        b.iter(|| ccd::vertex_face(black_box(&hit), 0.01))
+    });
     c.bench_function("query edge-edge, hit", |b| b.iter(|| ccd::edge_edge(black_box(&edges), 0.0)));
 }
 
@@ -33,9 +39,13 @@ fn boxes(c: &mut Criterion) {
     let boxes = uniform_boxes(100_000);
     let scene = boxes.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
     let grid = MortonGrid::new(&scene, 21);
-    let mut codes: Vec<[u32; 2]> = (0..boxes.len()).map(|i| morton_key::morton(i, &boxes, &grid)).collect();
+    let mut codes: Vec<[u32; 2]> =
+        (0..boxes.len()).map(|i| morton_key::morton(i, &boxes, &grid)).collect();
     c.bench_function("morton, 100,000 boxes", |b| {
-        b.iter(|| (0..boxes.len()).fold(0u32, |sum, i| sum ^ morton_key::morton(i, black_box(&boxes), &grid)[0]))
+        b.iter(|| {
+            (0..boxes.len())
+                .fold(0u32, |sum, i| sum ^ morton_key::morton(i, black_box(&boxes), &grid)[0])
+        })
     });
     codes.sort_unstable_by_key(|&[low, high]| (high, low));
     c.bench_function("tree branches, 100,000 boxes", |b| {
@@ -57,10 +67,16 @@ fn boxes(c: &mut Criterion) {
 
 fn steps(c: &mut Criterion) {
     let step = crumpled_sheet(100, 1);
-    let mut session = Session::new(step.mesh.clone(), Options { threads: 1, ..Options::default() }).expect("valid options");
+    let mut session = Session::new(step.mesh.clone(), Options { threads: 1, ..Options::default() })
+        .expect("valid options");
     let want = session.step(&step.x0, &step.x1).expect("a valid step").contacts.len();
     c.bench_function("step, crumpled sheet of 10,000 vertices", |b| {
-        b.iter(|| assert_eq!(session.step(black_box(&step.x0), &step.x1).map(|r| r.contacts.len()), Ok(want)))
+        b.iter(|| {
+            assert_eq!(
+                session.step(black_box(&step.x0), &step.x1).map(|r| r.contacts.len()),
+                Ok(want)
+            )
+        })
     });
     let [_, edges, _] = swept_boxes(&step.mesh, &step.x0, &step.x1);
     let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).expect("one thread");

@@ -40,8 +40,10 @@ const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The engine's device, with what ccd can use of it.
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-    let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter =
+        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))?;
     let features = Device::features() & adapter.features();
     let passthrough = features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
@@ -53,7 +55,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }))?;
 
     // A session of ccd on that device. Handles of wgpu are shared by cloning.
-    let ccd_device = Device::from_wgpu(device.clone(), queue.clone(), adapter.get_info(), &DeviceOptions::default())?;
+    let ccd_device = Device::from_wgpu(
+        device.clone(),
+        queue.clone(),
+        adapter.get_info(),
+        &DeviceOptions::default(),
+    )?;
     println!("{}\n", ccd_device.info());
     let mesh = Mesh::new(REST.len(), &FACES)?;
     let mut session = Session::new(&ccd_device, mesh.clone(), Options::default())?;
@@ -64,8 +71,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         contents: bytemuck::cast_slice(&REST),
         usage: wgpu::BufferUsages::STORAGE,
     });
-    let module =
-        device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("move"), source: wgpu::ShaderSource::Wgsl(MOVE.into()) });
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("move"),
+        source: wgpu::ShaderSource::Wgsl(MOVE.into()),
+    });
     let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("move"),
         layout: None,
@@ -84,7 +93,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     });
 
     // One encoder: move, detect, copy to where the host can look.
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
+    let mut encoder =
+        device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
     {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(&pipeline);
@@ -95,15 +105,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let found = session.record(&mut encoder)?;
     // Undecided pairs stay open in f32; they are contacts for an engine, too. A real one would go
     // on with all lists on the device.
-    let lists =
-        [found.contacts, found.undecided[0], found.undecided[1]].map(|list| (list.buffer().clone(), list.room(), list.bytes(list.room())));
-    let copies: Vec<wgpu::Buffer> = lists.iter().map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes)).collect();
+    let lists = [found.contacts, found.undecided[0], found.undecided[1]]
+        .map(|list| (list.buffer().clone(), list.room(), list.bytes(list.room())));
+    let copies: Vec<wgpu::Buffer> = lists
+        .iter()
+        .map(|(buffer, _, bytes)| copy_out(&device, &mut encoder, buffer, *bytes))
+        .collect();
     let path_bytes = (REST.len() * size_of::<Path>()) as u64;
     let paths = copy_out(&device, &mut encoder, &paths, path_bytes);
     queue.submit([encoder.finish()]);
 
     // On the host: how many, then which.
-    let words = copies.iter().map(|copy| read(&device, copy)).collect::<Result<Vec<Vec<u32>>, _>>()?;
+    let words =
+        copies.iter().map(|copy| read(&device, copy)).collect::<Result<Vec<Vec<u32>>, _>>()?;
     for (list, (_, room, _)) in words.iter().zip(&lists) {
         assert!(list[0] <= *room, "a list was too short: `Session::step` would make room");
     }
@@ -118,7 +132,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // The same step on the CPU, from the positions that the engine's kernel wrote.
     let paths: Vec<Path> = bytemuck::cast_slice(&read(&device, &paths)?).to_vec();
-    let at = |end: fn(&Path) -> [f32; 4]| -> Vec<[f32; 3]> { paths.iter().map(end).map(|[x, y, z, _]| [x, y, z]).collect() };
+    let at = |end: fn(&Path) -> [f32; 4]| -> Vec<[f32; 3]> {
+        paths.iter().map(end).map(|[x, y, z, _]| [x, y, z]).collect()
+    };
     let want = ccd::step(&mesh, &at(|p| p.t0), &at(|p| p.t1), &Options::default())?;
     assert!(!want.contacts.is_empty(), "the scene has contacts");
     assert_eq!(words[1][0] + words[2][0], 0, "f32 decides every pair of this scene");
@@ -139,15 +155,28 @@ fn experimental_features(passthrough: bool) -> wgpu::ExperimentalFeatures {
 }
 
 /// Records a copy of the front of a buffer into one that the host can read.
-fn copy_out(device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder, from: &wgpu::Buffer, bytes: u64) -> wgpu::Buffer {
+fn copy_out(
+    device: &wgpu::Device,
+    encoder: &mut wgpu::CommandEncoder,
+    from: &wgpu::Buffer,
+    bytes: u64,
+) -> wgpu::Buffer {
     let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-    let copy = device.create_buffer(&wgpu::BufferDescriptor { label: Some("results"), size: bytes, usage, mapped_at_creation: false });
+    let copy = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("results"),
+        size: bytes,
+        usage,
+        mapped_at_creation: false,
+    });
     encoder.copy_buffer_to_buffer(from, 0, &copy, 0, bytes);
     copy
 }
 
 /// Waits for the device; the words of a buffer.
-fn read(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
+fn read(
+    device: &wgpu::Device,
+    buffer: &wgpu::Buffer,
+) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
     buffer.map_async(wgpu::MapMode::Read, .., |_| {});
     device.poll(wgpu::PollType::wait_indefinitely())?;
     let words = bytemuck::cast_slice(&buffer.get_mapped_range(..)?).to_vec();

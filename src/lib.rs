@@ -83,5 +83,8 @@ pub use ccd_core::model::mesh::Mesh;
 pub use ccd_core::model::method::{BroadPhaseMethod, METHODS, MethodRow};
 pub use ccd_core::model::options::Options;
 pub use ccd_core::model::report::{Report, Times};
-pub use ccd_core::{Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
+pub use ccd_core::{
+    Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
+    vertex_face,
+};
 pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};

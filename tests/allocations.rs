@@ -39,7 +39,8 @@ fn count(threads: usize) -> Vec<usize> {
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);
         // Forwards and backwards in turn; every third time only the earliest time.
-        let (x0, x1) = if i.is_multiple_of(2) { (&step.x0, &step.x1) } else { (&step.x1, &step.x0) };
+        let (x0, x1) =
+            if i.is_multiple_of(2) { (&step.x0, &step.x1) } else { (&step.x1, &step.x0) };
         if i.is_multiple_of(3) {
             session.earliest_toi(x0, x1).unwrap();
         } else {

@@ -17,41 +17,63 @@ fn coordinates_must_be_finite() {
         let mut x1 = TRIANGLE;
         x1[2][1] = bad;
         match session.step(&TRIANGLE, &x1) {
-            Err(Error::Coordinate { time: 1, vertex: 2, axis: 1, value }) => assert!(value == bad || bad.is_nan()),
+            Err(Error::Coordinate { time: 1, vertex: 2, axis: 1, value }) => {
+                assert!(value == bad || bad.is_nan())
+            }
             other => panic!("{other:?}"),
         }
         assert!(matches!(session.step(&x1, &TRIANGLE), Err(Error::Coordinate { time: 0, .. })));
     }
-    assert!(session.step(&TRIANGLE, &TRIANGLE).unwrap().contacts.is_empty(), "the session goes on after an error");
+    assert!(
+        session.step(&TRIANGLE, &TRIANGLE).unwrap().contacts.is_empty(),
+        "the session goes on after an error"
+    );
     let single = TRIANGLE.map(|p| p.map(|c| c as f32));
     let mut bad = single;
     bad[0][2] = f32::NAN;
-    assert!(matches!(session.step(&single, &bad), Err(Error::Coordinate { time: 1, vertex: 0, axis: 2, .. })));
+    assert!(matches!(
+        session.step(&single, &bad),
+        Err(Error::Coordinate { time: 1, vertex: 0, axis: 2, .. })
+    ));
 }
 
 #[test]
 fn sizes_indices_and_distances_are_checked() {
-    assert_eq!(Mesh::new(3, &[[0, 1, 3]]), Err(Error::Index { element: "face", at: 0, vertex: 3, n_vertices: 3 }));
+    assert_eq!(
+        Mesh::new(3, &[[0, 1, 3]]),
+        Err(Error::Index { element: "face", at: 0, vertex: 3, n_vertices: 3 })
+    );
     let mut good = session(Options::default()).unwrap();
-    assert_eq!(good.step(&TRIANGLE[..2], &TRIANGLE).unwrap_err(), Error::VertexCount { time: 0, expected: 3, found: 2 });
+    assert_eq!(
+        good.step(&TRIANGLE[..2], &TRIANGLE).unwrap_err(),
+        Error::VertexCount { time: 0, expected: 3, found: 2 }
+    );
     for value in [-1.0, f64::NAN, f64::INFINITY] {
         let error = session(Options { min_distance: value, ..Options::default() }).unwrap_err();
         assert!(matches!(error, Error::MinDistance { .. }), "{error}");
     }
-    assert!(matches!(Mesh::new(1 << 31, &[]), Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })));
+    assert!(matches!(
+        Mesh::new(1 << 31, &[]),
+        Err(Error::TooMany { element: "vertices", count: 2_147_483_648, .. })
+    ));
     let mut broad = BroadPhase::new(1, BroadPhaseMethod::Blocks).unwrap();
-    let bad = [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
+    let bad =
+        [Aabb { min: [0.0f32; 3], max: [1.0; 3] }, Aabb { min: [0.0, 2.0, 0.0], max: [1.0; 3] }];
     assert!(matches!(broad.self_pairs(&bad), Err(Error::Box { at: 1, axis: 1, .. })));
 }
 
 #[test]
 fn empty_meshes_have_no_contacts() {
     for threads in [1, 2] {
-        let mut session = Session::new(Mesh::new(0, &[]).unwrap(), Options { threads, ..Options::default() }).unwrap();
+        let mut session =
+            Session::new(Mesh::new(0, &[]).unwrap(), Options { threads, ..Options::default() })
+                .unwrap();
         let none: [[f64; 3]; 0] = [];
         assert!(session.step(&none, &none).unwrap().contacts.is_empty());
         assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
-        let mut points = Session::new(Mesh::new(5, &[]).unwrap(), Options { threads, ..Options::default() }).unwrap();
+        let mut points =
+            Session::new(Mesh::new(5, &[]).unwrap(), Options { threads, ..Options::default() })
+                .unwrap();
         assert!(points.step(&[[0.0f64; 3]; 5], &[[1.0; 3]; 5]).unwrap().contacts.is_empty());
     }
 }
@@ -97,17 +119,23 @@ fn meshes_are_read_in_every_encoding() {
         for p in &want.positions {
             bytes.extend(if big { p[0].to_be_bytes() } else { p[0].to_le_bytes() });
             for c in &p[1..] {
-                bytes.extend(if big { (*c as f32).to_be_bytes() } else { (*c as f32).to_le_bytes() });
+                bytes.extend(if big {
+                    (*c as f32).to_be_bytes()
+                } else {
+                    (*c as f32).to_le_bytes()
+                });
             }
             bytes.push(1);
         }
         bytes.push(4);
         (0..4i32).for_each(|i| bytes.extend(if big { i.to_be_bytes() } else { i.to_le_bytes() }));
         assert_eq!(read_frame(&write(dir.path(), "b.ply", &bytes)).unwrap(), want, "{format}");
-        let error = read_frame(&write(dir.path(), "cut.ply", &bytes[..bytes.len() - 30])).unwrap_err();
+        let error =
+            read_frame(&write(dir.path(), "cut.ply", &bytes[..bytes.len() - 30])).unwrap_err();
         assert!(error.to_string().contains("cut.ply"), "{error}");
     }
-    let obj = "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nv 0 1 0.10000000149011612\nf 1/1/1 2//1 3 -1\n";
+    let obj =
+        "# a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nv 0 1 0.10000000149011612\nf 1/1/1 2//1 3 -1\n";
     assert_eq!(read_frame(&write(dir.path(), "a.obj", obj.as_bytes())).unwrap(), want);
 }
 
@@ -133,7 +161,11 @@ fn obj_lines_end_in_three_ways() {
             let frame = read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap();
             let want = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.5]];
             assert_eq!(frame.positions, want, "{name}");
-            assert_eq!((&frame.faces[..], &frame.edges[..]), (&[[0, 1, 2], [0, 2, 3]][..], &[[0, 1], [1, 2]][..]), "{name}");
+            assert_eq!(
+                (&frame.faces[..], &frame.edges[..]),
+                (&[[0, 1, 2], [0, 2, 3]][..], &[[0, 1], [1, 2]][..]),
+                "{name}"
+            );
         }
     }
     // Any mixture, and the number of a line counts all ends before it.
@@ -150,7 +182,10 @@ fn obj_lines_that_cannot_be_understood_are_refused() {
         let text = format!("{before}{line}\nf 1 2 3\n");
         let found = read_frame(&write(dir.path(), "a.obj", text.as_bytes()));
         let text = found.expect_err(line).to_string();
-        assert!(text.contains("line 4: ") && text.contains(says), "{line:?}: {text:?} does not say {says:?}");
+        assert!(
+            text.contains("line 4: ") && text.contains(says),
+            "{line:?}: {text:?} does not say {says:?}"
+        );
     };
     check("v", "three coordinates");
     check("v 1 2", "three coordinates");
@@ -183,15 +218,20 @@ fn obj_lines_that_cannot_be_understood_are_refused() {
     check("l 1 two", "`two`");
     // The line before is the control: with a line that is fine the same file is read.
     let text = format!("{before}v 0 0 1\nf 1 2 3\n");
-    assert_eq!(read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap().positions.len(), 4);
+    assert_eq!(
+        read_frame(&write(dir.path(), "a.obj", text.as_bytes())).unwrap().positions.len(),
+        4
+    );
 }
 
 #[test]
 fn bad_files_are_named_with_the_place() {
     let dir = tempfile::tempdir().unwrap();
     let check = |name: &str, content: &[u8], says: &str| {
-        let error = read_frame(&write(dir.path(), name, content))
-            .and_then(|f| f.mesh().map_err(|e| ccd::io::ReadError { path: name.into(), kind: ReadErrorKind::Mesh(e) }));
+        let error = read_frame(&write(dir.path(), name, content)).and_then(|f| {
+            f.mesh()
+                .map_err(|e| ccd::io::ReadError { path: name.into(), kind: ReadErrorKind::Mesh(e) })
+        });
         let text = error.expect_err(name).to_string();
         assert!(text.contains(name) && text.contains(says), "{text:?} does not say {says:?}");
     };
@@ -202,7 +242,11 @@ fn bad_files_are_named_with_the_place() {
     check("index.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 9").as_bytes(), "vertex 9");
     check("negative.ply", ASCII.replace("4 0 1 2 3", "4 0 1 2 -3").as_bytes(), "-3");
     check("two.ply", ASCII.replace("4 0 1 2 3", "2 0 1").as_bytes(), "fewer than 3");
-    check("many.ply", ASCII.replace("element vertex 4", "element vertex 4294967299").as_bytes(), "4294967299");
+    check(
+        "many.ply",
+        ASCII.replace("element vertex 4", "element vertex 4294967299").as_bytes(),
+        "4294967299",
+    );
     check("word.obj", b"v 0 0 zero\n", "line 1: `zero`");
     check("index.obj", b"v 0 0 0\nf 1 2 3\n", "vertex 1");
     check("zero.obj", b"v 0 0 0\nf 0 1 1\n", "line 2");

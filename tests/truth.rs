@@ -5,7 +5,8 @@
 
 use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
-    BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report, Session, State, Verdict, VertexFace,
+    BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report,
+    Session, State, Verdict, VertexFace,
 };
 use ccd_testkit::data::{self, QUERY_SETS, SCENES, Scene};
 use ccd_testkit::{brute, compare};
@@ -30,7 +31,10 @@ fn main() {
         add(format!("{}_broad_phase", scene.name), Box::new(|data| check_broad_phase(data, scene)));
         add(format!("{}_step", scene.name), Box::new(|data| check_step(data, scene)));
         if scene.truth.is_some() {
-            add(format!("{}_contacts_f64", scene.name), Box::new(|data| check_contacts_f64(data, scene)));
+            add(
+                format!("{}_contacts_f64", scene.name),
+                Box::new(|data| check_contacts_f64(data, scene)),
+            );
         }
     }
     add("rod_twist_contacts_f32".into(), Box::new(check_rod_twist_f32));
@@ -57,24 +61,32 @@ fn check_broad_phase(data: &Path, scene: &Scene) {
     let [t0, t1] = scene.load(data);
     let mesh = t0.mesh().unwrap();
     let exact = brute::swept_boxes(&mesh, &t0.positions, &t1.positions);
-    let rounded = [&exact[0], &exact[1], &exact[2]].map(|boxes| boxes.iter().map(|b| b.round_out()).collect::<Vec<_>>());
+    let rounded = [&exact[0], &exact[1], &exact[2]]
+        .map(|boxes| boxes.iter().map(|b| b.round_out()).collect::<Vec<_>>());
     let mut digests = Vec::new();
-    for (method, threads) in
-        [(BroadPhaseMethod::Blocks, 1), (BroadPhaseMethod::Blocks, 2), (BroadPhaseMethod::Blocks, 8), (BroadPhaseMethod::Tree, 2)]
-    {
+    for (method, threads) in [
+        (BroadPhaseMethod::Blocks, 1),
+        (BroadPhaseMethod::Blocks, 2),
+        (BroadPhaseMethod::Blocks, 8),
+        (BroadPhaseMethod::Tree, 2),
+    ] {
         let mut broad = BroadPhase::new(threads, method).unwrap();
         let ee = Digest::of(1, broad.self_pairs(&exact[1]).unwrap().iter());
         let vf = Digest::of(0, broad.pairs(&exact[0], &exact[2]).unwrap().iter());
         let ee_rounded = broad.self_pairs(&rounded[1]).unwrap().to_vec();
         let vf_rounded = broad.pairs(&rounded[0], &rounded[2]).unwrap().to_vec();
         assert!(ee_rounded.len() as u64 >= ee.count && vf_rounded.len() as u64 >= vf.count);
-        let rounded = [Digest::of(0, vf_rounded.iter().copied()), Digest::of(1, ee_rounded.iter().copied())];
+        let rounded =
+            [Digest::of(0, vf_rounded.iter().copied()), Digest::of(1, ee_rounded.iter().copied())];
         digests.push([vf, ee, rounded[0], rounded[1]]);
         if method == BroadPhaseMethod::Blocks && threads == 1 {
             check_superset(&mut broad, &exact, &vf_rounded, &ee_rounded);
         }
     }
-    assert!(digests.windows(2).all(|d| d[0] == d[1]), "methods or thread counts differ: {digests:?}");
+    assert!(
+        digests.windows(2).all(|d| d[0] == d[1]),
+        "methods or thread counts differ: {digests:?}"
+    );
     let [vf, ee, ..] = digests[0];
     insta::assert_snapshot!(format!("broad_phase_{}", scene.name), format!("vf {vf}\nee {ee}\n"));
     if exact[1].len() < 10_000 {
@@ -84,7 +96,12 @@ fn check_broad_phase(data: &Path, scene: &Scene) {
 }
 
 /// No exact pair is missing among those of rounded boxes, and none of those comes twice.
-fn check_superset(broad: &mut BroadPhase, exact: &[Vec<ccd::Aabb<f64>>; 3], vf_rounded: &[Pair], ee_rounded: &[Pair]) {
+fn check_superset(
+    broad: &mut BroadPhase,
+    exact: &[Vec<ccd::Aabb<f64>>; 3],
+    vf_rounded: &[Pair],
+    ee_rounded: &[Pair],
+) {
     let sorted = |pairs: &[Pair]| {
         let mut pairs = pairs.to_vec();
         pairs.sort_unstable();
@@ -92,8 +109,16 @@ fn check_superset(broad: &mut BroadPhase, exact: &[Vec<ccd::Aabb<f64>>; 3], vf_r
         pairs
     };
     let (vf_rounded, ee_rounded) = (sorted(vf_rounded), sorted(ee_rounded));
-    assert!(broad.pairs(&exact[0], &exact[2]).unwrap().iter().all(|p| vf_rounded.binary_search(&p).is_ok()));
-    assert!(broad.self_pairs(&exact[1]).unwrap().iter().all(|p| ee_rounded.binary_search(&p).is_ok()));
+    assert!(
+        broad
+            .pairs(&exact[0], &exact[2])
+            .unwrap()
+            .iter()
+            .all(|p| vf_rounded.binary_search(&p).is_ok())
+    );
+    assert!(
+        broad.self_pairs(&exact[1]).unwrap().iter().all(|p| ee_rounded.binary_search(&p).is_ok())
+    );
 }
 
 /// Counts as published; one digest for 1, 2 and 8 threads, which is also the recorded one.
@@ -104,18 +129,30 @@ fn check_step(data: &Path, scene: &Scene) {
         assert_eq!((reports[0].candidates.vf, reports[0].candidates.ee), (vf, ee), "candidates");
     }
     for report in &reports[1..] {
-        assert_eq!(report.contacts, reports[0].contacts, "contacts depend on the number of threads");
+        assert_eq!(
+            report.contacts, reports[0].contacts,
+            "contacts depend on the number of threads"
+        );
         assert_eq!(report.candidates, reports[0].candidates);
         assert_eq!(report.toi, reports[0].toi);
     }
     let mesh = t0.mesh().unwrap();
-    let earliest = ccd::earliest_toi(&mesh, &t0.positions, &t1.positions, &Options::default()).unwrap();
+    let earliest =
+        ccd::earliest_toi(&mesh, &t0.positions, &t1.positions, &Options::default()).unwrap();
     assert_eq!(earliest, reports[0].toi, "the earliest time of impact alone");
     if mesh.edges().len() < 10_000 {
         let [vf, ee] = brute::candidates(&mesh, &t0.positions, &t1.positions);
-        assert_eq!((reports[0].candidates.vf, reports[0].candidates.ee), (vf.len() as u64, ee.len() as u64));
+        assert_eq!(
+            (reports[0].candidates.vf, reports[0].candidates.ee),
+            (vf.len() as u64, ee.len() as u64)
+        );
     }
-    assert!(reports[0].undecided <= scene.undecided, "{} contacts are undecided, {} may be", reports[0].undecided, scene.undecided);
+    assert!(
+        reports[0].undecided <= scene.undecided,
+        "{} contacts are undecided, {} may be",
+        reports[0].undecided,
+        scene.undecided
+    );
     insta::assert_snapshot!(format!("step_{}", scene.name), compare::step_text(&reports[0]));
 }
 
@@ -129,8 +166,14 @@ fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {
 fn check_contacts_f64(data: &Path, scene: &Scene) {
     let [t0, t1] = scene.load(data);
     let report = run(&t0, &t1, 2);
-    let false_alarms = compare::contacts(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
-    println!("{}: {} contacts, {} undecided, {false_alarms} false alarms", scene.name, report.contacts.len(), report.undecided);
+    let false_alarms =
+        compare::contacts(&report, &scene.contacts(data, "vf"), &scene.contacts(data, "ee"));
+    println!(
+        "{}: {} contacts, {} undecided, {false_alarms} false alarms",
+        scene.name,
+        report.contacts.len(),
+        report.undecided
+    );
     assert!(false_alarms <= 453, "{false_alarms} false alarms");
 }
 
@@ -140,9 +183,12 @@ fn check_rod_twist_f32(data: &Path) {
     let scene = Scene::named("rod-twist");
     let [t0, t1] = scene.load(data);
     let mesh = t0.mesh().unwrap();
-    let report = ccd::step(&mesh, &t0.positions_f32(), &t1.positions_f32(), &Options::default()).unwrap();
+    let report =
+        ccd::step(&mesh, &t0.positions_f32(), &t1.positions_f32(), &Options::default()).unwrap();
     let truth = ["vf", "ee"].map(|kind| {
-        let times = data::read_times(&data.join("toi_f32").join(format!("rod-twist_queries_3036{kind}.csv")));
+        let times = data::read_times(
+            &data.join("toi_f32").join(format!("rod-twist_queries_3036{kind}.csv")),
+        );
         let mut pairs = scene.contacts(data, kind);
         assert_eq!(pairs.len(), times.len());
         pairs.iter_mut().zip(&times).for_each(|(p, t)| (p.hit, p.toi) = (t.hit, t.toi));
@@ -158,9 +204,13 @@ fn check_queries(data: &Path, single: bool) {
     let (mut n, mut n_hits, mut n_undecided, mut n_false) = (0, 0, 0, 0);
     let mut left = QUERY_SETS.map(|(set, budgets)| (set, budgets[single as usize] as i64));
     for (path, name) in data::query_files(data) {
-        let (_, left) = left.iter_mut().find(|(set, _)| name.starts_with(set)).unwrap_or_else(|| panic!("{name} is of no set"));
+        let (_, left) = left
+            .iter_mut()
+            .find(|(set, _)| name.starts_with(set))
+            .unwrap_or_else(|| panic!("{name} is of no set"));
         let Queries { queries, answers } = read_queries(&path).unwrap();
-        let times = data::read_times(&data.join(if single { "toi_f32" } else { "toi" }).join(&name));
+        let times =
+            data::read_times(&data.join(if single { "toi_f32" } else { "toi" }).join(&name));
         assert_eq!(queries.len(), times.len(), "{name}");
         for (i, (query, time)) in queries.iter().zip(&times).enumerate() {
             assert!(single || time.hit == answers[i], "{name} {i}: the two sources disagree");
@@ -175,14 +225,21 @@ fn check_queries(data: &Path, single: bool) {
     }
     println!("{n} queries: {n_hits} hits, {n_undecided} of them undecided, {n_false} false alarms");
     assert_eq!(n, 7279);
-    assert!(left.iter().all(|(_, left)| *left >= 0), "more are undecided than may be, by as many as are negative: {left:?}");
+    assert!(
+        left.iter().all(|(_, left)| *left >= 0),
+        "more are undecided than may be, by as many as are negative: {left:?}"
+    );
 }
 
 fn decide<R: Real>(query: &Query) -> Verdict<R> {
     let narrow = |x: &[[f64; 3]; 4]| x.map(|p| p.map(R::from_f64));
     match query {
-        Query::VertexFace(q) => ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),
-        Query::EdgeEdge(q) => ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0)),
+        Query::VertexFace(q) => {
+            ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0))
+        }
+        Query::EdgeEdge(q) => {
+            ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }, R::splat(0.0))
+        }
     }
 }
 
@@ -193,24 +250,38 @@ fn decide_f32(query: &Query) -> Verdict<f64> {
         Verdict::Miss => Verdict::Miss,
         Verdict::Hit { toi } => Verdict::Hit { toi: toi.into() },
         Verdict::Undecided { .. } => match query {
-            Query::VertexFace(q) => ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0),
-            Query::EdgeEdge(q) => ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0),
+            Query::VertexFace(q) => {
+                ccd::vertex_face(&VertexFace { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0)
+            }
+            Query::EdgeEdge(q) => {
+                ccd::edge_edge(&EdgeEdge { t0: narrow(&q.t0), t1: narrow(&q.t1) }.widen(), 0.0)
+            }
         },
     }
 }
 
 /// A session over 60 frames gives what single steps give, refitted or rebuilt.
 fn check_debris_sequence(data: &Path) {
-    let frames: Vec<Frame> =
-        (40..100).map(|i| ccd::io::read_frame(&data.join(format!("scenes/debris-wall/frames/{i:03}.ply"))).unwrap()).collect();
-    let mut session = Session::new(frames[0].mesh().unwrap(), Options { threads: 2, ..Options::default() }).unwrap();
+    let frames: Vec<Frame> = (40..100)
+        .map(|i| {
+            ccd::io::read_frame(&data.join(format!("scenes/debris-wall/frames/{i:03}.ply")))
+                .unwrap()
+        })
+        .collect();
+    let mut session =
+        Session::new(frames[0].mesh().unwrap(), Options { threads: 2, ..Options::default() })
+            .unwrap();
     let mut n_rebuilt = 0;
     for (i, pair) in frames.windows(2).enumerate() {
         let report = session.step(&pair[0].positions, &pair[1].positions).unwrap();
         n_rebuilt += report.rebuilt as usize;
         if i % 7 == 0 {
             let single = run(&pair[0], &pair[1], 1);
-            assert_eq!((report.candidates, &report.contacts), (single.candidates, &single.contacts), "frame {i}");
+            assert_eq!(
+                (report.candidates, &report.contacts),
+                (single.candidates, &single.contacts),
+                "frame {i}"
+            );
         }
     }
     println!("debris-wall: trees built in {n_rebuilt} of 59 steps");
@@ -230,7 +301,10 @@ fn check_bodies(data: &Path) {
     let between = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
     let different = |c: &&Contact| match c.kind {
         Kind::VertexFace => body[c.a as usize] != body[mesh.faces()[c.b as usize][0] as usize],
-        Kind::EdgeEdge => body[mesh.edges()[c.a as usize][0] as usize] != body[mesh.edges()[c.b as usize][0] as usize],
+        Kind::EdgeEdge => {
+            body[mesh.edges()[c.a as usize][0] as usize]
+                != body[mesh.edges()[c.b as usize][0] as usize]
+        }
     };
     let want: Vec<Contact> = all.contacts.iter().filter(different).copied().collect();
     assert_eq!(between.contacts, want);

@@ -219,8 +219,8 @@ pub struct Frame {
     pub origin: [[u32; 2]; 3],
     /// By how much exact boxes are grown: bits of an `f64`, low word first.
     pub margin_bits: [u32; 2],
-    /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`, low word first. See
-    /// [`Table`](crate::model::quantization::Table).
+    /// By what positions are multiplied before they become `f32`, a power of two: bits of an `f64`,
+    /// low word first. See [`Table`](crate::model::quantization::Table).
     pub scale_bits: [u32; 2],
 }
 
@@ -333,4 +333,5 @@ const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
-const _: () = assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);
+const _: () =
+    assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -1,7 +1,8 @@
 //! Certified geometry for continuous collision detection; no_std, no allocator, no thread, no file.
 //!
-//! The same functions run on a CPU and, compiled by rust-gpu, on a GPU. Elemental queries ([`vertex_face`], [`edge_edge`])
-//! answer with a [`Verdict`] that is never a missed contact; everything else here serves to ask few of them.
+//! The same functions run on a CPU and, compiled by rust-gpu, on a GPU. Elemental queries
+//! ([`vertex_face`], [`edge_edge`]) answer with a [`Verdict`] that is never a missed contact;
+//! everything else here serves to ask few of them.
 //!
 //! | room | idea |
 //! |---|---|
@@ -28,4 +29,6 @@ pub use math::aabb::Aabb;
 pub use math::real::{Num, Real};
 pub use model::error::Error;
 pub use model::precision::Coordinate;
-pub use narrow_phase::query::{EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face};
+pub use narrow_phase::query::{
+    EdgeEdge, TOI_TOLERANCE, Verdict, VertexFace, edge_edge, vertex_face,
+};

@@ -1,5 +1,5 @@
-//! Boxes on devices that flush denormals: no pair within the minimum distance is lost. A number type that flushes what goes
-//! into an operation and what comes out of it plays the device.
+//! Boxes on devices that flush denormals: no pair within the minimum distance is lost. A number
+//! type that flushes what goes into an operation and what comes out of it plays the device.
 
 use bytemuck::{Pod, Zeroable};
 use ccd_core::broad_phase::swept_box::swept;
@@ -136,12 +136,16 @@ fn device_box(x: f32, min_distance: f64) -> Aabb<Flushed> {
 
 fn check_pair(x: f32, y: f32, min_distance: f64) {
     let (a, b) = (device_box(x, min_distance), device_box(y, min_distance));
-    assert!(a.overlaps(&b), "{x:e} and {y:e} at a distance of {min_distance:e} are lost: {a:?} {b:?}");
+    assert!(
+        a.overlaps(&b),
+        "{x:e} and {y:e} at a distance of {min_distance:e} are lost: {a:?} {b:?}"
+    );
 }
 
 #[test]
 fn pairs_within_the_distance_overlap_where_denormals_are_flushed() {
-    // A margin that is flushed itself; a coordinate that is flushed and moves inward by nearly the margin.
+    // A margin that is flushed itself; a coordinate that is flushed and moves inward by nearly the
+    // margin.
     check_pair(1.175_494_4e-38, 1.175_494_6e-38, 1e-40);
     check_pair(3.4e-38, 1.0e-38, 2.45e-38);
     check_pair(-3.4e-38, -1.0e-38, 2.45e-38);
@@ -155,7 +159,8 @@ fn pairs_within_the_distance_overlap_where_denormals_are_flushed() {
     }
 }
 
-/// The model finds what it is for: without growing, and with the half of the distance alone, pairs are lost.
+/// The model finds what it is for: without growing, and with the half of the distance alone, pairs
+/// are lost.
 #[test]
 fn the_model_loses_pairs_that_are_grown_by_half_of_the_distance_alone() {
     let lost = |x: f32, y: f32, margin: f32| {

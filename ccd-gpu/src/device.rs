@@ -56,10 +56,19 @@ impl fmt::Display for Info {
         writeln!(f, "adapter     {} ({:?})", a.name, a.device_type)?;
         writeln!(f, "backend     {}, driver {} {}", a.backend, a.driver, a.driver_info)?;
         writeln!(f, "shaders     {path}: {}", self.why)?;
-        writeln!(f, "f64         {}", if self.wide { "on the device" } else { "on the CPU, for what f32 cannot decide" })?;
+        writeln!(
+            f,
+            "f64         {}",
+            if self.wide { "on the device" } else { "on the CPU, for what f32 cannot decide" }
+        )?;
         writeln!(f, "timestamps  {}", if self.timestamps { "yes" } else { "no" })?;
         let l = &self.limits;
-        writeln!(f, "limits      {} MiB a binding, {} MiB a buffer", l.max_storage_buffer_binding_size >> 20, l.max_buffer_size >> 20)?;
+        writeln!(
+            f,
+            "limits      {} MiB a binding, {} MiB a buffer",
+            l.max_storage_buffer_binding_size >> 20,
+            l.max_buffer_size >> 20
+        )?;
         write!(
             f,
             "            {} storage buffers a kernel, {} bytes of workgroup memory, {} threads a workgroup, {} workgroups a dimension",
@@ -126,7 +135,10 @@ impl Device {
 
     /// All adapters of this machine, once for every GPU API that reaches them.
     pub fn adapters() -> Vec<wgpu::AdapterInfo> {
-        pollster::block_on(instance().enumerate_adapters(wgpu::Backends::all())).iter().map(|a| a.get_info()).collect()
+        pollster::block_on(instance().enumerate_adapters(wgpu::Backends::all()))
+            .iter()
+            .map(|a| a.get_info())
+            .collect()
     }
 
     async fn open_async(options: &DeviceOptions) -> Result<Self, Error> {
@@ -134,7 +146,9 @@ impl Device {
         let adapter = choose(&instance, options).await?;
         let info = adapter.get_info();
         let features = wanted_features(options) & adapter.features();
-        let refused = |e: wgpu::RequestDeviceError| Error::Unavailable { why: format!("{} gives no device: {e}", info.name) };
+        let refused = |e: wgpu::RequestDeviceError| Error::Unavailable {
+            why: format!("{} gives no device: {e}", info.name),
+        };
         let passthrough = features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
@@ -162,12 +176,19 @@ impl Device {
 
     /// Uses a device that an application owns; see [`Device::features`]. The application keeps its
     /// callbacks for errors and for the loss of the device.
-    pub fn from_wgpu(device: wgpu::Device, queue: wgpu::Queue, adapter: wgpu::AdapterInfo, options: &DeviceOptions) -> Result<Self, Error> {
+    pub fn from_wgpu(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        adapter: wgpu::AdapterInfo,
+        options: &DeviceOptions,
+    ) -> Result<Self, Error> {
         let features = device.features();
-        let can_pass = adapter.backend == wgpu::Backend::Vulkan && features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
+        let can_pass = adapter.backend == wgpu::Backend::Vulkan
+            && features.contains(wgpu::Features::PASSTHROUGH_SHADERS);
         let (path, why) = match options.path {
             Some(Path::Passthrough) if !can_pass => {
-                let why = format!("{} ({}) has no passthrough of shaders", adapter.name, adapter.backend);
+                let why =
+                    format!("{} ({}) has no passthrough of shaders", adapter.name, adapter.backend);
                 return Err(Error::Unavailable { why });
             }
             Some(path) => (path, "as asked"),
@@ -176,7 +197,10 @@ impl Device {
         };
         if adapter.backend == wgpu::Backend::Gl {
             // Its kernels were seen to end without results and without an error.
-            let why = format!("{} through OpenGL: kernels do not run there; Vulkan, Metal and DX12 are supported", adapter.name);
+            let why = format!(
+                "{} through OpenGL: kernels do not run there; Vulkan, Metal and DX12 are supported",
+                adapter.name
+            );
             return Err(Error::Unavailable { why });
         }
         let limits = device.limits();
@@ -211,11 +235,20 @@ impl Device {
 
     /// Runs `work` and turns what the device reports meanwhile into an error. `what`, `bytes`: for
     /// lack of memory.
-    pub(crate) fn guarded<T>(&self, what: &'static str, bytes: u64, work: impl FnOnce() -> T) -> Result<T, Error> {
+    pub(crate) fn guarded<T>(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        work: impl FnOnce() -> T,
+    ) -> Result<T, Error> {
         self.check_lost()?;
         let device = &self.inner.device;
-        let scopes = [wgpu::ErrorFilter::Internal, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::OutOfMemory]
-            .map(|f| device.push_error_scope(f));
+        let scopes = [
+            wgpu::ErrorFilter::Internal,
+            wgpu::ErrorFilter::Validation,
+            wgpu::ErrorFilter::OutOfMemory,
+        ]
+        .map(|f| device.push_error_scope(f));
         let out = work();
         let [internal, validation, memory] = scopes;
         let memory = pollster::block_on(memory.pop());
@@ -247,7 +280,12 @@ impl Device {
     }
 
     /// A buffer, or why there is none.
-    pub(crate) fn buffer(&self, what: &'static str, bytes: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, Error> {
+    pub(crate) fn buffer(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, Error> {
         // A binding is never empty, and at least as large as one record of any kind.
         let bytes = bytes.max(256).next_multiple_of(16);
         let limits = &self.inner.info.limits;
@@ -255,7 +293,12 @@ impl Device {
         if bytes > limit {
             return Err(Error::TooLarge { what, bytes, limit });
         }
-        let descriptor = wgpu::BufferDescriptor { label: Some(what), size: bytes, usage, mapped_at_creation: false };
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some(what),
+            size: bytes,
+            usage,
+            mapped_at_creation: false,
+        };
         self.guarded(what, bytes, || self.inner.device.create_buffer(&descriptor))
     }
 
@@ -271,11 +314,21 @@ impl Device {
         let shader = match info.path {
             Path::Wgsl => {
                 let source = wgpu::ShaderSource::Wgsl(module.wgsl.into());
-                device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(row.name), source })
+                device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some(row.name),
+                    source,
+                })
             }
             Path::Passthrough => {
-                let words: Vec<u32> = module.spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-                let entry = wgpu::PassthroughShaderEntryPoint { name: row.name.into(), workgroup_size: (row.threads, 1, 1) };
+                let words: Vec<u32> = module
+                    .spirv
+                    .chunks_exact(4)
+                    .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+                    .collect();
+                let entry = wgpu::PassthroughShaderEntryPoint {
+                    name: row.name.into(),
+                    workgroup_size: (row.threads, 1, 1),
+                };
                 let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
                     label: Some(row.name),
                     entry_points: vec![entry].into(),
@@ -287,9 +340,14 @@ impl Device {
                 unsafe { device.create_shader_module_passthrough(descriptor) }
             }
         };
-        let entries: Vec<_> =
-            (0..).zip(row.bindings()).map(|(i, access)| layout_entry(i, access, row.params.is_some() && i == 0)).collect();
-        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(row.name), entries: &entries });
+        let entries: Vec<_> = (0..)
+            .zip(row.bindings())
+            .map(|(i, access)| layout_entry(i, access, row.params.is_some() && i == 0))
+            .collect();
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some(row.name),
+            entries: &entries,
+        });
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(row.name),
             bind_group_layouts: &[Some(&layout)],
@@ -301,7 +359,10 @@ impl Device {
             module: &shader,
             entry_point: Some(row.name),
             // Kernels set what they read.
-            compilation_options: wgpu::PipelineCompilationOptions { zero_initialize_workgroup_memory: false, ..Default::default() },
+            compilation_options: wgpu::PipelineCompilationOptions {
+                zero_initialize_workgroup_memory: false,
+                ..Default::default()
+            },
             cache: None,
         });
         Pipeline { pipeline, layout }
@@ -327,10 +388,16 @@ fn check_limits(adapter: &wgpu::AdapterInfo, limits: &wgpu::Limits) -> Result<()
         ("storage buffers a kernel", limits.max_storage_buffers_per_shader_stage as u64, 8),
         ("bytes of workgroup memory", limits.max_compute_workgroup_storage_size as u64, 16_384),
         ("threads a workgroup", limits.max_compute_invocations_per_workgroup as u64, 256),
-        ("dynamic storage buffers", limits.max_dynamic_storage_buffers_per_pipeline_layout as u64, 1),
+        (
+            "dynamic storage buffers",
+            limits.max_dynamic_storage_buffers_per_pipeline_layout as u64,
+            1,
+        ),
     ];
     match needs.iter().find(|(_, has, needed)| has < needed) {
-        Some((what, has, needed)) => Err(Error::Unavailable { why: format!("{} has {has} {what}, {needed} are needed", adapter.name) }),
+        Some((what, has, needed)) => Err(Error::Unavailable {
+            why: format!("{} has {has} {what}, {needed} are needed", adapter.name),
+        }),
         None => Ok(()),
     }
 }
@@ -343,14 +410,26 @@ fn instance() -> wgpu::Instance {
     wgpu::Instance::new(descriptor)
 }
 
-async fn choose(instance: &wgpu::Instance, options: &DeviceOptions) -> Result<wgpu::Adapter, Error> {
+async fn choose(
+    instance: &wgpu::Instance,
+    options: &DeviceOptions,
+) -> Result<wgpu::Adapter, Error> {
     let wanted = options.adapter.clone().or_else(|| std::env::var("CCD_ADAPTER").ok());
     let Some(wanted) = wanted else {
-        let request = wgpu::RequestAdapterOptions { power_preference: wgpu::PowerPreference::HighPerformance, ..Default::default() };
-        return instance.request_adapter(&request).await.map_err(|e| Error::Unavailable { why: e.to_string() });
+        let request = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        return instance
+            .request_adapter(&request)
+            .await
+            .map_err(|e| Error::Unavailable { why: e.to_string() });
     };
     let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
     let names: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
-    let found = all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
-    found.ok_or_else(|| Error::Unavailable { why: format!("no adapter is named like \"{wanted}\"; there are: {}", names.join(", ")) })
+    let found =
+        all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
+    found.ok_or_else(|| Error::Unavailable {
+        why: format!("no adapter is named like \"{wanted}\"; there are: {}", names.join(", ")),
+    })
 }

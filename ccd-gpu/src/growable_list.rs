@@ -24,7 +24,12 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
     for i in [0, 1] {
         if word(bytes, i + 2) > 0 {
             let count = (word(bytes, i + 2) as u64) << 32 | word(bytes, i) as u64;
-            return Err(ccd_core::Error::TooMany { element: "overlapping pairs", count, limit: u32::MAX as u64 }.into());
+            return Err(ccd_core::Error::TooMany {
+                element: "overlapping pairs",
+                count,
+                limit: u32::MAX as u64,
+            }
+            .into());
         }
     }
     Ok(Header { wanted: word(bytes, 0), looked_at: word(bytes, 1) })
@@ -55,7 +60,11 @@ impl List {
     }
 
     /// A list that holds these pairs from the start.
-    pub fn of_pairs(device: &Device, what: &'static str, pairs: &[[u32; 2]]) -> Result<Self, Error> {
+    pub fn of_pairs(
+        device: &Device,
+        what: &'static str,
+        pairs: &[[u32; 2]],
+    ) -> Result<Self, Error> {
         let list = Self::new(device, what, 2, pairs.len() as u32)?;
         let mut words = vec![pairs.len() as u32, 0, 0, 0];
         words.extend(pairs.iter().flatten());
@@ -94,7 +103,9 @@ impl List {
         // for that.
         let larger = wanted.saturating_add(wanted / 4);
         *self = match Self::new(device, self.what, self.words, larger) {
-            Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => Self::new(device, self.what, self.words, wanted)?,
+            Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => {
+                Self::new(device, self.what, self.words, wanted)?
+            }
             other => other?,
         };
         Ok(true)

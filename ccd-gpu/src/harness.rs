@@ -13,7 +13,13 @@ use wgpu::BufferUsages as U;
 ///
 /// Lengths are multiples of 4. `fold`: workgroups of a row of the grid, at most; a larger number of
 /// workgroups is folded into rows, as it is for more than 65,535.
-pub fn run<K: Bind<Vec<u8>>>(device: &Device, kernel: &mut K, params: &Params<K::Own>, groups: u32, fold: u32) -> Result<(), Error> {
+pub fn run<K: Bind<Vec<u8>>>(
+    device: &Device,
+    kernel: &mut K,
+    params: &Params<K::Own>,
+    groups: u32,
+    fold: u32,
+) -> Result<(), Error> {
     let mut bench = Bench::new(device)?;
     bench.fold = fold;
     let usage = U::STORAGE | U::COPY_SRC | U::COPY_DST;
@@ -22,7 +28,8 @@ pub fn run<K: Bind<Vec<u8>>>(device: &Device, kernel: &mut K, params: &Params<K:
         let size = (bytes.len() as u64).max(16);
         let label = Some(K::ID.row().name);
         let descriptor = wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false };
-        let buffer = device.guarded("a buffer of a test", size, || device.wgpu().create_buffer(&descriptor))?;
+        let buffer = device
+            .guarded("a buffer of a test", size, || device.wgpu().create_buffer(&descriptor))?;
         device.queue().write_buffer(&buffer, 0, bytes);
         on_device.push(buffer);
     }

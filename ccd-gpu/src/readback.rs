@@ -52,7 +52,12 @@ impl Readback {
                 }
                 let size = (bytes + bytes / 4 + 4096).min(limit).next_multiple_of(8);
                 let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-                let descriptor = wgpu::BufferDescriptor { label: Some("results"), size, usage, mapped_at_creation: false };
+                let descriptor = wgpu::BufferDescriptor {
+                    label: Some("results"),
+                    size,
+                    usage,
+                    mapped_at_creation: false,
+                };
                 device.guarded("results", size, || device.wgpu().create_buffer(&descriptor))?
             }
         };
@@ -81,7 +86,12 @@ pub fn word(bytes: &[u8], i: usize) -> u32 {
 }
 
 /// Waits for the device and calls `read` with the first bytes of a mappable buffer.
-pub fn map<T>(device: &Device, buffer: &wgpu::Buffer, bytes: u64, read: impl FnOnce(&[u8]) -> T) -> Result<T, Error> {
+pub fn map<T>(
+    device: &Device,
+    buffer: &wgpu::Buffer,
+    bytes: u64,
+    read: impl FnOnce(&[u8]) -> T,
+) -> Result<T, Error> {
     if bytes == 0 {
         return Ok(read(&[]));
     }

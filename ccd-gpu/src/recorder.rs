@@ -51,7 +51,11 @@ struct Timer {
 impl Bench {
     pub fn new(device: &Device) -> Result<Self, Error> {
         use wgpu::BufferUsages as U;
-        let params = device.buffer("parameters", PARAMS_STRIDE * MAX_DISPATCHES, U::STORAGE | U::COPY_DST)?;
+        let params = device.buffer(
+            "parameters",
+            PARAMS_STRIDE * MAX_DISPATCHES,
+            U::STORAGE | U::COPY_DST,
+        )?;
         Ok(Self {
             device: device.clone(),
             params,
@@ -70,9 +74,15 @@ impl Bench {
         }
         use wgpu::BufferUsages as U;
         let bytes = MAX_STAGES as u64 * 16;
-        let queries = wgpu::QuerySetDescriptor { label: Some("stages"), ty: wgpu::QueryType::Timestamp, count: 2 * MAX_STAGES };
+        let queries = wgpu::QuerySetDescriptor {
+            label: Some("stages"),
+            ty: wgpu::QueryType::Timestamp,
+            count: 2 * MAX_STAGES,
+        };
         self.timer = Some(Timer {
-            queries: self.device.guarded("timestamps", bytes, || self.device.wgpu().create_query_set(&queries))?,
+            queries: self
+                .device
+                .guarded("timestamps", bytes, || self.device.wgpu().create_query_set(&queries))?,
             resolved: self.device.buffer("timestamps", bytes, U::QUERY_RESOLVE | U::COPY_SRC)?,
             read: self.device.buffer("timestamps", bytes, U::MAP_READ | U::COPY_DST)?,
         });
@@ -86,18 +96,34 @@ impl Bench {
 
     /// Starts recording into `encoder`.
     pub fn record<'a>(&'a mut self, encoder: &'a mut wgpu::CommandEncoder) -> Recorder<'a> {
-        Recorder { bench: self, encoder, pass: None, params: Vec::new(), stages: Vec::new(), ended: false }
+        Recorder {
+            bench: self,
+            encoder,
+            pass: None,
+            params: Vec::new(),
+            stages: Vec::new(),
+            ended: false,
+        }
     }
 
     /// Milliseconds between the first and the last timestamp of each stage that was recorded last;
     /// the work must be done.
     pub fn times(&self, stages: &[&'static str]) -> Result<Vec<(&'static str, f64)>, Error> {
-        let Some(timer) = self.timer.as_ref().filter(|_| !stages.is_empty()) else { return Ok(Vec::new()) };
+        let Some(timer) = self.timer.as_ref().filter(|_| !stages.is_empty()) else {
+            return Ok(Vec::new());
+        };
         let ticks: Vec<u64> = map(&self.device, &timer.read, stages.len() as u64 * 16, |bytes| {
-            bytes.chunks_exact(8).map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default())).collect()
+            bytes
+                .chunks_exact(8)
+                .map(|b| u64::from_le_bytes(b.try_into().unwrap_or_default()))
+                .collect()
         })?;
         let period = self.device.queue().get_timestamp_period() as f64 * 1e-6;
-        Ok(stages.iter().zip(ticks.chunks_exact(2)).map(|(name, t)| (*name, t[1].saturating_sub(t[0]) as f64 * period)).collect())
+        Ok(stages
+            .iter()
+            .zip(ticks.chunks_exact(2))
+            .map(|(name, t)| (*name, t[1].saturating_sub(t[0]) as f64 * period))
+            .collect())
     }
 }
 
@@ -115,7 +141,9 @@ pub struct Recorder<'a> {
 impl Recorder<'_> {
     /// A new stage begins: dispatches without copies between them, which are one pass.
     pub fn stage(&mut self, name: &'static str) {
-        if matches!(self.bench.timing, Timing::Stages | Timing::Kernels) && self.stages.len() < MAX_STAGES as usize {
+        if matches!(self.bench.timing, Timing::Stages | Timing::Kernels)
+            && self.stages.len() < MAX_STAGES as usize
+        {
             self.pass = None;
             self.stages.push(name);
         }
@@ -141,7 +169,10 @@ impl Recorder<'_> {
                 beginning_of_pass_write_index: None,
                 end_of_pass_write_index: Some(1),
             };
-            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("end"), timestamp_writes: Some(writes) });
+            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: Some("end"),
+                timestamp_writes: Some(writes),
+            });
         }
         self.ended = true;
     }
@@ -153,7 +184,14 @@ impl Recorder<'_> {
     }
 
     /// Copies between buffers.
-    pub fn copy(&mut self, from: &wgpu::Buffer, from_byte: u64, to: &wgpu::Buffer, to_byte: u64, bytes: u64) {
+    pub fn copy(
+        &mut self,
+        from: &wgpu::Buffer,
+        from_byte: u64,
+        to: &wgpu::Buffer,
+        to_byte: u64,
+        bytes: u64,
+    ) {
         self.pass = None;
         self.encoder.copy_buffer_to_buffer(from, from_byte, to, to_byte, bytes);
     }
@@ -166,12 +204,22 @@ impl Recorder<'_> {
     }
 
     /// Runs a kernel with a thread for each of `n` items.
-    pub fn each<'b, K: Bind<&'b wgpu::Buffer>>(&mut self, kernel: &K, params: &Params<K::Own>, n: u32) {
+    pub fn each<'b, K: Bind<&'b wgpu::Buffer>>(
+        &mut self,
+        kernel: &K,
+        params: &Params<K::Own>,
+        n: u32,
+    ) {
         self.dispatch(kernel, params, n.div_ceil(K::ID.threads()));
     }
 
     /// Runs a kernel with `groups` workgroups.
-    pub fn dispatch<'b, K: Bind<&'b wgpu::Buffer>>(&mut self, kernel: &K, params: &Params<K::Own>, groups: u32) {
+    pub fn dispatch<'b, K: Bind<&'b wgpu::Buffer>>(
+        &mut self,
+        kernel: &K,
+        params: &Params<K::Own>,
+        groups: u32,
+    ) {
         let buffers: Vec<&wgpu::Buffer> = kernel.buffers().into_iter().copied().collect();
         self.run(K::ID, params.parts(), &buffers, groups);
     }
@@ -191,8 +239,15 @@ impl Recorder<'_> {
             let params = wgpu::BufferBinding { buffer: &bench.params, offset: 0, size };
             let first = takes_params.then_some(wgpu::BindingResource::Buffer(params));
             let resources = first.into_iter().chain(buffers.iter().map(|b| b.as_entire_binding()));
-            let entries: Vec<_> = resources.enumerate().map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource }).collect();
-            let descriptor = wgpu::BindGroupDescriptor { label: Some(id.row().name), layout: &pipeline.layout, entries: &entries };
+            let entries: Vec<_> = resources
+                .enumerate()
+                .map(|(i, resource)| wgpu::BindGroupEntry { binding: i as u32, resource })
+                .collect();
+            let descriptor = wgpu::BindGroupDescriptor {
+                label: Some(id.row().name),
+                layout: &pipeline.layout,
+                entries: &entries,
+            };
             bench.device.wgpu().create_bind_group(&descriptor)
         });
         let pass = self.pass.get_or_insert_with(|| {
@@ -209,12 +264,19 @@ impl Recorder<'_> {
                     last.map(|at| (at, Some(at + 1)))
                 }
             };
-            let timestamp_writes = bench.timer.as_ref().zip(writes).map(|(timer, (begin, end))| wgpu::ComputePassTimestampWrites {
-                query_set: &timer.queries,
-                beginning_of_pass_write_index: Some(begin),
-                end_of_pass_write_index: end,
+            let timestamp_writes = bench.timer.as_ref().zip(writes).map(|(timer, (begin, end))| {
+                wgpu::ComputePassTimestampWrites {
+                    query_set: &timer.queries,
+                    beginning_of_pass_write_index: Some(begin),
+                    end_of_pass_write_index: end,
+                }
             });
-            self.encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("ccd"), timestamp_writes }).forget_lifetime()
+            self.encoder
+                .begin_compute_pass(&wgpu::ComputePassDescriptor {
+                    label: Some("ccd"),
+                    timestamp_writes,
+                })
+                .forget_lifetime()
         });
         pass.set_pipeline(&pipeline.pipeline);
         if takes_params {
@@ -235,7 +297,11 @@ impl Recorder<'_> {
         self.end_of_work();
         let bytes = self.params.len() as u64;
         if bytes > PARAMS_STRIDE * MAX_DISPATCHES {
-            return Err(Error::TooLarge { what: "parameters of dispatches", bytes, limit: PARAMS_STRIDE * MAX_DISPATCHES });
+            return Err(Error::TooLarge {
+                what: "parameters of dispatches",
+                bytes,
+                limit: PARAMS_STRIDE * MAX_DISPATCHES,
+            });
         }
         self.bench.device.queue().write_buffer(&self.bench.params, 0, &self.params);
         if let Some(timer) = &self.bench.timer
@@ -250,9 +316,15 @@ impl Recorder<'_> {
 }
 
 /// Records with `work`, submits, and returns the stages.
-pub fn submit(device: &Device, bench: &mut Bench, work: impl FnOnce(&mut Recorder)) -> Result<Vec<&'static str>, Error> {
+pub fn submit(
+    device: &Device,
+    bench: &mut Bench,
+    work: impl FnOnce(&mut Recorder),
+) -> Result<Vec<&'static str>, Error> {
     device.guarded("a frame", 0, || {
-        let mut encoder = device.wgpu().create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
+        let mut encoder = device
+            .wgpu()
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("ccd") });
         let mut recorder = bench.record(&mut encoder);
         work(&mut recorder);
         let stages = recorder.finish()?;

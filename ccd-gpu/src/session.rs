@@ -14,6 +14,7 @@ use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::report::Report;
 use ccd_core::narrow_phase::decide;
 use std::time::Instant;
@@ -152,7 +153,7 @@ impl Session {
     /// Every contact while vertices move on straight lines from `x0` to `x1`, one position per
     /// vertex of the mesh.
     pub fn step<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<&Report, Error> {
-        self.run(x0, x1, Goal::Contacts)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Contacts)?;
         Ok(&self.report)
     }
 
@@ -160,34 +161,56 @@ impl Session {
     /// [`Session::step`]. `None`: the whole step is free.
     ///
     /// It is not later than the earliest contact, and rounded down to an `f32`.
-    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Option<f64>, Error> {
         let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
-        self.run(x0, x1, goal)?;
+        self.run(T::slices::<Points, 2>([x0, x1]), goal)?;
         Ok(self.report.toi)
     }
 
     /// Lists all candidates of the step: pairs of features whose swept boxes overlap, without those
     /// that share a vertex or that the bodies rule out.
-    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates, Error> {
-        self.run(x0, x1, Goal::Candidates)?;
+    pub fn candidates<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Candidates, Error> {
+        self.list(T::slices::<Points, 2>([x0, x1]))
+    }
+
+    /// Lists candidates.
+    #[inline(never)]
+    fn list(&mut self, given: Given) -> Result<Candidates, Error> {
+        self.run(given, Goal::Candidates)?;
         let Self { buffers, bench, readback, device, report, .. } = self;
         let PerKind { vf, ee } = report.candidates;
         let mut plan = Plan::default();
         let [of_vf, of_ee] = &buffers.candidates;
-        let (part_vf, part_ee) = (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
+        let (part_vf, part_ee) =
+            (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
         let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| {
             recorder.read(&reading, part_vf, of_vf.buffer(), 0);
             recorder.read(&reading, part_ee, of_ee.buffer(), 0);
         })?;
-        reading.with(device, |bytes| Candidates { vf: read_pairs(part_vf.of(bytes)), ee: read_pairs(part_ee.of(bytes)) })
+        reading.with(device, |bytes| Candidates {
+            vf: read_pairs(part_vf.of(bytes)),
+            ee: read_pairs(part_ee.of(bytes)),
+        })
     }
 
     /// As [`Session::candidates`], but leaves the pairs on the device: vertex-face and edge-edge,
     /// until the next call. All of them fit.
-    pub fn candidates_on_device<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<[&List; 2], Error> {
-        self.run(x0, x1, Goal::Candidates)?;
+    pub fn candidates_on_device<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<[&List; 2], Error> {
+        self.run(T::slices::<Points, 2>([x0, x1]), Goal::Candidates)?;
         let [vf, ee] = &self.buffers.candidates;
         Ok([vf, ee])
     }
@@ -215,19 +238,32 @@ impl Session {
         })??;
         let b = &self.buffers;
         let lists = b.lists().into_vec();
-        Ok(OnDevice { contacts: &b.contacts, undecided: [&b.undecided[0], &b.undecided[1]], lists, earliest: b.earliest.each_ref() })
+        Ok(OnDevice {
+            contacts: &b.contacts,
+            undecided: [&b.undecided[0], &b.undecided[1]],
+            lists,
+            earliest: b.earliest.each_ref(),
+        })
     }
 
-    fn run<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]], goal: Goal) -> Result<(), Error> {
-        self.mesh.check_positions(x0, x1)?;
+    #[inline(never)]
+    fn run(&mut self, given: Given, goal: Goal) -> Result<(), Error> {
+        match given {
+            Precision::F32([x0, x1]) => self.mesh.check_positions(x0, x1),
+            Precision::F64([x0, x1]) => self.mesh.check_positions(x0, x1),
+        }?;
         let start = Instant::now();
         let distance = self.options.min_distance;
         let Buffers { positions, tree, .. } = &mut self.buffers;
         self.device.check_lost()?;
-        if positions.upload(&self.device, x0, x1, distance, &tree.boxes)? {
+        if positions.upload(&self.device, given, distance, &tree.boxes)? {
             self.bench.forget();
         }
-        self.report = Report { contacts: std::mem::take(&mut self.report.contacts), rebuilt: true, ..Report::default() };
+        self.report = Report {
+            contacts: std::mem::take(&mut self.report.contacts),
+            rebuilt: true,
+            ..Report::default()
+        };
         self.report.contacts.clear();
         let uploaded = start.elapsed();
         let found = loop {
@@ -237,7 +273,7 @@ impl Session {
             }
         };
         self.report.times.boxes = uploaded.as_secs_f64() * 1e3;
-        self.take(found, goal, x0, x1);
+        self.take(found, goal, given);
         self.report.times.total = start.elapsed().as_secs_f64() * 1e3;
         Ok(())
     }
@@ -246,7 +282,11 @@ impl Session {
     /// many are to be read at once.
     fn plan_contacts(&mut self, goal: Goal) -> Result<u32, Error> {
         let Self { device, buffers, bench, expected, .. } = self;
-        let n = if goal == Goal::Contacts { (*expected + *expected / 4 + 256).min(buffers.contacts.room()) } else { 0 };
+        let n = if goal == Goal::Contacts {
+            (*expected + *expected / 4 + 256).min(buffers.contacts.room())
+        } else {
+            0
+        };
         buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
         if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
             buffers.order = None;
@@ -285,7 +325,9 @@ impl Session {
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
             match &buffers.order {
-                Some(order) if buffers.to_order > 0 => recorder.read(&reading, of_contacts, &order.ordered, 0),
+                Some(order) if buffers.to_order > 0 => {
+                    recorder.read(&reading, of_contacts, &order.ordered, 0)
+                }
                 _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
             }
         })?;
@@ -293,10 +335,14 @@ impl Session {
         let headers = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
-            found.sampled = word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+            found.sampled =
+                word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
             let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
             let n = headers.contacts.wanted.min(guess) as usize;
-            cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], &mut report.contacts);
+            cpu_fallback::take_touches(
+                &of_contacts.of(bytes)[..n * size_of::<Touch>()],
+                &mut report.contacts,
+            );
             Ok::<_, Error>(headers)
         })??;
         self.stages = bench.times(&stages)?;
@@ -342,7 +388,12 @@ impl Session {
 
     /// Reads what the frame's own reading left: all contacts, if they were more than expected, and
     /// pairs that are left open.
-    fn read_rest(&mut self, found: &mut Found, n_contacts: u32, n_open: [u32; 2]) -> Result<(), Error> {
+    fn read_rest(
+        &mut self,
+        found: &mut Found,
+        n_contacts: u32,
+        n_open: [u32; 2],
+    ) -> Result<(), Error> {
         let Self { device, buffers, bench, readback, report, .. } = self;
         let Buffers { contacts, undecided: [vf, ee], .. } = buffers;
         let mut plan = Plan::default();
@@ -357,7 +408,10 @@ impl Session {
         found.open = reading.with(device, |bytes| {
             if n_contacts > 0 {
                 report.contacts.clear();
-                cpu_fallback::take_touches(&of_contacts.of(bytes)[HEADER_BYTES as usize..], &mut report.contacts);
+                cpu_fallback::take_touches(
+                    &of_contacts.of(bytes)[HEADER_BYTES as usize..],
+                    &mut report.contacts,
+                );
             }
             [read_pairs(of_vf.of(bytes)), read_pairs(of_ee.of(bytes))]
         })?;
@@ -365,19 +419,24 @@ impl Session {
     }
 
     /// Decides what the device left open, and makes the report.
-    fn take<T: Coordinate>(&mut self, found: Found, goal: Goal, x0: &[[T; 3]], x1: &[[T; 3]]) {
+    fn take(&mut self, found: Found, goal: Goal, given: Given) {
         let report = &mut self.report;
         self.left_open = PerKind { vf: found.open[0].len() as u64, ee: found.open[1].len() as u64 };
         report.candidates = found.candidates;
         report.filtered = found.filtered;
         let contacts = &mut report.contacts;
         for (kind, open) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(&found.open) {
-            cpu_fallback::decide(&self.mesh, kind, open, x0, x1, self.options.min_distance, contacts);
+            let (mesh, distance) = (&self.mesh, self.options.min_distance);
+            match given {
+                Precision::F32(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+                Precision::F64(x) => cpu_fallback::decide(mesh, kind, open, x, distance, contacts),
+            }
         }
         report.toi = contacts.iter().map(|c| c.toi).reduce(f64::min);
         if goal != Goal::Contacts {
             // Contacts that the device counted are not in the list; their earliest time is.
-            let device = (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
+            let device =
+                (found.earliest != decide::NEVER).then(|| f32::from_bits(found.earliest) as f64);
             report.toi = report.toi.into_iter().chain(device).reduce(f64::min);
             contacts.clear();
         }

@@ -20,7 +20,8 @@ pub struct Sort {
 impl Sort {
     /// Room for `n` pairs.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
-        let words = |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        let words =
+            |what, n: u64| device.buffer(what, 4 * n, U::STORAGE | U::COPY_SRC | U::COPY_DST);
         let (n_tiles, n) = (n.div_ceil(sort::TILE) as u64, n as u64);
         Ok(Self {
             keys: [words("sort keys", n)?, words("sort keys", n)?],
@@ -57,7 +58,11 @@ impl Sort {
             recorder.detail("sort_scan");
             recorder.dispatch(&SortScan { table }, &p, sort::DIGITS);
             recorder.detail("sort_scatter");
-            recorder.dispatch(&SortScatter { table, keys, values, keys_out, values_out }, &p, n_tiles);
+            recorder.dispatch(
+                &SortScatter { table, keys, values, keys_out, values_out },
+                &p,
+                n_tiles,
+            );
             from = 1 - from;
         }
         from
@@ -76,15 +81,25 @@ pub struct Sorter {
 impl Sorter {
     /// Room for `n` pairs.
     pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
-        let source = |what| device.buffer(what, 4 * n as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST);
+        let source =
+            |what| device.buffer(what, 4 * n as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST);
         let mut bench = Bench::new(device)?;
         bench.set_timing(Timing::Kernels)?;
-        Ok(Self { bench, sort: Sort::new(device, n)?, source: [source("keys")?, source("values")?], device: device.clone(), n })
+        Ok(Self {
+            bench,
+            sort: Sort::new(device, n)?,
+            source: [source("keys")?, source("values")?],
+            device: device.clone(),
+            n,
+        })
     }
 
     /// Sorts; returns the sorted keys and values.
     pub fn sort(&mut self, keys: &[u32], values: &[u32]) -> Result<(Vec<u32>, Vec<u32>), Error> {
-        assert!(keys.len() == self.n as usize && values.len() == keys.len(), "another number of pairs than room was made for");
+        assert!(
+            keys.len() == self.n as usize && values.len() == keys.len(),
+            "another number of pairs than room was made for"
+        );
         self.device.queue().write_buffer(&self.source[0], 0, bytemuck::cast_slice(keys));
         self.device.queue().write_buffer(&self.source[1], 0, bytemuck::cast_slice(values));
         self.again()?;
@@ -98,7 +113,10 @@ impl Sorter {
             recorder.read(&reading, of_values, values, 0);
         })?;
         reading.with(&self.device, |bytes| {
-            (bytemuck::pod_collect_to_vec(of_keys.of(bytes)), bytemuck::pod_collect_to_vec(of_values.of(bytes)))
+            (
+                bytemuck::pod_collect_to_vec(of_keys.of(bytes)),
+                bytemuck::pod_collect_to_vec(of_values.of(bytes)),
+            )
         })
     }
 

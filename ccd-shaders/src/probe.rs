@@ -2,9 +2,9 @@
 //! operations.
 
 use crate::workgroup::group;
+use ccd_core::kernel::memory::{at, put};
 use ccd_core::kernel::{Id, probe};
 use ccd_core::layout::{Blocks, Leaf, Pair, Params, Path, Touch};
-use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -1,9 +1,9 @@
 //! One pass of the radix sort; see `ccd_core::kernel::sort`.
 
 use crate::workgroup::{add_shared, barrier, get, group, or_shared, set};
+use ccd_core::kernel::memory::{at, put};
 use ccd_core::kernel::sort::{DIGITS, KEYS, THREADS, TILE, before, digit, place};
 use ccd_core::layout::{Params, SortPass};
-use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

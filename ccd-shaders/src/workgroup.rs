@@ -1,7 +1,7 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
 
-use ccd_core::layout::{LIST_HEADER, Pair};
 use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{LIST_HEADER, Pair};
 use spirv_std::arch::{IndexUnchecked, atomic_i_add, atomic_or, atomic_u_max, atomic_u_min};
 use spirv_std::glam::UVec3;
 use spirv_std::memory::{Scope, Semantics};

@@ -30,8 +30,10 @@ pub fn pairs<T: Real>(a: &[Aabb<T>], b: &[Aabb<T>]) -> Vec<Pair> {
 
 /// Swept boxes of vertices, edges and faces in the precision of the input.
 pub fn swept_boxes<T: Real>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]]) -> [Vec<Aabb<T>>; 3] {
-    let v: Vec<Aabb<T>> = x0.iter().zip(x1).map(|(&p, &q)| Aabb::of_point(p).union(&Aabb::of_point(q))).collect();
-    let join = |ids: &[u32]| ids.iter().fold(v[ids[0] as usize], |all, &i| all.union(&v[i as usize]));
+    let v: Vec<Aabb<T>> =
+        x0.iter().zip(x1).map(|(&p, &q)| Aabb::of_point(p).union(&Aabb::of_point(q))).collect();
+    let join =
+        |ids: &[u32]| ids.iter().fold(v[ids[0] as usize], |all, &i| all.union(&v[i as usize]));
     let edges = mesh.edges().iter().map(|e| join(e)).collect();
     let faces = mesh.faces().iter().map(|f| join(f)).collect();
     [v, edges, faces]

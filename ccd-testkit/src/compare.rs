@@ -8,13 +8,20 @@ use std::path::Path;
 
 /// Asserts everything but the number of false alarms, which it returns.
 pub fn contacts(report: &Report, vf: &[Truth], ee: &[Truth]) -> usize {
-    let found: HashMap<(Kind, u32, u32), &Contact> = report.contacts.iter().map(|c| ((c.kind, c.a, c.b), c)).collect();
+    let found: HashMap<(Kind, u32, u32), &Contact> =
+        report.contacts.iter().map(|c| ((c.kind, c.a, c.b), c)).collect();
     assert_eq!(found.len(), report.contacts.len(), "a contact comes twice");
     let mut n_true = 0;
     for (kind, truth) in [(Kind::VertexFace, vf), (Kind::EdgeEdge, ee)] {
         for t in truth.iter().filter(|t| t.hit) {
-            let contact = found.get(&(kind, t.a, t.b)).unwrap_or_else(|| panic!("missed {kind:?} {t:?}"));
-            time(contact.state == State::Hit, contact.toi, t.toi.unwrap(), &format!("{kind:?} {t:?}"));
+            let contact =
+                found.get(&(kind, t.a, t.b)).unwrap_or_else(|| panic!("missed {kind:?} {t:?}"));
+            time(
+                contact.state == State::Hit,
+                contact.toi,
+                t.toi.unwrap(),
+                &format!("{kind:?} {t:?}"),
+            );
             n_true += 1;
         }
         for t in truth.iter().filter(|t| !t.hit) {
@@ -28,7 +35,10 @@ pub fn contacts(report: &Report, vf: &[Truth], ee: &[Truth]) -> usize {
 /// Asserts that a time is not later than the exact one and, if it is certain, not too early.
 pub fn time(certain: bool, toi: f64, exact: f64, what: &str) {
     assert!(toi <= exact, "{what}: {toi} is later than {exact}");
-    assert!(!certain || toi >= exact - TOI_TOLERANCE, "{what}: {toi} is more than the tolerance before {exact}");
+    assert!(
+        !certain || toi >= exact - TOI_TOLERANCE,
+        "{what}: {toi} is more than the tolerance before {exact}"
+    );
 }
 
 /// Asserts that a verdict agrees with the exact answer; returns whether it is a hit, and whether a

@@ -10,7 +10,11 @@ pub fn data_dir() -> Result<PathBuf, String> {
         Some(dir) => PathBuf::from(dir),
         None => Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
     };
-    if dir.join("scenes").is_dir() { Ok(dir) } else { Err(format!("no data at {} (set CCD_DATA)", dir.display())) }
+    if dir.join("scenes").is_dir() {
+        Ok(dir)
+    } else {
+        Err(format!("no data at {} (set CCD_DATA)", dir.display()))
+    }
 }
 
 /// Two frames with exact candidate counts.
@@ -79,7 +83,15 @@ pub const SCENES: [Scene; 7] = [
         truth: None,
         undecided: 35_617,
     },
-    Scene { name: "thick-cloth", t0: "t0.ply", t1: "t1.ply", size: [233, 0, 404], candidates: None, truth: None, undecided: 14 },
+    Scene {
+        name: "thick-cloth",
+        t0: "t0.ply",
+        t1: "t1.ply",
+        size: [233, 0, 404],
+        candidates: None,
+        truth: None,
+        undecided: 14,
+    },
     Scene {
         name: "two-cubes",
         t0: "two-cubes-far.ply",
@@ -107,21 +119,32 @@ impl Scene {
 
     /// All published pairs of a kind (`"vf"` or `"ee"`) with their answers and exact times.
     pub fn contacts(&self, data: &Path, kind: &str) -> Vec<Truth> {
-        let number = self.truth.unwrap_or_else(|| panic!("{} has no published contacts", self.name));
+        let number =
+            self.truth.unwrap_or_else(|| panic!("{} has no published contacts", self.name));
         let folder = data.join("scenes").join(self.name);
         let pairs = json(&folder.join(format!("boxes/{number}{kind}.json")));
         let answers = json(&folder.join(format!("mma_bool/{number}{kind}_mma_bool.json")));
-        let times = read_times(&data.join("toi").join(format!("{}_queries_{number}{kind}.csv", self.name)));
+        let times =
+            read_times(&data.join("toi").join(format!("{}_queries_{number}{kind}.csv", self.name)));
         let [n_vertices, n_edges, _] = self.size.map(|n| n as u64);
-        let (pairs, answers) = (pairs.as_array().expect("a list"), answers.as_array().expect("a list"));
-        assert_eq!((pairs.len(), answers.len()), (times.len(), times.len()), "{} {kind}", self.name);
+        let (pairs, answers) =
+            (pairs.as_array().expect("a list"), answers.as_array().expect("a list"));
+        assert_eq!(
+            (pairs.len(), answers.len()),
+            (times.len(), times.len()),
+            "{} {kind}",
+            self.name
+        );
         let id = |v: &serde_json::Value| v.as_u64().expect("an id");
         (0..pairs.len())
             .map(|i| {
                 let (a, b) = (id(&pairs[i][0]), id(&pairs[i][1]));
                 let hit = answers[i].as_bool().expect("a Boolean");
-                let (a, b) =
-                    if kind == "vf" { (a.min(b), a.max(b) - n_vertices - n_edges) } else { (a.min(b) - n_vertices, a.max(b) - n_vertices) };
+                let (a, b) = if kind == "vf" {
+                    (a.min(b), a.max(b) - n_vertices - n_edges)
+                } else {
+                    (a.min(b) - n_vertices, a.max(b) - n_vertices)
+                };
                 Truth { a: a as u32, b: b as u32, hit, toi: times[i].toi }
             })
             .collect()

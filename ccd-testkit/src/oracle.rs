@@ -85,8 +85,15 @@ fn bernstein(p: &Poly, lo: &BigRational, hi: &BigRational) -> Poly {
         }
         shifted[0] += c;
     }
-    let choose = |n: usize, k: usize| (0..k).fold(BigRational::one(), |c, i| c * exact((n - i) as f64) / exact((i + 1) as f64));
-    (0..=n).map(|i| (0..=i).fold(BigRational::zero(), |sum, j| sum + choose(i, j) / choose(n, j) * &shifted[j])).collect()
+    let choose = |n: usize, k: usize| {
+        (0..k).fold(BigRational::one(), |c, i| c * exact((n - i) as f64) / exact((i + 1) as f64))
+    };
+    (0..=n)
+        .map(|i| {
+            (0..=i)
+                .fold(BigRational::zero(), |sum, j| sum + choose(i, j) / choose(n, j) * &shifted[j])
+        })
+        .collect()
 }
 
 /// The sign that a polynomial has everywhere on `[lo, hi]`, if its Bernstein coefficients show one.
@@ -112,7 +119,11 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
     let conditions: [(Poly, Vec<Poly>); 3] = std::array::from_fn(|k| {
         let (d, s, r) = (n[k].clone(), cross2(&a, &c, k), cross2(&b, &a, k));
         let minus = |p: &Poly, q: &Poly| add(p, &negate(q));
-        let more = if triangle { vec![minus(&minus(&d, &s), &r)] } else { vec![minus(&d, &s), minus(&d, &r)] };
+        let more = if triangle {
+            vec![minus(&minus(&d, &s), &r)]
+        } else {
+            vec![minus(&d, &s), minus(&d, &r)]
+        };
         (d, [vec![s, r], more].concat())
     });
     let mut stack = vec![(BigRational::zero(), BigRational::one(), 0u32)];
@@ -120,7 +131,8 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
     let part = exact(3.0) / exact(7.0);
     while let Some((lo, hi, depth)) = stack.pop() {
         let coefficients = bernstein(&f, &lo, &hi);
-        let nonzero: Vec<bool> = coefficients.iter().filter(|c| !c.is_zero()).map(|c| c.is_positive()).collect();
+        let nonzero: Vec<bool> =
+            coefficients.iter().filter(|c| !c.is_zero()).map(|c| c.is_positive()).collect();
         let variations = nonzero.windows(2).filter(|w| w[0] != w[1]).count();
         let (first, last) = (&coefficients[0], &coefficients[coefficients.len() - 1]);
         if variations == 0 && !first.is_zero() && !last.is_zero() {
@@ -149,7 +161,11 @@ fn decide(a: [Poly; 3], b: [Poly; 3], c: [Poly; 3], triangle: bool) -> Answer {
 
 /// Whether the features meet at coplanar times within `[lo, hi]`: the first projection with a
 /// determinant of one sign decides.
-fn contained(conditions: &[(Poly, Vec<Poly>); 3], lo: &BigRational, hi: &BigRational) -> Option<bool> {
+fn contained(
+    conditions: &[(Poly, Vec<Poly>); 3],
+    lo: &BigRational,
+    hi: &BigRational,
+) -> Option<bool> {
     for (determinant, rest) in conditions {
         let Some(positive) = sign(determinant, lo, hi) else { continue };
         let signs: Vec<Option<bool>> = rest.iter().map(|p| sign(p, lo, hi)).collect();
@@ -171,7 +187,9 @@ mod tests {
     fn a_vertex_falls_through_a_face() {
         let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
         let at = |x: f64, y: f64| [[x, y, 0.25], face[0], face[1], face[2]];
-        let Answer::Contact(lo, hi) = vertex_face(&at(0.25, 1.0), &at(0.25, -2.0)) else { panic!("no contact") };
+        let Answer::Contact(lo, hi) = vertex_face(&at(0.25, 1.0), &at(0.25, -2.0)) else {
+            panic!("no contact")
+        };
         assert!(lo <= 1.0 / 3.0 && hi >= 1.0 / 3.0 && hi - lo < 1e-15);
         assert_eq!(vertex_face(&at(0.25, 1.0), &at(0.25, 0.5)), Answer::Free);
         assert_eq!(vertex_face(&at(2.0, 1.0), &at(2.0, -2.0)), Answer::Free);

@@ -72,11 +72,19 @@ impl Session {
         match *self {}
     }
 
-    pub fn earliest_toi<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(
+        &mut self,
+        _: &[[T; 3]],
+        _: &[[T; 3]],
+    ) -> Result<Option<f64>, Error> {
         match *self {}
     }
 
-    pub fn candidates<T: Coordinate>(&mut self, _: &[[T; 3]], _: &[[T; 3]]) -> Result<Candidates, Error> {
+    pub fn candidates<T: Coordinate>(
+        &mut self,
+        _: &[[T; 3]],
+        _: &[[T; 3]],
+    ) -> Result<Candidates, Error> {
         match *self {}
     }
 

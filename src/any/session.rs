@@ -52,7 +52,9 @@ impl Session {
         T: Coordinate,
     {
         match self.0.run(|on| on.candidates(x0, x1), on_cpu)? {
-            Turn::Done(all) => Ok(Candidates { vf: Pairs::owned(all.vf), ee: Pairs::owned(all.ee) }),
+            Turn::Done(all) => {
+                Ok(Candidates { vf: Pairs::owned(all.vf), ee: Pairs::owned(all.ee) })
+            }
             Turn::Cpu(on) => {
                 let all = on.candidates(x0, x1)?;
                 Ok(Candidates { vf: Pairs::lent(all.vf), ee: Pairs::lent(all.ee) })

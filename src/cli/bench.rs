@@ -37,7 +37,11 @@ pub struct Bench {
 
 fn millions(text: &str) -> Result<usize, String> {
     let n: f64 = text.parse().map_err(|e| format!("{e}"))?;
-    if n >= 1e-4 && n <= 100.0 { Ok((n * 1e6).round() as usize) } else { Err("must be from 0.0001 to 100".into()) }
+    if n >= 1e-4 && n <= 100.0 {
+        Ok((n * 1e6).round() as usize)
+    } else {
+        Err("must be from 0.0001 to 100".into())
+    }
 }
 
 /// Vertices along a side of the sheet, and what is found in it: candidates, contacts, the earliest
@@ -48,8 +52,12 @@ const SHEET: Sheet = Sheet {
     contacts: PerKind { vf: 8_077, ee: 33_665 },
     toi: 1.529_644_709_424_341_3e-5,
 };
-const SMALL_SHEET: Sheet =
-    Sheet { n: 40, candidates: PerKind { vf: 6_571, ee: 22_876 }, contacts: PerKind { vf: 108, ee: 499 }, toi: 1.587_933_107_694_209_8e-3 };
+const SMALL_SHEET: Sheet = Sheet {
+    n: 40,
+    candidates: PerKind { vf: 6_571, ee: 22_876 },
+    contacts: PerKind { vf: 108, ee: 499 },
+    toi: 1.587_933_107_694_209_8e-3,
+};
 
 /// Seed of both sheets.
 const SEED: u32 = 0;
@@ -62,7 +70,8 @@ struct Sheet {
 }
 
 /// Pairs of so many uniform boxes.
-const PAIRS: [(usize, usize); 4] = [(10_000, 2), (100_000, 320), (1_000_000, 25_417), (10_000_000, 255_457)];
+const PAIRS: [(usize, usize); 4] =
+    [(10_000, 2), (100_000, 320), (1_000_000, 25_417), (10_000_000, 255_457)];
 
 #[derive(Serialize)]
 struct Json<'a> {
@@ -94,7 +103,13 @@ impl Bench {
         if !self.json {
             output::line("machine", &machine);
             output::line("runs on", &place);
-            output::line("times", format_args!("medians of {} after one to warm up; every answer is checked", self.runs));
+            output::line(
+                "times",
+                format_args!(
+                    "medians of {} after one to warm up; every answer is checked",
+                    self.runs
+                ),
+            );
             if let Some(device) = choice.device() {
                 let stamps = if device.info().timestamps {
                     "beside them what the device itself says, boxes being there"
@@ -103,7 +118,10 @@ impl Bench {
                 };
                 output::line("", format_args!("with uploads and results read back; {stamps}"));
             }
-            println!("\n{:<34} {:<15} {:>30} {:>9} {:>9}", "scene", "what", "answer", "time", "device");
+            println!(
+                "\n{:<34} {:<15} {:>30} {:>9} {:>9}",
+                "scene", "what", "answer", "time", "device"
+            );
         }
         let mut rows = Vec::new();
         self.sheet(&choice, &mut rows)?;
@@ -111,7 +129,14 @@ impl Bench {
             self.boxes(&choice, n, &mut rows)?;
         }
         if self.json {
-            output::json(&Json { machine, backend, adapter: place.adapter(), threads: place.threads(), runs: self.runs, rows })?;
+            output::json(&Json {
+                machine,
+                backend,
+                adapter: place.adapter(),
+                threads: place.threads(),
+                runs: self.runs,
+                rows,
+            })?;
         }
         output::flush();
         Ok(false)
@@ -132,12 +157,21 @@ impl Bench {
         let step = crumpled_sheet(want.n, SEED);
         let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
-        let mut session = Session::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
-        let pairs = |n: PerKind| format!("{} vf, {} ee", output::thousands(n.vf as usize), output::thousands(n.ee as usize));
+        let mut session =
+            Session::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
+        let pairs = |n: PerKind| {
+            format!(
+                "{} vf, {} ee",
+                output::thousands(n.vf as usize),
+                output::thousands(n.ee as usize)
+            )
+        };
 
         let same = |what, found: PerKind, want: PerKind| match found == want {
             true => Ok(pairs(found)),
-            false => Err(Failure(format!("{scene}: {} {what}, right are {}", pairs(found), pairs(want)))),
+            false => {
+                Err(Failure(format!("{scene}: {} {what}, right are {}", pairs(found), pairs(want))))
+            }
         };
         let timed = self.time(&mut session, None, |s| {
             let found = s.candidates(&x0, &x1)?;
@@ -145,10 +179,14 @@ impl Bench {
             same("candidates", found, want.candidates)
         })?;
         self.put(rows, &scene, "candidates", timed);
-        let timed = self.time(&mut session, None, |s| same("contacts", s.step(&x0, &x1)?.n_contacts(), want.contacts))?;
+        let timed = self.time(&mut session, None, |s| {
+            same("contacts", s.step(&x0, &x1)?.n_contacts(), want.contacts)
+        })?;
         self.put(rows, &scene, "all contacts", timed);
         let timed = self.time(&mut session, None, |s| match s.earliest_toi(&x0, &x1)? {
-            Some(toi) if toi <= want.toi && toi >= want.toi - TOI_TOLERANCE => Ok(format!("t = {toi:.6e}")),
+            Some(toi) if toi <= want.toi && toi >= want.toi - TOI_TOLERANCE => {
+                Ok(format!("t = {toi:.6e}"))
+            }
             toi => Err(Failure(format!("{scene}: earliest {toi:?}, right is {:?}", want.toi))),
         })?;
         self.put(rows, &scene, "earliest", timed);
@@ -160,16 +198,21 @@ impl Bench {
         let want = match PAIRS.iter().find(|known| known.0 == n) {
             Some(known) => known.1,
             // Not known beforehand: another method says.
-            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::Tree)?.self_pairs(&boxes)?.len(),
+            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::Tree)?
+                .self_pairs(&boxes)?
+                .len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
         for row in METHODS {
             let what = row.name;
             let mut broad = BroadPhase::new(choice, self.threads, row.method)?;
-            let timed = self.time(&mut broad, Some(want), |broad| match broad.self_pairs(&boxes)?.len() {
-                found if found == want => Ok(format!("{} pairs", output::thousands(found))),
-                found => Err(Failure(format!("{scene}: {found} pairs by {what}, right are {want}"))),
-            })?;
+            let timed =
+                self.time(&mut broad, Some(want), |broad| match broad.self_pairs(&boxes)?.len() {
+                    found if found == want => Ok(format!("{} pairs", output::thousands(found))),
+                    found => {
+                        Err(Failure(format!("{scene}: {found} pairs by {what}, right are {want}")))
+                    }
+                })?;
             self.put(rows, &scene, what, timed);
         }
         Ok(())
@@ -195,7 +238,9 @@ impl Bench {
         for _ in 0..self.runs {
             match subject.again()? {
                 Some(n) if Some(n) == pairs => {}
-                Some(n) => return Err(Failure(format!("{n} pairs the second time, right are {pairs:?}"))),
+                Some(n) => {
+                    return Err(Failure(format!("{n} pairs the second time, right are {pairs:?}")));
+                }
                 None => _ = work(subject)?,
             }
             match subject.stages() {
@@ -212,7 +257,11 @@ impl Bench {
         let Timed { answer, median_ms, min_ms, device_ms } = timed;
         if !self.json {
             let ms = output::milliseconds;
-            println!("{scene:<34} {what:<15} {answer:>30} {:>9} {:>9}", ms(median_ms), device_ms.map_or("-".into(), ms));
+            println!(
+                "{scene:<34} {what:<15} {answer:>30} {:>9} {:>9}",
+                ms(median_ms),
+                device_ms.map_or("-".into(), ms)
+            );
         }
         rows.push(Row { scene: scene.into(), what, answer, median_ms, min_ms, device_ms });
     }
@@ -234,7 +283,11 @@ fn median(mut times: Vec<f64>) -> Option<(f64, f64)> {
 /// The processor, as Linux names it; elsewhere its architecture.
 fn machine() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = text.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split_once(':')).map(|(_, name)| name.trim().to_string());
+    let name = text
+        .lines()
+        .find(|l| l.starts_with("model name"))
+        .and_then(|l| l.split_once(':'))
+        .map(|(_, name)| name.trim().to_string());
     name.unwrap_or_else(|| format!("{}, {}", std::env::consts::ARCH, std::env::consts::OS))
 }
 

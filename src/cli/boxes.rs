@@ -37,7 +37,8 @@ pub struct Boxes {
 /// The names of the library's table, each with its line.
 fn methods() -> impl TypedValueParser<Value = BroadPhaseMethod> {
     let value = |row: &ccd::MethodRow| PossibleValue::new(row.name).help(row.about);
-    PossibleValuesParser::new(METHODS.iter().map(value)).try_map(|name| BroadPhaseMethod::named(&name).ok_or("not in the table of methods"))
+    PossibleValuesParser::new(METHODS.iter().map(value))
+        .try_map(|name| BroadPhaseMethod::named(&name).ok_or("not in the table of methods"))
 }
 
 #[derive(Serialize)]
@@ -84,7 +85,15 @@ impl Boxes {
         let place = broad.place();
         if self.json {
             let (backend, adapter, threads) = (place.backend(), place.adapter(), place.threads());
-            output::json(&Json { boxes, pairs: n_pairs, backend, adapter, threads, runs: self.runs, times_ms: times })?;
+            output::json(&Json {
+                boxes,
+                pairs: n_pairs,
+                backend,
+                adapter,
+                threads,
+                runs: self.runs,
+                times_ms: times,
+            })?;
         } else {
             match boxes {
                 [n, 0] if b.is_none() => output::line("boxes", n),
@@ -120,7 +129,10 @@ fn read(path: &Path) -> Result<Vec<Aabb<f32>>, Failure> {
     let bytes = std::fs::read(path).map_err(|e| in_file(path, e))?;
     let size = size_of::<Aabb<f32>>();
     if bytes.len() % size != 0 {
-        return Err(in_file(path, format_args!("{} bytes are no whole number of boxes ({size} bytes each)", bytes.len())));
+        return Err(in_file(
+            path,
+            format_args!("{} bytes are no whole number of boxes ({size} bytes each)", bytes.len()),
+        ));
     }
     let number = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
     let boxes = bytes.chunks_exact(size).map(|b| {

@@ -81,10 +81,22 @@ fn print(session: &Session, load: f64) {
     let contacts = report.n_contacts();
     output::line("mesh", MeshSize::from(mesh));
     if mesh.n_degenerate() > 0 {
-        output::line("", format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()));
+        output::line(
+            "",
+            format_args!("{} faces or edges name a vertex twice", mesh.n_degenerate()),
+        );
     }
-    output::line("candidates", format_args!("{} vertex-face, {} edge-edge", report.candidates.vf, report.candidates.ee));
-    output::line("contacts", format_args!("{} vertex-face, {} edge-edge ({} undecided)", contacts.vf, contacts.ee, report.undecided));
+    output::line(
+        "candidates",
+        format_args!("{} vertex-face, {} edge-edge", report.candidates.vf, report.candidates.ee),
+    );
+    output::line(
+        "contacts",
+        format_args!(
+            "{} vertex-face, {} edge-edge ({} undecided)",
+            contacts.vf, contacts.ee, report.undecided
+        ),
+    );
     match report.toi {
         Some(toi) => output::line("earliest", format_args!("t = {toi:?}")),
         None => output::line("earliest", "none: the whole step is free"),
@@ -92,13 +104,27 @@ fn print(session: &Session, load: f64) {
     let (t, ms, place) = (report.times, output::milliseconds, session.place());
     let parts = match place {
         Place::Gpu { .. } => format!("upload {}", ms(t.boxes)),
-        Place::Cpu { .. } => format!("boxes {}, build {}, traverse {}, narrow {}", ms(t.boxes), ms(t.build), ms(t.traverse), ms(t.narrow)),
+        Place::Cpu { .. } => format!(
+            "boxes {}, build {}, traverse {}, narrow {}",
+            ms(t.boxes),
+            ms(t.build),
+            ms(t.traverse),
+            ms(t.narrow)
+        ),
     };
-    output::line("time", format_args!("{} on {place} ({parts}); loading {}", ms(t.total), ms(load)));
+    output::line(
+        "time",
+        format_args!("{} on {place} ({parts}); loading {}", ms(t.total), ms(load)),
+    );
 }
 
 /// One step between two frames; an error in coordinates names the file.
-pub fn step(session: &mut Session, precision: Precision, t0: (&Path, &Frame), t1: (&Path, &Frame)) -> Result<(), Failure> {
+pub fn step(
+    session: &mut Session,
+    precision: Precision,
+    t0: (&Path, &Frame),
+    t1: (&Path, &Frame),
+) -> Result<(), Failure> {
     let result = match precision {
         Precision::F64 => session.step(&t0.1.positions, &t1.1.positions).map(|_| ()),
         Precision::F32 => session.step(&t0.1.positions_f32(), &t1.1.positions_f32()).map(|_| ()),
@@ -120,14 +146,33 @@ pub fn same_topology(a: (&Path, &Frame), b: (&Path, &Frame)) -> Result<(), Failu
     ];
     for (what, n_a, n_b) in counts {
         if n_a != n_b {
-            return Err(in_file(path_b, format_args!("has {n_b} {what}, {} has {n_a}", path_a.display())));
+            return Err(in_file(
+                path_b,
+                format_args!("has {n_b} {what}, {} has {n_a}", path_a.display()),
+            ));
         }
     }
     if let Some(i) = (0..a.faces.len()).find(|&i| a.faces[i] != b.faces[i]) {
-        return Err(in_file(path_b, format_args!("face {i} is {:?}, in {} it is {:?}", b.faces[i], path_a.display(), a.faces[i])));
+        return Err(in_file(
+            path_b,
+            format_args!(
+                "face {i} is {:?}, in {} it is {:?}",
+                b.faces[i],
+                path_a.display(),
+                a.faces[i]
+            ),
+        ));
     }
     if let Some(i) = (0..a.edges.len()).find(|&i| a.edges[i] != b.edges[i]) {
-        return Err(in_file(path_b, format_args!("edge {i} is {:?}, in {} it is {:?}", b.edges[i], path_a.display(), a.edges[i])));
+        return Err(in_file(
+            path_b,
+            format_args!(
+                "edge {i} is {:?}, in {} it is {:?}",
+                b.edges[i],
+                path_a.display(),
+                a.edges[i]
+            ),
+        ));
     }
     Ok(())
 }

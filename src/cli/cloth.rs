@@ -136,11 +136,13 @@ impl Cloth {
                 let length = dot(d, d).sqrt();
                 let most = rest * (1.0 + MAX_STRAIN);
                 // Stretching is limited; being shorter than at rest is resisted softly.
-                let change = if length > most { length - most } else { 0.05 * (length - rest).min(0.0) };
+                let change =
+                    if length > most { length - most } else { 0.05 * (length - rest).min(0.0) };
                 if change == 0.0 || length == 0.0 {
                     continue;
                 }
-                let (free_a, free_b) = (!Self::pinned(a) as u8 as f64, !Self::pinned(b) as u8 as f64);
+                let (free_a, free_b) =
+                    (!Self::pinned(a) as u8 as f64, !Self::pinned(b) as u8 as f64);
                 let step = scale(d, change / length / (free_a + free_b).max(1.0));
                 x[a] = add(x[a], scale(step, free_a));
                 x[b] = sub(x[b], scale(step, free_b));
@@ -159,7 +161,9 @@ impl Cloth {
             }
             for c in &report.contacts {
                 let part = if round < HOLD_ROUNDS { 0.8 * c.toi } else { 0.0 };
-                for v in vertices(c, &self.mesh).map(|v| v as usize).into_iter().filter(|&v| v < N_CLOTH) {
+                for v in
+                    vertices(c, &self.mesh).map(|v| v as usize).into_iter().filter(|&v| v < N_CLOTH)
+                {
                     // The shorter of what it may move now and what this contact allows.
                     x1[v] = lerp(x0[v], x1[v], part.min(1.0));
                 }
@@ -234,7 +238,8 @@ fn push_apart(c: &Contact, mesh: &Mesh, x0: &[[f64; 3]], x1: &mut [[f64; 3]]) {
         return;
     }
     let movable = |v: usize| v < N_CLOTH && !Cloth::pinned(v);
-    let sides = [ids[..n_first].iter().any(|&v| movable(v)), ids[n_first..].iter().any(|&v| movable(v))];
+    let sides =
+        [ids[..n_first].iter().any(|&v| movable(v)), ids[n_first..].iter().any(|&v| movable(v))];
     // Half a push a side if both can move, and not all at once: several contacts share vertices.
     let share = 0.5 * lacking / (sides[0] as u8 + sides[1] as u8).max(1) as f64;
     for (k, &v) in ids.iter().enumerate().filter(|&(_, &v)| movable(v)) {

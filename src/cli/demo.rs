@@ -46,7 +46,10 @@ impl Demo {
         plot::write(
             &plots,
             "frame",
-            [("collision detection, ms a frame", &times), ("contacts within 6 mm in the last step of a frame", &contacts)],
+            [
+                ("collision detection, ms a frame", &times),
+                ("contacts within 6 mm in the last step of a frame", &contacts),
+            ],
         )?;
         let total: f64 = times.iter().sum();
         output::line(
@@ -101,7 +104,11 @@ fn penetrations(mesh: &Mesh, x: &[[f64; 3]]) -> usize {
         let end = faces.partition_point(|f| f.0[0][0] <= b[1][0]);
         for (fb, f) in &faces[..end] {
             let near = (0..3).all(|k| fb[0][k] <= b[1][k] && b[0][k] <= fb[1][k]);
-            if near && (of_cloth(e[0]) || of_cloth(f[0])) && !f.contains(&e[0]) && !f.contains(&e[1]) {
+            if near
+                && (of_cloth(e[0]) || of_cloth(f[0]))
+                && !f.contains(&e[0])
+                && !f.contains(&e[1])
+            {
                 n += pierces(e.map(|v| x[v as usize]), f.map(|v| x[v as usize])) as usize;
             }
         }
@@ -117,7 +124,8 @@ fn pierces(e: [[f64; 3]; 2], f: [[f64; 3]; 3]) -> bool {
     if above * below > 0.0 || (above == 0.0 && below == 0.0) {
         return false;
     }
-    let around = [side(e[0], e[1], f[0], f[1]), side(e[0], e[1], f[1], f[2]), side(e[0], e[1], f[2], f[0])];
+    let around =
+        [side(e[0], e[1], f[0], f[1]), side(e[0], e[1], f[1], f[2]), side(e[0], e[1], f[2], f[0])];
     around.iter().all(|&s| s >= 0.0) || around.iter().all(|&s| s <= 0.0)
 }
 

@@ -38,13 +38,21 @@ struct Adapter {
 impl From<&wgpu::AdapterInfo> for Adapter {
     fn from(a: &wgpu::AdapterInfo) -> Self {
         let driver = format!("{} {}", a.driver, a.driver_info).trim().to_string();
-        Self { name: a.name.clone(), kind: format!("{:?}", a.device_type), backend: a.backend.to_string(), driver }
+        Self {
+            name: a.name.clone(),
+            kind: format!("{:?}", a.device_type),
+            backend: a.backend.to_string(),
+            driver,
+        }
     }
 }
 
 impl InfoCommand {
     pub fn run(&self) -> Outcome {
-        let device = self.adapter.open().map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
+        let device = self
+            .adapter
+            .open()
+            .map_err(|e| Failure(format!("{e}; every command works on the CPU without one")))?;
         let info = device.info();
         let adapters: Vec<Adapter> = Device::adapters().iter().map(Adapter::from).collect();
         if self.json {
@@ -52,7 +60,10 @@ impl InfoCommand {
         } else {
             println!("{info}");
             for (i, a) in adapters.iter().enumerate() {
-                output::line(if i == 0 { "there are" } else { "" }, format_args!("{} ({}, {})", a.name, a.kind, a.backend));
+                output::line(
+                    if i == 0 { "there are" } else { "" },
+                    format_args!("{} ({}, {})", a.name, a.kind, a.backend),
+                );
             }
         }
         output::flush();

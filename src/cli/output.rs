@@ -59,7 +59,14 @@ pub struct TimesMs {
 impl TimesMs {
     pub fn new(load: f64, report: &Report) -> Self {
         let t = report.times;
-        Self { load, boxes: t.boxes, build: t.build, traverse: t.traverse, narrow: t.narrow, total: load + t.total }
+        Self {
+            load,
+            boxes: t.boxes,
+            build: t.build,
+            traverse: t.traverse,
+            narrow: t.narrow,
+            total: load + t.total,
+        }
     }
 }
 
@@ -115,8 +122,17 @@ impl<'a> ContactFile<'a> {
                 Kind::VertexFace => "vf",
                 Kind::EdgeEdge => "ee",
             };
-            let row = [frame.to_string(), kind.into(), c.a.to_string(), c.b.to_string(), format!("{:?}", c.toi), state(c.state).into()];
-            self.writer.write_record(&row[usize::from(!self.frames)..]).map_err(|e| in_file(self.path, e))?;
+            let row = [
+                frame.to_string(),
+                kind.into(),
+                c.a.to_string(),
+                c.b.to_string(),
+                format!("{:?}", c.toi),
+                state(c.state).into(),
+            ];
+            self.writer
+                .write_record(&row[usize::from(!self.frames)..])
+                .map_err(|e| in_file(self.path, e))?;
         }
         self.writer.flush().map_err(|e| in_file(self.path, e))
     }
@@ -132,7 +148,8 @@ fn state(state: State) -> &'static str {
 /// Where progress is shown: nowhere if standard error is not a terminal.
 pub fn progress(n: usize, what: &'static str) -> indicatif::ProgressBar {
     let template = "{msg} {wide_bar} {pos}/{len}, {eta} left";
-    let style = indicatif::ProgressStyle::with_template(template).unwrap_or_else(|_| indicatif::ProgressStyle::default_bar());
+    let style = indicatif::ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| indicatif::ProgressStyle::default_bar());
     indicatif::ProgressBar::new(n as u64).with_style(style).with_message(what)
 }
 

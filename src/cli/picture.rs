@@ -25,7 +25,12 @@ const UNDECIDED: [f64; 3] = [0.95, 0.60, 0.05];
 
 /// Writes the mesh as it is at the start of the step; marks are where features meet: red for hits,
 /// orange for undecided ones, faint where the mesh hides them; a ring marks the earliest.
-pub fn write(path: &Path, mesh: &Mesh, x0: &[[f64; 3]], contacts: &[Contact]) -> Result<(), Failure> {
+pub fn write(
+    path: &Path,
+    mesh: &Mesh,
+    x0: &[[f64; 3]],
+    contacts: &[Contact],
+) -> Result<(), Failure> {
     let mut canvas = Canvas::new(x0);
     for &face in mesh.faces() {
         canvas.triangle(face.map(|v| x0[v as usize]));
@@ -133,7 +138,9 @@ impl Canvas {
         for y in range(1, HEIGHT * SAMPLES) {
             for x in range(0, WIDTH * SAMPLES) {
                 let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
-                let edge = |p: [f64; 3], q: [f64; 3]| ((q[0] - p[0]) * (py - p[1]) - (q[1] - p[1]) * (px - p[0])) / area;
+                let edge = |p: [f64; 3], q: [f64; 3]| {
+                    ((q[0] - p[0]) * (py - p[1]) - (q[1] - p[1]) * (px - p[0])) / area
+                };
                 let w = [edge(b, c), edge(c, a), edge(a, b)];
                 if w.iter().all(|&w| w >= 0.0) {
                     let depth = w[0] * a[2] + w[1] * b[2] + w[2] * c[2];
@@ -143,7 +150,11 @@ impl Canvas {
                         // A thin dark line along the sides shows the triangles where they are large
                         // enough.
                         let side = w.iter().fold(1.0f64, |m, &w| m.min(w)) * area.abs().sqrt();
-                        self.colour[i] = if side < 0.8 && area.abs() > 150.0 { scale(colour, 0.75) } else { colour };
+                        self.colour[i] = if side < 0.8 && area.abs() > 150.0 {
+                            scale(colour, 0.75)
+                        } else {
+                            colour
+                        };
                     }
                 }
             }
@@ -170,10 +181,13 @@ impl Canvas {
     /// the samples around a point.
     fn stamp(&mut self, at: [f64; 3], radius: f64, paint: impl Fn(&mut Self, usize, f64, f64)) {
         let [cx, cy, depth] = self.project(at);
-        let range = |c: f64, size: usize| (c - radius).max(0.0) as usize..((c + radius + 1.0).max(0.0) as usize).min(size);
+        let range = |c: f64, size: usize| {
+            (c - radius).max(0.0) as usize..((c + radius + 1.0).max(0.0) as usize).min(size)
+        };
         for y in range(cy, HEIGHT * SAMPLES) {
             for x in range(cx, WIDTH * SAMPLES) {
-                let distance = ((x as f64 + 0.5 - cx).powi(2) + (y as f64 + 0.5 - cy).powi(2)).sqrt();
+                let distance =
+                    ((x as f64 + 0.5 - cx).powi(2) + (y as f64 + 0.5 - cy).powi(2)).sqrt();
                 if distance <= radius {
                     paint(self, y * WIDTH * SAMPLES + x, distance, depth);
                 }
@@ -186,11 +200,14 @@ impl Canvas {
             let mut sum = [0.0; 3];
             for j in 0..SAMPLES {
                 for i in 0..SAMPLES {
-                    let c = self.colour[(y as usize * SAMPLES + j) * WIDTH * SAMPLES + x as usize * SAMPLES + i];
+                    let c = self.colour
+                        [(y as usize * SAMPLES + j) * WIDTH * SAMPLES + x as usize * SAMPLES + i];
                     (0..3).for_each(|k| sum[k] += c[k]);
                 }
             }
-            image::Rgb(sum.map(|c| (c / (SAMPLES * SAMPLES) as f64 * 255.0).clamp(0.0, 255.0) as u8))
+            image::Rgb(
+                sum.map(|c| (c / (SAMPLES * SAMPLES) as f64 * 255.0).clamp(0.0, 255.0) as u8),
+            )
         });
         image.save_with_format(path, image::ImageFormat::Png).map_err(|e| in_file(path, e))
     }

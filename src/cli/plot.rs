@@ -7,14 +7,20 @@ use std::path::Path;
 
 const WIDTH: u32 = 1200;
 const HEIGHT_EACH: u32 = 320;
-const COLOURS: [RGBColor; 3] = [RGBColor(31, 90, 160), RGBColor(200, 40, 40), RGBColor(60, 130, 60)];
+const COLOURS: [RGBColor; 3] =
+    [RGBColor(31, 90, 160), RGBColor(200, 40, 40), RGBColor(60, 130, 60)];
 
 /// Writes one plot per series, all over the same axis; each has its name and starts at 0.
-pub fn write<const N: usize>(path: &Path, axis: &str, series: [(&str, &[f64]); N]) -> Result<(), Failure> {
+pub fn write<const N: usize>(
+    path: &Path,
+    axis: &str,
+    series: [(&str, &[f64]); N],
+) -> Result<(), Failure> {
     let height = HEIGHT_EACH * N as u32;
     let mut pixels = vec![255u8; (WIDTH * height * 3) as usize];
     draw(&mut pixels, (WIDTH, height), axis, series).map_err(|e| in_file(path, e))?;
-    let image = image::RgbImage::from_raw(WIDTH, height, pixels).ok_or_else(|| in_file(path, "a picture of the wrong size"))?;
+    let image = image::RgbImage::from_raw(WIDTH, height, pixels)
+        .ok_or_else(|| in_file(path, "a picture of the wrong size"))?;
     image.save_with_format(path, image::ImageFormat::Png).map_err(|e| in_file(path, e))
 }
 
@@ -25,7 +31,8 @@ fn draw<const N: usize>(
     series: [(&str, &[f64]); N],
 ) -> Result<(), Box<dyn std::error::Error>> {
     // The font travels with the program: none need be installed.
-    register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).map_err(|_| "the font cannot be read")?;
+    register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
+        .map_err(|_| "the font cannot be read")?;
     let root = BitMapBackend::with_buffer(pixels, size).into_drawing_area();
     root.fill(&WHITE)?;
     for (k, (area, (name, values))) in root.split_evenly((N, 1)).iter().zip(series).enumerate() {

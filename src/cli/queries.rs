@@ -54,7 +54,8 @@ impl Queries {
         for path in &self.files {
             let queries = read_queries(path)?;
             let start = Instant::now();
-            let verdicts: Vec<Verdict<f64>> = queries.queries.iter().map(|q| decide(q, self.precision)).collect();
+            let verdicts: Vec<Verdict<f64>> =
+                queries.queries.iter().map(|q| decide(q, self.precision)).collect();
             let ns = start.elapsed().as_secs_f64() * 1e9;
             let mut counts = Counts { queries: verdicts.len(), ..Counts::default() };
             for (verdict, &answer) in verdicts.iter().zip(&queries.answers) {
@@ -101,7 +102,13 @@ fn per_query(ns: f64, n: usize) -> f64 {
 fn print(c: &Counts, name: &str) {
     println!(
         "{:>8} {:>7} {:>7} {:>10} {:>10} {:>10} {:>8.0}  {name}",
-        c.queries, c.hits, c.misses, c.undecided, c.false_positives, c.false_negatives, c.ns_per_query
+        c.queries,
+        c.hits,
+        c.misses,
+        c.undecided,
+        c.false_positives,
+        c.false_negatives,
+        c.ns_per_query
     );
 }
 

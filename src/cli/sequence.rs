@@ -66,7 +66,10 @@ impl Sequence {
         let mut steps: Vec<Step> = Vec::new();
         if !self.options.json {
             output::line("mesh", MeshSize::from(session.mesh()));
-            println!("{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}", "frame", "vf", "ee", "undecided", "earliest", "step", "trees");
+            println!(
+                "{:>6} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}",
+                "frame", "vf", "ee", "undecided", "earliest", "step", "trees"
+            );
         }
         for (i, paths) in self.frames.windows(2).enumerate() {
             let start = Instant::now();
@@ -103,14 +106,16 @@ impl Sequence {
         let summary = summarise(&steps);
         if let Some(path) = &self.options.picture {
             let times: Vec<f64> = steps.iter().map(step_ms).collect();
-            let contacts: Vec<f64> = steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
+            let contacts: Vec<f64> =
+                steps.iter().map(|s| (s.contacts.vf + s.contacts.ee) as f64).collect();
             plot::write(path, "frame", [("step, ms", &times), ("contacts", &contacts)])?;
         }
         let any = summary.contacts > 0;
         let place = session.place();
         if self.options.json {
             let (backend, precision) = (place.backend(), self.options.precision.name());
-            let (mesh, adapter, threads) = (session.mesh().into(), place.adapter(), place.threads());
+            let (mesh, adapter, threads) =
+                (session.mesh().into(), place.adapter(), place.threads());
             output::json(&Json { mesh, backend, adapter, precision, threads, steps, summary })?;
         } else {
             let text = format!(

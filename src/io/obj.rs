@@ -67,7 +67,8 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         let text = text.strip_suffix(b"\r").unwrap_or(text);
         for text in text.split(|&byte| byte == b'\r') {
             line += 1;
-            any |= statement(text, &mut frame).map_err(|what| ReadErrorKind::Line { line, what })?;
+            any |=
+                statement(text, &mut frame).map_err(|what| ReadErrorKind::Line { line, what })?;
         }
     }
     if !any {

@@ -109,17 +109,33 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
         }
         match element.name.as_str() {
             "vertex" => {
-                for (at, v) in payload::<Vertex>(&mut reader, element, &header)?.into_iter().enumerate() {
-                    let missing = || ReadErrorKind::Element { element: "vertex", at, what: "x, y or z is missing".into() };
+                for (at, v) in
+                    payload::<Vertex>(&mut reader, element, &header)?.into_iter().enumerate()
+                {
+                    let missing = || ReadErrorKind::Element {
+                        element: "vertex",
+                        at,
+                        what: "x, y or z is missing".into(),
+                    };
                     let [x, y, z] = v.0;
-                    frame.positions.push([x.ok_or_else(missing)?, y.ok_or_else(missing)?, z.ok_or_else(missing)?]);
+                    frame.positions.push([
+                        x.ok_or_else(missing)?,
+                        y.ok_or_else(missing)?,
+                        z.ok_or_else(missing)?,
+                    ]);
                 }
             }
             "face" => {
-                for (at, f) in payload::<Face>(&mut reader, element, &header)?.into_iter().enumerate() {
+                for (at, f) in
+                    payload::<Face>(&mut reader, element, &header)?.into_iter().enumerate()
+                {
                     let bad = |what: String| ReadErrorKind::Element { element: "face", at, what };
-                    let corners = f.0.ok_or_else(|| bad("has no list vertex_indices of integers".into()))?;
-                    let corners = corners.into_iter().map(|i| index(i).map_err(bad)).collect::<Result<Vec<_>, _>>()?;
+                    let corners =
+                        f.0.ok_or_else(|| bad("has no list vertex_indices of integers".into()))?;
+                    let corners = corners
+                        .into_iter()
+                        .map(|i| index(i).map_err(bad))
+                        .collect::<Result<Vec<_>, _>>()?;
                     if corners.len() < 3 {
                         return Err(bad(format!("has {} vertices, fewer than 3", corners.len())));
                     }
@@ -127,9 +143,14 @@ pub(super) fn read(path: &Path) -> Result<Frame, ReadErrorKind> {
                 }
             }
             "edge" => {
-                for (at, e) in payload::<Edge>(&mut reader, element, &header)?.into_iter().enumerate() {
+                for (at, e) in
+                    payload::<Edge>(&mut reader, element, &header)?.into_iter().enumerate()
+                {
                     let bad = |what: String| ReadErrorKind::Element { element: "edge", at, what };
-                    let end = |i: Option<i64>| index(i.ok_or_else(|| bad("has no vertex1 or vertex2".into()))?).map_err(bad);
+                    let end = |i: Option<i64>| {
+                        index(i.ok_or_else(|| bad("has no vertex1 or vertex2".into()))?)
+                            .map_err(bad)
+                    };
                     frame.edges.push([end(e.0[0])?, end(e.0[1])?]);
                 }
             }

@@ -37,8 +37,11 @@ pub fn read_queries(path: &Path) -> Result<Queries, ReadError> {
 }
 
 fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
-    let edge_edge = is_edge_edge(path)
-        .ok_or_else(|| ReadErrorKind::Header("the path names neither vertex-face (vf) nor edge-edge (ee) queries".into()))?;
+    let edge_edge = is_edge_edge(path).ok_or_else(|| {
+        ReadErrorKind::Header(
+            "the path names neither vertex-face (vf) nor edge-edge (ee) queries".into(),
+        )
+    })?;
     let file = std::fs::File::open(path)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(file);
     let mut out = Queries::default();
@@ -56,7 +59,8 @@ fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
             return Err(bad(format!("has {} columns, expected 7", record.len())));
         }
         for axis in 0..3 {
-            points[n_rows % 8][axis] = fraction(&record[2 * axis], &record[2 * axis + 1]).map_err(bad)?;
+            points[n_rows % 8][axis] =
+                fraction(&record[2 * axis], &record[2 * axis + 1]).map_err(bad)?;
         }
         let row_answer = match record[6].trim() {
             "0" => false,
@@ -71,7 +75,11 @@ fn read(path: &Path) -> Result<Queries, ReadErrorKind> {
         if n_rows % 8 == 0 {
             let t0 = [points[0], points[1], points[2], points[3]];
             let t1 = [points[4], points[5], points[6], points[7]];
-            out.queries.push(if edge_edge { Query::EdgeEdge(EdgeEdge { t0, t1 }) } else { Query::VertexFace(VertexFace { t0, t1 }) });
+            out.queries.push(if edge_edge {
+                Query::EdgeEdge(EdgeEdge { t0, t1 })
+            } else {
+                Query::VertexFace(VertexFace { t0, t1 })
+            });
             out.answers.push(answer);
         }
     }
@@ -96,14 +104,19 @@ fn is_edge_edge(path: &Path) -> Option<bool> {
 /// `numerator / denominator`, refused if it is no `f64` exactly: a rounded query would be another
 /// query.
 fn fraction(numerator: &str, denominator: &str) -> Result<f64, String> {
-    let parse = |s: &str| s.trim().parse::<BigInt>().map_err(|_| format!("`{s}` is not an integer"));
+    let parse =
+        |s: &str| s.trim().parse::<BigInt>().map_err(|_| format!("`{s}` is not an integer"));
     let (n, d) = (parse(numerator)?, parse(denominator)?);
     if d.is_zero() {
         return Err("the denominator is 0".into());
     }
     let exact = BigRational::new(n, d);
     match exact.to_f64() {
-        Some(value) if value.is_finite() && BigRational::from_float(value).as_ref() == Some(&exact) => Ok(value),
+        Some(value)
+            if value.is_finite() && BigRational::from_float(value).as_ref() == Some(&exact) =>
+        {
+            Ok(value)
+        }
         _ => Err(format!("{numerator}/{denominator} is not a double-precision number")),
     }
 }

@@ -32,7 +32,10 @@ fn check_growth(device: &Device) {
     session.step(&step.x0, &step.x1).unwrap();
     assert_eq!(session.grown(), grown, "the second frame grows again");
     let candidates = session.candidates(&step.x0, &step.x1).unwrap();
-    assert_eq!((candidates.vf.len() as u64, candidates.ee.len() as u64), (want.candidates.vf, want.candidates.ee));
+    assert_eq!(
+        (candidates.vf.len() as u64, candidates.ee.len() as u64),
+        (want.candidates.vf, want.candidates.ee)
+    );
 }
 
 /// Pairs that `f32` leaves open beyond the room of their list are counted and not written.
@@ -46,13 +49,26 @@ fn check_rooms(device: &Device) {
         let dispatch = Dispatch { room_in: n, room_out: n, ..Dispatch::default() };
         let p = Params { frame, dispatch, own: Decision { room_open } };
         let contacts = vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n as usize)];
-        let (paths, input, undecided, earliest) = (bytes(&paths), list(&pairs), room(n), vec![0xff; 16]);
+        let (paths, input, undecided, earliest) =
+            (bytes(&paths), list(&pairs), room(n), vec![0xff; 16]);
         let undecided = if kind == 0 {
             let faces = bytes(&[1u32, 2, 3, 4, 5, 6]);
-            run(device, DecideVertexFace { paths, faces, input, contacts, undecided, earliest }, &p, 3).undecided
+            run(
+                device,
+                DecideVertexFace { paths, faces, input, contacts, undecided, earliest },
+                &p,
+                3,
+            )
+            .undecided
         } else {
             let edges = bytes(&[0u32, 1, 2, 3]);
-            run(device, DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest }, &p, 3).undecided
+            run(
+                device,
+                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
+                &p,
+                3,
+            )
+            .undecided
         };
         let words: Vec<u32> = read(&undecided);
         assert_eq!(words[0], n, "not every pair is left open");
@@ -70,10 +86,19 @@ fn check_input(device: &Device) {
     let mut bad = step.x1.clone();
     bad[5][1] = f64::NAN;
     let error = session.step(&step.x0, &bad).unwrap_err();
-    assert!(matches!(error, Error::Input(ccd::Error::Coordinate { time: 1, vertex: 5, axis: 1, .. })), "{error}");
-    assert!(!session.step(&step.x0, &step.x1).unwrap().contacts.is_empty(), "the session does not go on");
+    assert!(
+        matches!(error, Error::Input(ccd::Error::Coordinate { time: 1, vertex: 5, axis: 1, .. })),
+        "{error}"
+    );
+    assert!(
+        !session.step(&step.x0, &step.x1).unwrap().contacts.is_empty(),
+        "the session does not go on"
+    );
     let options = Options { min_distance: -1.0, ..Options::default() };
-    assert!(matches!(Session::new(device, step.mesh, options), Err(Error::Input(ccd::Error::MinDistance { .. }))));
+    assert!(matches!(
+        Session::new(device, step.mesh, options),
+        Err(Error::Input(ccd::Error::MinDistance { .. }))
+    ));
 }
 
 /// More boxes than one binding of the device holds: refused with the sizes, and the next call
@@ -87,11 +112,16 @@ fn check_too_large(device: &Device) {
     let mut broad = BroadPhase::new(device, BroadPhaseMethod::Blocks).unwrap();
     let boxes = vec![ccd::Aabb { min: [0.0f32; 3], max: [0.0; 3] }; n as usize];
     match broad.self_pairs(&boxes) {
-        Err(Error::TooLarge { bytes, limit: named, .. }) => assert!(bytes > named && named <= limit, "{bytes} {named}"),
+        Err(Error::TooLarge { bytes, limit: named, .. }) => {
+            assert!(bytes > named && named <= limit, "{bytes} {named}")
+        }
         Err(other) => panic!("{other}"),
         Ok(_) => panic!("{n} boxes were accepted"),
     }
-    assert_eq!(broad.self_pairs(&uniform_boxes(100_000)[..50_000]).unwrap().len(), ccd_pairs(50_000));
+    assert_eq!(
+        broad.self_pairs(&uniform_boxes(100_000)[..50_000]).unwrap().len(),
+        ccd_pairs(50_000)
+    );
 }
 
 fn ccd_pairs(n: usize) -> usize {
@@ -101,16 +131,23 @@ fn ccd_pairs(n: usize) -> usize {
 }
 
 fn check_no_adapter(_: &Device) {
-    let options = DeviceOptions { adapter: Some("no such adapter".into()), ..DeviceOptions::default() };
+    let options =
+        DeviceOptions { adapter: Some("no such adapter".into()), ..DeviceOptions::default() };
     match Device::open(&options) {
-        Err(Error::Unavailable { why }) => assert!(why.contains("no such adapter") && why.contains("there are"), "{why}"),
+        Err(Error::Unavailable { why }) => {
+            assert!(why.contains("no such adapter") && why.contains("there are"), "{why}")
+        }
         other => panic!("{other:?}"),
     }
 }
 
 /// After its device is lost a session says so, and goes on with another.
 fn check_lost(device: &Device) {
-    let options = DeviceOptions { path: Some(device.info().path), narrow: !device.info().wide, ..DeviceOptions::default() };
+    let options = DeviceOptions {
+        path: Some(device.info().path),
+        narrow: !device.info().wide,
+        ..DeviceOptions::default()
+    };
     let other = Device::open(&options).unwrap();
     let step = crumpled_sheet(10, 1);
     let mut session = Session::new(&other, step.mesh.clone(), Options::default()).unwrap();
@@ -138,15 +175,20 @@ fn check_recorded(device: &Device) {
             (found.contacts.clone(), found.undecided.map(Clone::clone))
         };
         let usage = ccd::gpu::wgpu::BufferUsages::MAP_READ | ccd::gpu::wgpu::BufferUsages::COPY_DST;
-        let read =
-            device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor { label: None, size: 24, usage, mapped_at_creation: false });
+        let read = device.wgpu().create_buffer(&ccd::gpu::wgpu::BufferDescriptor {
+            label: None,
+            size: 24,
+            usage,
+            mapped_at_creation: false,
+        });
         for (i, list) in [&contacts, &undecided[0], &undecided[1]].into_iter().enumerate() {
             encoder.copy_buffer_to_buffer(list.buffer(), 0, &read, 8 * i as u64, 4);
         }
         device.queue().submit([encoder.finish()]);
         read.slice(..).map_async(ccd::gpu::wgpu::MapMode::Read, |_| {});
         device.wgpu().poll(ccd::gpu::wgpu::PollType::wait_indefinitely()).unwrap();
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&read.slice(..).get_mapped_range().unwrap());
+        let words: Vec<u32> =
+            bytemuck::pod_collect_to_vec(&read.slice(..).get_mapped_range().unwrap());
         [words[0] as usize, words[2] as usize, words[4] as usize]
     };
     // What was uploaded last is still there.

@@ -5,13 +5,15 @@ use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept,
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    ContactKeys, FitLeaves, FitLevel, Morton, OrderContacts, PlaceVertices, SceneBounds, Shorten, SortCount, SortScan, SortScatter,
-    SweepEdges, SweepFaces, SweepVertices,
+    ContactKeys, FitLeaves, FitLevel, Morton, OrderContacts, PlaceVertices, SceneBounds, Shorten,
+    SortCount, SortScan, SortScatter, SweepEdges, SweepFaces, SweepVertices,
 };
 use ccd::gpu::{Device, Sorter, harness};
 use ccd_core::broad_phase::{candidate, morton_key};
 use ccd_core::kernel::sort;
-use ccd_core::layout::{Blocks, ContactSort, Dispatch, Frame, Leaf, Params, Path, Plain, SortPass, Touch, split};
+use ccd_core::layout::{
+    Blocks, ContactSort, Dispatch, Frame, Leaf, Params, Path, Plain, SortPass, Touch, split,
+};
 use ccd_core::narrow_phase::decide;
 use ccd_testkit::compare;
 use ccd_testkit::generate::{Random, triangle_soup};
@@ -40,15 +42,40 @@ fn check_place(device: &Device) {
         return not_run("the device is used without f64");
     }
     let mut random = Random::new(9);
-    let thresholds = [0.0, -0.0, 1e-300, -1e-40, 1e-38, f32::MIN_POSITIVE as f64, 1.0 / 3.0, -1e30, 1e90, -1e100];
+    let thresholds = [
+        0.0,
+        -0.0,
+        1e-300,
+        -1e-40,
+        1e-38,
+        f32::MIN_POSITIVE as f64,
+        1.0 / 3.0,
+        -1e30,
+        1e90,
+        -1e100,
+    ];
     let mut position = |i: u32| -> [f64; 3] {
-        std::array::from_fn(|_| if i.is_multiple_of(3) { thresholds[random.below(10) as usize] } else { random.unit() * 8.0 - 1.0 })
+        std::array::from_fn(|_| {
+            if i.is_multiple_of(3) {
+                thresholds[random.below(10) as usize]
+            } else {
+                random.unit() * 8.0 - 1.0
+            }
+        })
     };
     let n = 1000;
-    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (0..n).map(|i| (position(i), position(i))).unzip();
-    for (origin, margin, scale) in [([0.0; 3], 0.0, 1.0), ([0.7, -1.3, 2e-5], 0.01, 2f64.powi(-300))] {
-        let frame =
-            Frame { count: [n, 0, 0], origin: origin.map(split), margin_bits: split(margin), scale_bits: split(scale), ..Frame::default() };
+    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) =
+        (0..n).map(|i| (position(i), position(i))).unzip();
+    for (origin, margin, scale) in
+        [([0.0; 3], 0.0, 1.0), ([0.7, -1.3, 2e-5], 0.01, 2f64.powi(-300))]
+    {
+        let frame = Frame {
+            count: [n, 0, 0],
+            origin: origin.map(split),
+            margin_bits: split(margin),
+            scale_bits: split(scale),
+            ..Frame::default()
+        };
         let kernel = PlaceVertices {
             positions: bytes(&[&x0[..], &x1[..]].concat()),
             paths: zeros::<Path>(n as usize),
@@ -62,12 +89,22 @@ fn check_place(device: &Device) {
             for (end, given) in [(paths[i].t0, x0[i]), (paths[i].t1, x1[i])] {
                 // What is too large for an `f32` becomes the greatest or infinity: the bound on the
                 // error is infinite then.
-                let want = |k: usize| (((given[k] - origin[k]) * scale) as f32).clamp(f32::MIN, f32::MAX);
-                assert!((0..3).all(|k| same(end[k].clamp(f32::MIN, f32::MAX), want(k))) && end[3] == 0.0, "{given:?} became {end:?}");
+                let want =
+                    |k: usize| (((given[k] - origin[k]) * scale) as f32).clamp(f32::MIN, f32::MAX);
+                assert!(
+                    (0..3).all(|k| same(end[k].clamp(f32::MIN, f32::MAX), want(k)))
+                        && end[3] == 0.0,
+                    "{given:?} became {end:?}"
+                );
             }
             for k in 0..3 {
-                let (low, high) = if x0[i][k] < x1[i][k] { (x0[i][k], x1[i][k]) } else { (x1[i][k], x0[i][k]) };
-                let (low, high) = if margin > 0.0 { ((low - margin).next_down(), (high + margin).next_up()) } else { (low, high) };
+                let (low, high) =
+                    if x0[i][k] < x1[i][k] { (x0[i][k], x1[i][k]) } else { (x1[i][k], x0[i][k]) };
+                let (low, high) = if margin > 0.0 {
+                    ((low - margin).next_down(), (high + margin).next_up())
+                } else {
+                    (low, high)
+                };
                 assert_eq!(
                     (keys[i][k], keys[i][3 + k]),
                     (candidate::bound_key(low), candidate::bound_key(high)),
@@ -75,9 +112,16 @@ fn check_place(device: &Device) {
                 );
                 let clamp = |x: f64| x.clamp(-2.9e38, 2.9e38);
                 let (min, max) = (boxes[i].min[k] as f64, boxes[i].max[k] as f64);
-                let tight = |x: f64| clamp(x).abs() * f32::EPSILON as f64 + 2.0 * f32::MIN_POSITIVE as f64;
-                assert!(min <= low.max(-2.9e38 + 1e32) && min >= clamp(low) - tight(low), "min {min:e} for {low:e}");
-                assert!(max >= high.min(2.9e38 - 1e32) && max <= clamp(high) + tight(high), "max {max:e} for {high:e}");
+                let tight =
+                    |x: f64| clamp(x).abs() * f32::EPSILON as f64 + 2.0 * f32::MIN_POSITIVE as f64;
+                assert!(
+                    min <= low.max(-2.9e38 + 1e32) && min >= clamp(low) - tight(low),
+                    "min {min:e} for {low:e}"
+                );
+                assert!(
+                    max >= high.min(2.9e38 - 1e32) && max <= clamp(high) + tight(high),
+                    "max {max:e} for {high:e}"
+                );
             }
         }
     }
@@ -87,17 +131,21 @@ fn check_sweep(device: &Device) {
     for poison in [false, true] {
         let step = triangle_soup(500, 0.3, 1);
         let (paths, mesh) = (paths(&step, poison), &step.mesh);
-        let count = [mesh.n_vertices() as u32, mesh.edges().len() as u32, mesh.faces().len() as u32];
+        let count =
+            [mesh.n_vertices() as u32, mesh.edges().len() as u32, mesh.faces().len() as u32];
         let start = [0, count[0], count[0] + count[1], count[0] + count[1] + count[2]];
         let frame = Frame { count, start, ..Frame::default() };
         let mut want: Vec<Aabb> = paths.iter().map(swept).collect();
         let vertices = want.clone();
-        let kernel = SweepVertices { paths: bytes(&paths), boxes: zeros::<Aabb>(start[3] as usize) };
+        let kernel =
+            SweepVertices { paths: bytes(&paths), boxes: zeros::<Aabb>(start[3] as usize) };
         let done = run(device, kernel.clone(), &plain(frame), count[0].div_ceil(256));
         let mut got: Vec<Aabb> = read(&done.boxes[..want.len() * 24]);
         // Of a number and NaN either may be the smaller: hosts refuse NaN, and a box that has one
         // is of no other vertex.
-        for i in (0..paths.len()).filter(|&i| paths[i].t0.iter().chain(&paths[i].t1).any(|x| x.is_nan())) {
+        for i in
+            (0..paths.len()).filter(|&i| paths[i].t0.iter().chain(&paths[i].t1).any(|x| x.is_nan()))
+        {
             got[i] = want[i];
         }
         check_boxes("vertex", &want, &got);
@@ -116,7 +164,8 @@ fn check_sweep(device: &Device) {
         let done = run(device, kernel, &plain(grown), count[0].div_ceil(256));
         for (b, v) in read::<Aabb>(&done.boxes[..vertices.len() * 24]).iter().zip(&vertices) {
             assert!(
-                (0..3).all(|k| b.min[k] as f64 <= v.min[k] as f64 - 0.125 && b.max[k] as f64 >= v.max[k] as f64 + 0.125),
+                (0..3).all(|k| b.min[k] as f64 <= v.min[k] as f64 - 0.125
+                    && b.max[k] as f64 >= v.max[k] as f64 + 0.125),
                 "{b:?} {v:?}"
             );
             assert!((0..3).all(|k| b.max[k] - v.max[k] < 0.1251), "{b:?} {v:?}");
@@ -128,16 +177,22 @@ fn check_shorten(device: &Device) {
     let paths = paths(&triangle_soup(200, 0.3, 2), false);
     let n = paths.len() as u32;
     let frame = Frame { count: [n, 0, 0], ..Frame::default() };
-    for (key, until) in [(0.25f32.to_bits(), 0.25), (0, 0.0), (decide::NEVER, 1.0), (1.0f32.to_bits(), 1.0)] {
+    for (key, until) in
+        [(0.25f32.to_bits(), 0.25), (0, 0.0), (decide::NEVER, 1.0), (1.0f32.to_bits(), 1.0)]
+    {
         // The lesser of the times of both kinds counts.
         let (time, never) = (bytes(&[key, 0, 0, 0]), bytes(&[decide::NEVER; 4]));
         let (of_vf, of_ee) = if key == 0 { (never, time) } else { (time, never) };
-        let kernel = Shorten { paths: bytes(&paths), of_vf, of_ee, shortened: zeros::<Path>(paths.len()) };
+        let kernel =
+            Shorten { paths: bytes(&paths), of_vf, of_ee, shortened: zeros::<Path>(paths.len()) };
         let done = run(device, kernel, &plain(frame), n.div_ceil(256));
         for (p, got) in paths.iter().zip(read::<Path>(&done.shortened)) {
             for k in 0..3 {
                 let want = p.t0[k] as f64 + (p.t1[k] as f64 - p.t0[k] as f64) * until;
-                assert!(got.t0[k] == p.t0[k] && (got.t1[k] as f64 - want).abs() <= 4e-7 * 2.0, "{p:?} until {until}: {got:?}");
+                assert!(
+                    got.t0[k] == p.t0[k] && (got.t1[k] as f64 - want).abs() <= 4e-7 * 2.0,
+                    "{p:?} until {until}: {got:?}"
+                );
             }
         }
     }
@@ -152,14 +207,16 @@ fn check_bounds(device: &Device) {
     let words: Vec<u32> = read(&bounds);
     let scene = union(twin.boxes.iter());
     check_boxes("scene", &[scene], &[morton_key::merged(&words)]);
-    let kernel = Morton { boxes, bounds, keys: zeros::<u32>(n as usize), order: zeros::<u32>(n as usize) };
+    let kernel =
+        Morton { boxes, bounds, keys: zeros::<u32>(n as usize), order: zeros::<u32>(n as usize) };
     let done = run(device, kernel, &p, n.div_ceil(256));
     let keys: Vec<u32> = read(&done.keys);
     // A scale that was rounded otherwise (division is good to 2.5 units) may put a centre into a
     // neighbouring cell.
     let same = keys.iter().zip(&twin.keys).filter(|(a, b)| a == b).count();
     assert!(
-        keys.iter().zip(&twin.keys).all(|(a, b)| a >> 30 == b >> 30) && same * 1000 >= keys.len() * 998,
+        keys.iter().zip(&twin.keys).all(|(a, b)| a >> 30 == b >> 30)
+            && same * 1000 >= keys.len() * 998,
         "{same} of {} keys",
         keys.len()
     );
@@ -170,12 +227,18 @@ fn check_sort(device: &Device) {
     let mut random = Random::new(3);
     for n in [1u32, 31, 2047, 2048, 2049, 100_003] {
         for few in [false, true] {
-            let keys: Vec<u32> = (0..n).map(|_| if few { random.below(3) * 0x0100_0001 } else { random.bits() }).collect();
+            let keys: Vec<u32> = (0..n)
+                .map(|_| if few { random.below(3) * 0x0100_0001 } else { random.bits() })
+                .collect();
             let values: Vec<u32> = (0..n).collect();
-            let (got_keys, got_values) = Sorter::new(device, n).unwrap().sort(&keys, &values).unwrap();
+            let (got_keys, got_values) =
+                Sorter::new(device, n).unwrap().sort(&keys, &values).unwrap();
             let mut want: Vec<(u32, u32)> = keys.iter().copied().zip(values).collect();
             want.sort();
-            assert!(want.into_iter().eq(got_keys.into_iter().zip(got_values)), "{n} keys, few different: {few}");
+            assert!(
+                want.into_iter().eq(got_keys.into_iter().zip(got_values)),
+                "{n} keys, few different: {few}"
+            );
         }
     }
     // The three kernels by themselves.
@@ -183,10 +246,13 @@ fn check_sort(device: &Device) {
     let keys: Vec<u32> = (0..n).map(|_| random.bits()).collect();
     let n_tiles = n.div_ceil(sort::TILE);
     let p = sort_pass(n, SortPass { shift: 8, n_tiles });
-    let kernel = SortCount { keys: bytes(&keys), table: zeros::<u32>((n_tiles as usize + 1) * 256) };
+    let kernel =
+        SortCount { keys: bytes(&keys), table: zeros::<u32>((n_tiles as usize + 1) * 256) };
     let SortCount { table, .. } = run(device, kernel, &p, n_tiles);
     let mut want = vec![0u32; 256 * (n_tiles as usize + 1)];
-    keys.iter().enumerate().for_each(|(i, k)| want[(k >> 8 & 255) as usize * n_tiles as usize + i / sort::TILE as usize] += 1);
+    keys.iter().enumerate().for_each(|(i, k)| {
+        want[(k >> 8 & 255) as usize * n_tiles as usize + i / sort::TILE as usize] += 1
+    });
     assert_eq!(read::<u32>(&table), want);
     let done = run(device, SortScan { table }, &p, 256);
     for d in 0..256 {
@@ -202,11 +268,15 @@ fn check_sort(device: &Device) {
     assert_eq!(read::<u32>(&done.table), want);
     let (table, values) = (done.table, (0..n).collect::<Vec<u32>>());
     let (keys_out, values_out) = (zeros::<u32>(n as usize), zeros::<u32>(n as usize));
-    let kernel = SortScatter { table, keys: bytes(&keys), values: bytes(&values), keys_out, values_out };
+    let kernel =
+        SortScatter { table, keys: bytes(&keys), values: bytes(&values), keys_out, values_out };
     let done = run(device, kernel, &p, n_tiles);
     let mut want: Vec<(u32, u32)> = keys.into_iter().zip(values).collect();
     want.sort_by_key(|(key, _)| key >> 8 & 255);
-    assert!(want.into_iter().eq(read(&done.keys_out).into_iter().zip(read(&done.values_out))), "one pass");
+    assert!(
+        want.into_iter().eq(read(&done.keys_out).into_iter().zip(read(&done.values_out))),
+        "one pass"
+    );
 }
 
 fn sort_pass(n: u32, own: SortPass) -> Params<SortPass> {
@@ -221,7 +291,8 @@ fn check_order(device: &Device) {
         let touches: Vec<Touch> = (0..n)
             .map(|i| {
                 let kind = random.below(2);
-                let (a, b) = (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
+                let (a, b) =
+                    (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
                 Touch { kind, state: i % 2, a, b, toi: [i, !i] }
             })
             .collect();
@@ -238,14 +309,25 @@ fn check_order(device: &Device) {
         for pass in [0, 1] {
             let p = Params { frame, dispatch, own: ContactSort { pass } };
             let (contacts, keys) = (list.clone(), zeros::<u32>(room as usize));
-            let done = run(device, ContactKeys { contacts, keys, order: bytes(&order) }, &p, groups);
-            (_, order) = Sorter::new(device, room).unwrap().sort(&read(&done.keys), &read(&done.order)).unwrap();
+            let done =
+                run(device, ContactKeys { contacts, keys, order: bytes(&order) }, &p, groups);
+            (_, order) = Sorter::new(device, room)
+                .unwrap()
+                .sort(&read(&done.keys), &read(&done.order))
+                .unwrap();
         }
         let p = Params { frame, dispatch, own: Plain::default() };
-        let kernel = OrderContacts { contacts: list, order: bytes(&order), ordered: zeros::<Touch>(room as usize) };
+        let kernel = OrderContacts {
+            contacts: list,
+            order: bytes(&order),
+            ordered: zeros::<Touch>(room as usize),
+        };
         let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
         assert!(ordered[..n as usize] == want, "{n} contacts");
-        assert!(ordered[n as usize..].iter().all(|t| *t == Touch::default()), "written behind the last contact");
+        assert!(
+            ordered[n as usize..].iter().all(|t| *t == Touch::default()),
+            "written behind the last contact"
+        );
     }
 }
 
@@ -266,7 +348,8 @@ fn check_fit(device: &Device) {
     check_boxes("node", &twin.nodes[..second], &read::<Aabb>(&done.nodes)[..second]);
     assert!(read::<Leaf>(&done.leaves) == twin.leaves);
     let p = Params { own: Blocks { level: 1, ..twin.tree }, ..p };
-    let done = run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
+    let done =
+        run(device, FitLevel { nodes: done.nodes }, &p, (slots[1][3] - slots[1][0]).div_ceil(256));
     let third = slots[3][0] as usize;
     check_boxes("node", &twin.nodes[..third], &read::<Aabb>(&done.nodes)[..third]);
 }
@@ -294,8 +377,15 @@ fn check_largest_grid(device: &Device) {
     let table: Vec<u32> = read(&run(device, kernel, &p, n_tiles).table);
     for digit in 0..256 {
         let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
-        assert_eq!(row[..3].iter().sum::<u32>(), keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32, "digit {digit}");
-        assert!(row[3..].iter().all(|&count| count == 0), "digit {digit}: a workgroup beyond the first row did not write, or elsewhere");
+        assert_eq!(
+            row[..3].iter().sum::<u32>(),
+            keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32,
+            "digit {digit}"
+        );
+        assert!(
+            row[3..].iter().all(|&count| count == 0),
+            "digit {digit}: a workgroup beyond the first row did not write, or elsewhere"
+        );
     }
 }
 
@@ -307,5 +397,7 @@ pub fn check_negative_controls() {
     assert!(!compare::fails(|| check_boxes("control", &[a], &[a])));
     assert!(compare::fails(|| check_boxes("control", &[a], &[b])), "another box passes");
     assert!(compare::fails(|| check_boxes("control", &[a, a], &[a])), "a missing box passes");
-    assert!(same(f32::NAN, -f32::NAN) && same(0.0, 1e-40) && !same(0.0, 1e-37) && !same(1.0, f32::NAN));
+    assert!(
+        same(f32::NAN, -f32::NAN) && same(0.0, 1e-40) && !same(0.0, 1e-37) && !same(1.0, f32::NAN)
+    );
 }

@@ -54,13 +54,18 @@ fn main() {
     }
     let mut trials = Vec::new();
     let data = ccd_testkit::data::data_dir();
-    let add = |trials: &mut Vec<Trial>, name: String, test: scenes::Runnable, device: Result<Device, String>| {
+    let add = |trials: &mut Vec<Trial>,
+               name: String,
+               test: scenes::Runnable,
+               device: Result<Device, String>| {
         trials.push(Trial::ignorable_test(name, move || match (device, test) {
             (Ok(device), Ok(test)) => {
                 test(&device);
                 Ok(support::take_not_run().map_or(Completion::Completed, Completion::ignored_with))
             }
-            (Err(why), _) if required => Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}"))),
+            (Err(why), _) if required => {
+                Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}")))
+            }
             (Err(why), _) | (_, Err(why)) => Ok(Completion::ignored_with(why)),
         }));
     };
@@ -69,8 +74,16 @@ fn main() {
         Err(why) => vec![("no_device", Err(why.clone()))],
     };
     for (path, device) in each {
-        let tests =
-            [kernels::TESTS, pairs::TESTS, poison::TESTS, scalars::TESTS, failures::TESTS, scenes::TESTS, tangential::TESTS, units::TESTS];
+        let tests = [
+            kernels::TESTS,
+            pairs::TESTS,
+            poison::TESTS,
+            scalars::TESTS,
+            failures::TESTS,
+            scenes::TESTS,
+            tangential::TESTS,
+            units::TESTS,
+        ];
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
         }

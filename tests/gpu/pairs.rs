@@ -4,7 +4,10 @@
 use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, twin, zeros};
 use crate::twin::{Twin, union};
-use ccd::gpu::bind::{BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs, TraverseAgainst, TraverseHalf};
+use ccd::gpu::bind::{
+    BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs,
+    TraverseAgainst, TraverseHalf,
+};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
@@ -27,15 +30,18 @@ fn check_node_pairs(device: &Device) {
     for kind in [0, 1] {
         let above = twin.node_pairs(2, kind);
         let want = twin.node_pairs(1, kind);
-        let kernel = NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: room(50_000) };
+        let kernel =
+            NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: room(50_000) };
         // Few workgroups, so that each takes several rounds; many, so that some have nothing to do.
         for groups in [1, 3, 500] {
-            let done = run(device, kernel.clone(), &twin.pass(kind, 2, above.len(), 50_000), groups);
+            let done =
+                run(device, kernel.clone(), &twin.pass(kind, 2, above.len(), 50_000), groups);
             check_pairs("node pairs", want.clone(), entries(&done.output));
         }
         // A list that is too short counts everything and writes nothing beyond its end.
         let short = NodePairs { output: room(20), ..kernel };
-        let words: Vec<u32> = read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
+        let words: Vec<u32> =
+            read(&run(device, short, &twin.pass(kind, 2, above.len(), 10), 7).output);
         assert_eq!(words[0] as usize, want.len());
         assert!(words[LIST_HEADER + 20..].iter().all(|&w| w == 0), "written beyond the room");
     }
@@ -44,7 +50,14 @@ fn check_node_pairs(device: &Device) {
 /// The kernel that lists candidates, without bodies and keys.
 fn lister(twin: &Twin, blocks: &[Pair], output: Vec<u8>) -> ListCandidates<Vec<u8>> {
     let (nodes, leaves) = (bytes(&twin.nodes), bytes(&twin.leaves));
-    ListCandidates { nodes, leaves, bodies: vec![0; 16], keys: vec![0; 48], input: list(blocks), output }
+    ListCandidates {
+        nodes,
+        leaves,
+        bodies: vec![0; 16],
+        keys: vec![0; 48],
+        input: list(blocks),
+        output,
+    }
 }
 
 /// A count that exceeds 32 bits says so: both words of headers, in every kernel that adds to them.
@@ -56,12 +69,21 @@ fn check_counts(device: &Device) {
     let near = |back: u32| bytes(&[0u32.wrapping_sub(back), 0u32.wrapping_sub(back), 0, 0]);
     for (back, wraps) in [(1, 1), (n_hits, 1), (n_hits + 1, 0)] {
         let kernel = lister(&twin, &blocks, near(back));
-        let head: Vec<u32> = read(&run(device, kernel, &twin.pass(1, 1, blocks.len(), 0), 5).output[..16]);
-        assert_eq!(head, [n_hits.wrapping_sub(back), n_hits.wrapping_sub(back), wraps, wraps], "candidates");
+        let head: Vec<u32> =
+            read(&run(device, kernel, &twin.pass(1, 1, blocks.len(), 0), 5).output[..16]);
+        assert_eq!(
+            head,
+            [n_hits.wrapping_sub(back), n_hits.wrapping_sub(back), wraps, wraps],
+            "candidates"
+        );
     }
     let kernel = NodePairs { nodes: bytes(&twin.nodes), input: list(&above), output: near(1) };
     let done = run(device, kernel, &twin.pass(1, 2, above.len(), 0), 1);
-    assert_eq!(read::<u32>(&done.output[..16]), [blocks.len() as u32 - 1, u32::MAX, 1, 0], "pairs of nodes");
+    assert_eq!(
+        read::<u32>(&done.output[..16]),
+        [blocks.len() as u32 - 1, u32::MAX, 1, 0],
+        "pairs of nodes"
+    );
 }
 
 /// Candidates by testing each feature against each.
@@ -103,26 +125,53 @@ fn check_filters(device: &Device) {
         assert_eq!(words[1] as usize, all.len(), "candidates that were counted");
         let mut left = entries(&output);
         left.sort_unstable();
-        assert!(left.windows(2).all(|w| w[0] != w[1]) && left.len() < all.len() / 2, "{} of {} are left", left.len(), all.len());
+        assert!(
+            left.windows(2).all(|w| w[0] != w[1]) && left.len() < all.len() / 2,
+            "{} of {} are left",
+            left.len(),
+            all.len()
+        );
         let mut n_touching = 0;
         for pair in all {
             let touches = verdict(&step, kind, pair, &paths) != Verdict::Miss;
             n_touching += touches as usize;
-            assert!(!touches || left.binary_search(&pair).is_ok(), "{pair:?} touches and was dropped");
+            assert!(
+                !touches || left.binary_search(&pair).is_ok(),
+                "{pair:?} touches and was dropped"
+            );
         }
         assert!(n_touching > 100, "{n_touching} contacts show nothing");
     }
 }
 
 /// The list that the filter of a kind makes of pairs of blocks.
-pub fn filtered(device: &Device, twin: &Twin, paths: &[Path], kind: u32, blocks: &[Pair], groups: u32) -> Vec<u8> {
+pub fn filtered(
+    device: &Device,
+    twin: &Twin,
+    paths: &[Path],
+    kind: u32,
+    blocks: &[Pair],
+    groups: u32,
+) -> Vec<u8> {
     let (nodes, leaves, paths) = (bytes(&twin.nodes), bytes(&twin.leaves), bytes(paths));
     let (bodies, keys, input, output) = (vec![0; 16], vec![0; 48], list(blocks), room(100_000));
     let p = twin.pass(kind, 1, blocks.len(), 100_000);
     if kind == 0 {
-        run(device, FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output }, &p, groups).output
+        run(
+            device,
+            FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
+            &p,
+            groups,
+        )
+        .output
     } else {
-        run(device, FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output }, &p, groups).output
+        run(
+            device,
+            FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
+            &p,
+            groups,
+        )
+        .output
     }
 }
 
@@ -160,13 +209,26 @@ fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
         match branches.get(node as usize) {
             Some(branch) => {
                 let (left, right) = (range(branch.left), range(branch.right));
-                assert_eq!((left.0, left.1 + 1, right.1), (first, right.0, last), "children of node {node}");
-                assert_eq!((nodes[node as usize].left, nodes[node as usize].right), (branch.left, branch.right));
+                assert_eq!(
+                    (left.0, left.1 + 1, right.1),
+                    (first, right.0, last),
+                    "children of node {node}"
+                );
+                assert_eq!(
+                    (nodes[node as usize].left, nodes[node as usize].right),
+                    (branch.left, branch.right)
+                );
                 stack.extend([branch.left, branch.right]);
             }
             None => {
-                assert!(nodes[node as usize].is_leaf() && nodes[node as usize].left == twin.order[first as usize]);
-                assert!(!std::mem::replace(&mut seen[first as usize], true), "leaf {first} comes twice");
+                assert!(
+                    nodes[node as usize].is_leaf()
+                        && nodes[node as usize].left == twin.order[first as usize]
+                );
+                assert!(
+                    !std::mem::replace(&mut seen[first as usize], true),
+                    "leaf {first} comes twice"
+                );
             }
         }
     }
@@ -187,7 +249,8 @@ fn check_radix_tree(device: &Device) {
         let groups = n.div_ceil(256);
         let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
         let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
-        let Branches { branches, .. } = run(device, kernel, &twin.plain(Dispatch::default()), groups);
+        let Branches { branches, .. } =
+            run(device, kernel, &twin.plain(Dispatch::default()), groups);
         // The highest level that has more than one node, and one above it, must give the same
         // boxes.
         for level in [1, 2] {
@@ -205,7 +268,12 @@ fn check_radix_tree(device: &Device) {
             let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
             let p = twin.plain(Dispatch { n: 300, room_out: 200_000, ..Dispatch::default() });
             let (nodes, branches, pairs) = (nodes, branches.clone(), room(200_000));
-            let done = run(device, TraverseAgainst { boxes: bytes(&loose), nodes, branches, pairs }, &p, 3);
+            let done = run(
+                device,
+                TraverseAgainst { boxes: bytes(&loose), nodes, branches, pairs },
+                &p,
+                3,
+            );
             check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&done.pairs));
         }
     }
@@ -222,12 +290,19 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], b
     };
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        found.extend(entries(&traverse(Dispatch { n, first, room_in: 0, room_out }, room(room_out))));
+        found.extend(entries(&traverse(
+            Dispatch { n, first, room_in: 0, room_out },
+            room(room_out),
+        )));
     }
     check_pairs("overlaps by a tree", all.clone(), found);
     let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
     let wrapped = !all.is_empty() as u32;
-    assert_eq!(read::<u32>(&pairs), [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0], "a count that runs over");
+    assert_eq!(
+        read::<u32>(&pairs),
+        [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0],
+        "a count that runs over"
+    );
 }
 
 fn check_uniform(device: &Device, method: BroadPhaseMethod) {
@@ -239,15 +314,30 @@ fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();
-    check_pairs("two sets", brute::pairs(&grown(a), &grown(b)), broad.pairs(&grown(a), &grown(b)).unwrap());
+    check_pairs(
+        "two sets",
+        brute::pairs(&grown(a), &grown(b)),
+        broad.pairs(&grown(a), &grown(b)).unwrap(),
+    );
     // Sets without a pair, with one box, with none; boxes that are points; boxes as large as they
     // may be.
-    assert!(broad.self_pairs(&[]).unwrap().is_empty() && broad.self_pairs(&boxes[..1]).unwrap().is_empty());
+    assert!(
+        broad.self_pairs(&[]).unwrap().is_empty()
+            && broad.self_pairs(&boxes[..1]).unwrap().is_empty()
+    );
     assert!(broad.pairs(&[], b).unwrap().is_empty());
-    let odd =
-        [Aabb { min: [0.0; 3], max: [0.0; 3] }, Aabb { min: [-2.9e38; 3], max: [2.9e38; 3] }, Aabb { min: [1e-40; 3], max: [2e-40; 3] }];
+    let odd = [
+        Aabb { min: [0.0; 3], max: [0.0; 3] },
+        Aabb { min: [-2.9e38; 3], max: [2.9e38; 3] },
+        Aabb { min: [1e-40; 3], max: [2e-40; 3] },
+    ];
     let found = broad.self_pairs(&odd).unwrap();
-    assert!(found.len() >= 2 && found.contains(&Pair { a: 0, b: 1 }) && found.contains(&Pair { a: 1, b: 2 }), "{found:?}");
+    assert!(
+        found.len() >= 2
+            && found.contains(&Pair { a: 0, b: 1 })
+            && found.contains(&Pair { a: 1, b: 2 }),
+        "{found:?}"
+    );
     assert!(broad.self_pairs(&[Aabb { min: [f32::NAN; 3], max: [1.0; 3] }]).is_err());
     assert!(broad.self_pairs(&[Aabb { min: [1.0; 3], max: [0.0; 3] }]).is_err());
 }

@@ -15,11 +15,21 @@ use ccd_testkit::generate::Random;
 use ccd_testkit::oracle::{self, Answer};
 use ccd_testkit::{brute, compare};
 
-pub const TESTS: crate::Tests = &[("poisoned_queries", check_queries), ("poisoned_filters", check_filters)];
+pub const TESTS: crate::Tests =
+    &[("poisoned_queries", check_queries), ("poisoned_filters", check_filters)];
 
 /// Small and large numbers by themselves: exact arithmetic takes minutes for both together.
 const POISON: [[f32; 8]; 2] = [
-    [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, -1.5 * f32::MIN_POSITIVE, 1e-20, 1.0 - f32::EPSILON / 2.0],
+    [
+        0.0,
+        -0.0,
+        1e-45,
+        -1e-40,
+        f32::MIN_POSITIVE,
+        -1.5 * f32::MIN_POSITIVE,
+        1e-20,
+        1.0 - f32::EPSILON / 2.0,
+    ],
     [0.0, 1.0 + f32::EPSILON, 1e12, 1e19, -1e30, 1e30, 2.9e38, -3.4e38],
 ];
 
@@ -27,24 +37,41 @@ const POISON: [[f32; 8]; 2] = [
 /// that features meet.
 fn point(random: &mut Random, poison: u32, family: usize) -> [f32; 3] {
     std::array::from_fn(|_| {
-        if random.below(100) < poison { POISON[family][random.below(8) as usize] } else { random.below(9) as f32 * 0.25 - 1.0 }
+        if random.below(100) < poison {
+            POISON[family][random.below(8) as usize]
+        } else {
+            random.below(9) as f32 * 0.25 - 1.0
+        }
     })
 }
 
 /// The verdict of the CPU in `f64`.
 fn on_cpu(is_vf: bool, (t0, t1): Ends) -> Verdict<f64> {
-    if is_vf { ccd::vertex_face(&VertexFace { t0, t1 }, 0.0) } else { ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0) }
+    if is_vf {
+        ccd::vertex_face(&VertexFace { t0, t1 }, 0.0)
+    } else {
+        ccd::edge_edge(&EdgeEdge { t0, t1 }, 0.0)
+    }
 }
 
 /// A device may be less certain than the CPU, but not certain of something else.
 fn check_verdict(is_vf: bool, ends: Ends, cpu: Verdict<f64>, device: Verdict<f64>) {
     match (cpu, device) {
-        (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. }) => panic!("{ends:?}: {cpu:?} on the CPU, {device:?}"),
+        (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. }) => {
+            panic!("{ends:?}: {cpu:?} on the CPU, {device:?}")
+        }
         (Verdict::Hit { toi: want }, Verdict::Hit { toi }) => {
-            assert!((toi - want).abs() <= 2.0 * TOI_TOLERANCE, "{ends:?}: {cpu:?} on the CPU, {device:?}");
+            assert!(
+                (toi - want).abs() <= 2.0 * TOI_TOLERANCE,
+                "{ends:?}: {cpu:?} on the CPU, {device:?}"
+            );
         }
         (Verdict::Undecided { .. }, Verdict::Miss) => {
-            let answer = if is_vf { oracle::vertex_face(&ends.0, &ends.1) } else { oracle::edge_edge(&ends.0, &ends.1) };
+            let answer = if is_vf {
+                oracle::vertex_face(&ends.0, &ends.1)
+            } else {
+                oracle::edge_edge(&ends.0, &ends.1)
+            };
             assert!(!matches!(answer, Answer::Contact(..)), "{ends:?}: missed, {answer:?}");
         }
         _ => {}
@@ -55,10 +82,12 @@ fn check_queries(device: &Device) {
     for is_vf in [true, false] {
         let mut random = Random::new(31 + is_vf as u32);
         let mut ends = |poison: u32, family| -> Ends {
-            let mut four = || std::array::from_fn(|_| point(&mut random, poison, family).map(f64::from));
+            let mut four =
+                || std::array::from_fn(|_| point(&mut random, poison, family).map(f64::from));
             (four(), four())
         };
-        let queries: Vec<Ends> = (0..4000).map(|i| ends([0, 5, 20, 60][i % 4], i / 4 % 2)).collect();
+        let queries: Vec<Ends> =
+            (0..4000).map(|i| ends([0, 5, 20, 60][i % 4], i / 4 % 2)).collect();
         let (mut n_misses, mut n_hits) = (0, 0);
         for (&query, verdict) in queries.iter().zip(decide(device, is_vf, &queries)) {
             let cpu = on_cpu(is_vf, query);
@@ -66,23 +95,36 @@ fn check_queries(device: &Device) {
             n_misses += (verdict == Verdict::Miss) as usize;
             n_hits += matches!(cpu, Verdict::Hit { .. }) as usize;
         }
-        println!("{} poisoned queries: {n_misses} misses, {n_hits} certain contacts", queries.len());
-        assert!(n_misses > 1000 && n_hits > 30, "{n_misses} misses and {n_hits} contacts show nothing");
+        println!(
+            "{} poisoned queries: {n_misses} misses, {n_hits} certain contacts",
+            queries.len()
+        );
+        assert!(
+            n_misses > 1000 && n_hits > 30,
+            "{n_misses} misses and {n_hits} contacts show nothing"
+        );
     }
 }
 
 fn check_filters(device: &Device) {
     let mut random = Random::new(77);
     let n = 60u32;
-    let mut ends = |i: u32| (point(&mut random, i % 12, i as usize / 3 % 2), point(&mut random, i % 12, i as usize / 3 % 2));
+    let mut ends = |i: u32| {
+        (
+            point(&mut random, i % 12, i as usize / 3 % 2),
+            point(&mut random, i % 12, i as usize / 3 % 2),
+        )
+    };
     let (x0, x1): (Vec<[f32; 3]>, Vec<[f32; 3]>) = (0..3 * n).map(&mut ends).unzip();
     let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let mesh = Mesh::new(x0.len(), &faces).unwrap();
     // As kernels box them: bounds beyond the greatest become that.
-    let sets = brute::swept_boxes(&mesh, &x0, &x1).map(|set| set.iter().map(|b| b.round_out()).collect::<Vec<_>>());
+    let sets = brute::swept_boxes(&mesh, &x0, &x1)
+        .map(|set| set.iter().map(|b| b.round_out()).collect::<Vec<_>>());
     let twin = Twin::of_mesh(&mesh, &sets);
     let four = |p: [f32; 3]| [p[0], p[1], p[2], 0.0];
-    let paths: Vec<Path> = x0.iter().zip(&x1).map(|(p, q)| Path { t0: four(*p), t1: four(*q) }).collect();
+    let paths: Vec<Path> =
+        x0.iter().zip(&x1).map(|(p, q)| Path { t0: four(*p), t1: four(*q) }).collect();
     let candidates = brute::candidates_among(&mesh, &sets);
     for (kind, all) in (0..).zip(candidates) {
         let blocks = twin.node_pairs(1, kind);
@@ -92,10 +134,18 @@ fn check_filters(device: &Device) {
         left.sort_unstable();
         // A device that flushes denormals finds boxes to touch that are apart by less than the
         // smallest normal number.
-        assert!(counted >= all.len() && counted <= all.len() + all.len() / 10, "{counted} candidates, {} by brute force", all.len());
+        assert!(
+            counted >= all.len() && counted <= all.len() + all.len() / 10,
+            "{counted} candidates, {} by brute force",
+            all.len()
+        );
         let (mut n_touching, mut n_dropped) = (0, 0);
         for pair in all {
-            let ids = if kind == 0 { decide::vertex_face_ids(pair, &faces) } else { decide::edge_edge_ids(pair, mesh.edges()) };
+            let ids = if kind == 0 {
+                decide::vertex_face_ids(pair, &faces)
+            } else {
+                decide::edge_edge_ids(pair, mesh.edges())
+            };
             let at = |x: &[[f32; 3]]| ids.map(|v| x[v as usize].map(f64::from));
             let query = (at(&x0), at(&x1));
             let cpu = on_cpu(kind == 0, query);
@@ -105,8 +155,13 @@ fn check_filters(device: &Device) {
                 check_verdict(kind == 0, query, cpu, Verdict::Miss);
             }
         }
-        println!("kind {kind}: {counted} candidates, {n_dropped} dropped, {n_touching} certain contacts");
-        assert!(n_touching > 20 && n_dropped > 100, "{n_touching} contacts and {n_dropped} dropped show nothing");
+        println!(
+            "kind {kind}: {counted} candidates, {n_dropped} dropped, {n_touching} certain contacts"
+        );
+        assert!(
+            n_touching > 20 && n_dropped > 100,
+            "{n_touching} contacts and {n_dropped} dropped show nothing"
+        );
     }
 }
 
@@ -114,9 +169,22 @@ fn check_filters(device: &Device) {
 pub fn check_negative_control() {
     // A vertex that falls through a face, at t = 1/2.
     let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
-    let ends = ([[0.25, 1.0, 0.25], face[0], face[1], face[2]], [[0.25, -1.0, 0.25], face[0], face[1], face[2]]);
+    let ends = (
+        [[0.25, 1.0, 0.25], face[0], face[1], face[2]],
+        [[0.25, -1.0, 0.25], face[0], face[1], face[2]],
+    );
     let fails = |cpu, device| compare::fails(|| check_verdict(true, ends, cpu, device));
     let (hit, open) = (|toi| Verdict::Hit { toi }, Verdict::Undecided { toi: 0.0 });
-    assert!(!fails(hit(0.5), hit(0.5)) && !fails(hit(0.5), open) && !fails(Verdict::Miss, open) && !fails(open, hit(0.5)));
-    assert!(fails(hit(0.5), Verdict::Miss) && fails(Verdict::Miss, hit(0.5)) && fails(hit(0.5), hit(0.6)) && fails(open, Verdict::Miss));
+    assert!(
+        !fails(hit(0.5), hit(0.5))
+            && !fails(hit(0.5), open)
+            && !fails(Verdict::Miss, open)
+            && !fails(open, hit(0.5))
+    );
+    assert!(
+        fails(hit(0.5), Verdict::Miss)
+            && fails(Verdict::Miss, hit(0.5))
+            && fails(hit(0.5), hit(0.6))
+            && fails(open, Verdict::Miss)
+    );
 }

@@ -8,7 +8,8 @@ use ccd_core::kernel::{Access, TABLE, probe};
 use ccd_core::layout::{Blocks, Leaf, Pair, Params, Touch};
 use ccd_testkit::generate::Random;
 
-pub const TESTS: crate::Tests = &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
+pub const TESTS: crate::Tests =
+    &[("scalars_f32", check_scalars), ("scalars_f64", check_wide), ("layouts", check_layouts)];
 
 /// Numbers at which arithmetic changes its behaviour, as bits, and the thresholds of kernels.
 const POISON: [u32; 28] = [
@@ -61,7 +62,9 @@ fn tiny(x: f32) -> bool {
 /// as IEEE 754 says.
 fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> Option<String> {
     let (a, b) = (number(input[0]), number(input[1]));
-    let integers = ["order_key", "leading_zeros", "trailing_zeros", "count_ones", "wrapping_mul", "shifts"].contains(&name);
+    let integers =
+        ["order_key", "leading_zeros", "trailing_zeros", "count_ones", "wrapping_mul", "shifts"]
+            .contains(&name);
     let fine = if integers || want == got {
         want == got
     } else if tiny(a) || tiny(b) || a.is_nan() || b.is_nan() || a.is_infinite() || b.is_infinite() {
@@ -82,13 +85,18 @@ fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> 
             _ if exact => 0.0,
             _ => 1.0,
         };
-        let overflow = !want.is_finite() && (!got.is_finite() || got.abs() > 1e38) || !got.is_finite() && want.abs() > 1e38;
+        let overflow = !want.is_finite() && (!got.is_finite() || got.abs() > 1e38)
+            || !got.is_finite() && want.abs() > 1e38;
         // A product that rounds up to the smallest normal number may be flushed before it is
         // rounded.
         let small = want.abs() <= f32::MIN_POSITIVE;
         // Devices divide by numbers beyond 2^126 as they like; kernels scale before they divide.
         let beyond = name == "a / b" && b.abs() > 2f32.powi(126);
-        overflow || small || beyond || (got as f64 - want as f64).abs() <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
+        overflow
+            || small
+            || beyond
+            || (got as f64 - want as f64).abs()
+                <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
     };
     (!fine).then(|| format!("{name} of {a:e} ({:#x}) and {b:e} ({:#x}): {want:#x} on the CPU, {got:#x} on the device", input[0], input[1]))
 }
@@ -110,11 +118,19 @@ fn check_scalars(device: &Device) {
     let done = run(device, kernel, &Params::default(), inputs.len().div_ceil(64) as u32);
     let got: Vec<[u32; 24]> = bytemuck::pod_collect_to_vec(&done.results);
     let wrong = compare(&inputs, &got, device.info().path == Path::Passthrough);
-    assert!(wrong.is_empty(), "{} differences, first:\n{}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} differences, first:\n{}",
+        wrong.len(),
+        wrong[..wrong.len().min(8)].join("\n")
+    );
     // Bounds rest on this one: never below the root.
     for (input, got) in inputs.iter().zip(&got) {
         let (x, root) = (number(input[0]), number(got[11]));
-        assert!(!(x > 1e-37 && x.is_finite()) || root as f64 >= (x as f64).sqrt(), "sqrt_up({x:e}) = {root:e}");
+        assert!(
+            !(x > 1e-37 && x.is_finite()) || root as f64 >= (x as f64).sqrt(),
+            "sqrt_up({x:e}) = {root:e}"
+        );
     }
 }
 
@@ -128,8 +144,10 @@ fn check_wide(device: &Device) {
             * 2f64.powi(random.below(200) as i32 - 100)
             * (random.unit() - 0.5)
     };
-    let inputs: Vec<[f64; 2]> =
-        (0..20_000).map(|_| [number(), number()]).chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]]).collect();
+    let inputs: Vec<[f64; 2]> = (0..20_000)
+        .map(|_| [number(), number()])
+        .chain([[0.0, 1.0], [1.0, 3.0], [-0.0, 0.0], [1e308, 1e-308]])
+        .collect();
     let kernel = ProbeWide { inputs: bytes(&inputs), results: zeros::<[u32; 24]>(inputs.len()) };
     let done = run(device, kernel, &Params::default(), inputs.len().div_ceil(64) as u32);
     let got: Vec<[[u32; 2]; 12]> = bytemuck::pod_collect_to_vec(&done.results);
@@ -139,7 +157,10 @@ fn check_wide(device: &Device) {
         for (k, name) in probe::WIDE.iter().enumerate() {
             let (w, g) = (ccd_core::layout::join(want[k]), ccd_core::layout::join(got[k]));
             let close = (w - g).abs() <= 2.0 * f64::EPSILON * w.abs();
-            assert!(want[k] == got[k] || close || w == 0.0 && g == 0.0, "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device");
+            assert!(
+                want[k] == got[k] || close || w == 0.0 && g == 0.0,
+                "{name} of {input:?}: {w:e} on the CPU, {g:e} on the device"
+            );
         }
     }
 }
@@ -154,7 +175,8 @@ fn check_layouts(device: &Device) {
         dispatch: bytemuck::cast_slice(&fill(dispatch, 0x100 + frame as u32))[0],
         own: bytemuck::cast_slice::<u32, Blocks>(&fill(own, 0x100 + (frame + dispatch) as u32))[0],
     };
-    let record = |size: usize, first| bytemuck::cast_slice::<u32, u8>(&fill(2 * size / 4, first)).to_vec();
+    let record =
+        |size: usize, first| bytemuck::cast_slice::<u32, u8>(&fill(2 * size / 4, first)).to_vec();
     let kernel = ProbeLayout {
         paths: record(32, 0x1000),
         leaves: record(size_of::<Leaf>(), 0x2000),
@@ -163,7 +185,14 @@ fn check_layouts(device: &Device) {
         words: zeros::<u32>(probe::WORDS),
     };
     let got: Vec<u32> = bytemuck::pod_collect_to_vec(&run(device, kernel, &params, 1).words);
-    let want: Vec<u32> = [fill(probe::PARAMS_WORDS, 0x100), fill(8, 0x1008), fill(4, 0x2004), fill(6, 0x3006), fill(2, 0x4002)].concat();
+    let want: Vec<u32> = [
+        fill(probe::PARAMS_WORDS, 0x100),
+        fill(8, 0x1008),
+        fill(4, 0x2004),
+        fill(6, 0x3006),
+        fill(2, 0x4002),
+    ]
+    .concat();
     assert_eq!(got, want);
 }
 
@@ -196,7 +225,11 @@ pub fn check_decorations() {
         };
         let found = offsets(kernel.name);
         for want in [&frame[..], &dispatch, &params, own] {
-            assert!(found.iter().any(|o| o == want), "{}: no structure with {want:?} among {found:?}", kernel.name);
+            assert!(
+                found.iter().any(|o| o == want),
+                "{}: no structure with {want:?} among {found:?}",
+                kernel.name
+            );
         }
     }
     let size = |parts: [&[u8]; 3]| parts.map(<[u8]>::len);
@@ -224,17 +257,32 @@ fn offsets(kernel: &str) -> Vec<Vec<u32>> {
 /// The manifest of the shaders and the kernel table say the same.
 pub fn check_manifest() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/ccd-gpu/shaders/manifest.json");
-    let manifest: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).expect(path)).expect(path);
+    let manifest: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).expect(path)).expect(path);
     let kernels = manifest["kernels"].as_array().unwrap();
     assert_eq!(kernels.len(), TABLE.len());
     for row in TABLE {
-        let kernel = kernels.iter().find(|k| k["name"] == row.name).unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
+        let kernel = kernels
+            .iter()
+            .find(|k| k["name"] == row.name)
+            .unwrap_or_else(|| panic!("{} is not in the manifest", row.name));
         let access = row.bindings().map(|a| if a == Access::Write { "write" } else { "read" });
-        assert_eq!(kernel["bindings"], serde_json::json!(access.collect::<Vec<_>>()), "{}", row.name);
+        assert_eq!(
+            kernel["bindings"],
+            serde_json::json!(access.collect::<Vec<_>>()),
+            "{}",
+            row.name
+        );
         let want = [row.threads.into(), row.wide.into(), row.barriers.into()];
         let found = ["workgroup", "wide", "barriers"].map(|key| kernel[key].clone());
         assert_eq!(found, want as [serde_json::Value; 3], "{}", row.name);
         assert_eq!(kernel["entry"], row.name);
-        assert!(kernel["shared_bytes"].as_u64().unwrap() <= 16_384 && row.threads <= 256 && row.bindings().count() <= 8, "{}", row.name);
+        assert!(
+            kernel["shared_bytes"].as_u64().unwrap() <= 16_384
+                && row.threads <= 256
+                && row.bindings().count() <= 8,
+            "{}",
+            row.name
+        );
     }
 }

@@ -5,7 +5,10 @@ use ccd::gpu::bind::{DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, Decid
 use ccd::gpu::{Device, Path as ShaderPath, Session};
 use ccd::io::{Queries, Query, read_queries};
 use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
-use ccd_core::layout::{Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join, split};
+use ccd_core::layout::{
+    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join,
+    split,
+};
 use ccd_core::model::quantization::{Scan, Table};
 use ccd_testkit::data::{self, SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
@@ -31,10 +34,13 @@ pub const TESTS: crate::Tests = &[
 pub fn tests_of_data(dir: &Result<PathBuf, String>) -> Vec<(String, Runnable)> {
     let mut out: Vec<(String, Runnable)> = Vec::new();
     for scene in &SCENES {
-        let test = dir.clone().map(|dir| -> Test { Box::new(move |device| check_scene(device, scene, &dir)) });
+        let test = dir
+            .clone()
+            .map(|dir| -> Test { Box::new(move |device| check_scene(device, scene, &dir)) });
         out.push((format!("scene_{}", scene.name), test));
     }
-    let queries = dir.clone().map(|dir| -> Test { Box::new(move |device| check_queries(device, &dir)) });
+    let queries =
+        dir.clone().map(|dir| -> Test { Box::new(move |device| check_queries(device, &dir)) });
     out.push(("queries".into(), queries));
     out
 }
@@ -48,14 +54,31 @@ fn check_reports(cpu: &Report, gpu: &Report, same_arithmetic: bool) {
         return;
     }
     let key = |c: &Contact| (c.kind, c.a, c.b);
-    let of = |r: &Report, certain: bool| r.contacts.iter().filter(|c| !certain || c.state == State::Hit).map(key).collect::<BTreeSet<_>>();
-    assert!(of(gpu, false).is_superset(&of(cpu, true)), "a certain contact of the CPU is missing on the GPU");
-    assert!(of(cpu, false).is_superset(&of(gpu, true)), "a certain contact of the GPU is none on the CPU");
+    let of = |r: &Report, certain: bool| {
+        r.contacts
+            .iter()
+            .filter(|c| !certain || c.state == State::Hit)
+            .map(key)
+            .collect::<BTreeSet<_>>()
+    };
+    assert!(
+        of(gpu, false).is_superset(&of(cpu, true)),
+        "a certain contact of the CPU is missing on the GPU"
+    );
+    assert!(
+        of(cpu, false).is_superset(&of(gpu, true)),
+        "a certain contact of the GPU is none on the CPU"
+    );
     assert!(gpu.contacts.windows(2).all(|w| key(&w[0]) < key(&w[1])), "contacts are not in order");
     for g in &gpu.contacts {
         if let Ok(i) = cpu.contacts.binary_search_by_key(&key(g), key) {
             let c = &cpu.contacts[i];
-            assert!((g.toi - c.toi).abs() <= 2e-6 || g.state == State::Undecided || c.state == State::Undecided, "{g:?} {c:?}");
+            assert!(
+                (g.toi - c.toi).abs() <= 2e-6
+                    || g.state == State::Undecided
+                    || c.state == State::Undecided,
+                "{g:?} {c:?}"
+            );
         }
     }
 }
@@ -74,9 +97,12 @@ fn check_scene(device: &Device, scene: &Scene, dir: &Path) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path("../snapshots");
     settings.set_prepend_module_to_snapshot(false);
-    settings.bind(|| insta::assert_snapshot!(format!("truth__step_{}", scene.name), compare::step_text(&gpu)));
+    settings.bind(|| {
+        insta::assert_snapshot!(format!("truth__step_{}", scene.name), compare::step_text(&gpu))
+    });
     if scene.truth.is_some() {
-        let n_false = compare::contacts(&gpu, &scene.contacts(dir, "vf"), &scene.contacts(dir, "ee"));
+        let n_false =
+            compare::contacts(&gpu, &scene.contacts(dir, "vf"), &scene.contacts(dir, "ee"));
         println!(
             "{}: {} contacts, {} undecided, {n_false} false alarms; filtered {:?}",
             scene.name,
@@ -99,7 +125,10 @@ fn check_earliest(session: &mut Session, x0: &[[f64; 3]], x1: &[[f64; 3]], want:
     let got = session.earliest_toi(x0, x1).unwrap();
     match (want, got) {
         (Some(want), Some(got)) => {
-            assert!(got <= want && got >= want - 1e-6 - 1e-7 * want, "earliest {got:e}, on the CPU {want:e}");
+            assert!(
+                got <= want && got >= want - 1e-6 - 1e-7 * want,
+                "earliest {got:e}, on the CPU {want:e}"
+            );
         }
         _ => assert_eq!(got, want, "earliest"),
     }
@@ -146,7 +175,9 @@ fn check_queries(device: &Device, dir: &Path) {
             n_undecided += (hit && !certain) as usize;
         }
     }
-    println!("{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; {n_open} left open by f32");
+    println!(
+        "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; {n_open} left open by f32"
+    );
     assert_eq!(n, 7279);
 }
 
@@ -157,13 +188,15 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
     let mut verdicts = vec![Verdict::Miss; n];
     let mut scan = Scan::NONE;
     ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
-    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) = ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
+    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) =
+        ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
     let table = scan.table(true);
     let place = |p: [f64; 3]| {
         let p = table.place(p);
         [p[0], p[1], p[2], 0.0]
     };
-    let paths: Vec<Paths> = x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
+    let paths: Vec<Paths> =
+        x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
     let count = n as u32;
     let (elements, pairs): (Vec<u32>, Vec<Pair>) = if is_vf {
         let faces = (0..count).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]);
@@ -189,14 +222,27 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
         let p = Params { frame, dispatch, own: Plain::default() };
         let contacts = if is_vf {
             let faces = elements;
-            run(device, DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest }, &p, 3).contacts
+            run(
+                device,
+                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest },
+                &p,
+                3,
+            )
+            .contacts
         } else {
             let edges = elements;
-            run(device, DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest }, &p, 3).contacts
+            run(
+                device,
+                DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest },
+                &p,
+                3,
+            )
+            .contacts
         };
         for touch in touches(&contacts) {
             let toi = join(touch.toi);
-            verdicts[of_pair(touch.a)] = if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
+            verdicts[of_pair(touch.a)] =
+                if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
         }
     } else {
         let undecided = room(count);
@@ -208,11 +254,20 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
             (done.contacts, done.undecided)
         } else {
             let edges = elements;
-            let done = run(device, DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest }, &p, 3);
+            let done = run(
+                device,
+                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
+                &p,
+                3,
+            );
             (done.contacts, done.undecided)
         };
-        touches(&contacts).iter().for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
-        entries(&undecided).iter().for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
+        touches(&contacts)
+            .iter()
+            .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
+        entries(&undecided)
+            .iter()
+            .for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
     }
     verdicts
 }
@@ -228,7 +283,11 @@ fn check_bodies(device: &Device) {
     let body: Vec<u32> = (0..step.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
     // Names that differ in their highest bit alone.
     let far: Vec<u32> = body.iter().map(|b| (b / 2) | ((b % 2) << 31)).collect();
-    check_step(device, &step, Options { bodies: Some(Bodies::new(&far, &[], false)), ..Options::default() });
+    check_step(
+        device,
+        &step,
+        Options { bodies: Some(Bodies::new(&far, &[], false)), ..Options::default() },
+    );
     for self_contact in [false, true] {
         let bodies = Some(Bodies::new(&body, &[true, false, true], self_contact));
         check_step(device, &step, Options { bodies, ..Options::default() });
@@ -237,8 +296,16 @@ fn check_bodies(device: &Device) {
 
 /// Contact at a distance, in f64 and in f32.
 fn check_min_distance(device: &Device) {
-    check_step(device, &generate::crumpled_sheet(24, 3), Options { min_distance: 0.01, ..Options::default() });
-    check_step(device, &generate::triangle_soup(200, 0.1, 9), Options { min_distance: 0.003, ..Options::default() });
+    check_step(
+        device,
+        &generate::crumpled_sheet(24, 3),
+        Options { min_distance: 0.01, ..Options::default() },
+    );
+    check_step(
+        device,
+        &generate::triangle_soup(200, 0.1, 9),
+        Options { min_distance: 0.003, ..Options::default() },
+    );
 }
 
 fn check_step(device: &Device, step: &generate::Step, options: Options) {
@@ -263,7 +330,8 @@ fn check_degenerate(device: &Device) {
         let n = 90u32;
         let mut corner = || std::array::from_fn::<f64, 3, _>(|_| random.below(5) as f64 * unit);
         let x0: Vec<[f64; 3]> = (0..3 * n).map(|_| corner()).collect();
-        let x1: Vec<[f64; 3]> = x0.iter().map(|p| if p[0] > unit { corner() } else { *p }).collect();
+        let x1: Vec<[f64; 3]> =
+            x0.iter().map(|p| if p[0] > unit { corner() } else { *p }).collect();
         let faces: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mesh = ccd::Mesh::new(3 * n as usize, &faces).unwrap();
         let cpu = ccd::step(&mesh, &x0, &x1, &Options::default()).unwrap();
@@ -275,17 +343,33 @@ fn check_degenerate(device: &Device) {
         let (mut n_missing, mut n_open) = (0, 0);
         for c in cpu.contacts.iter().filter(|c| !found.contains(&key(c))) {
             let ids = match c.kind {
-                Kind::VertexFace => ccd_core::narrow_phase::decide::vertex_face_ids(Pair { a: c.a, b: c.b }, mesh.faces()),
-                Kind::EdgeEdge => ccd_core::narrow_phase::decide::edge_edge_ids(Pair { a: c.a, b: c.b }, mesh.edges()),
+                Kind::VertexFace => ccd_core::narrow_phase::decide::vertex_face_ids(
+                    Pair { a: c.a, b: c.b },
+                    mesh.faces(),
+                ),
+                Kind::EdgeEdge => ccd_core::narrow_phase::decide::edge_edge_ids(
+                    Pair { a: c.a, b: c.b },
+                    mesh.edges(),
+                ),
             };
             let (p, q) = (ids.map(|v| x0[v as usize]), ids.map(|v| x1[v as usize]));
-            let answer = if c.kind == Kind::VertexFace { oracle::vertex_face(&p, &q) } else { oracle::edge_edge(&p, &q) };
-            assert!(!matches!(answer, oracle::Answer::Contact(..)), "missed {c:?}: {answer:?}, {p:?} {q:?}");
+            let answer = if c.kind == Kind::VertexFace {
+                oracle::vertex_face(&p, &q)
+            } else {
+                oracle::edge_edge(&p, &q)
+            };
+            assert!(
+                !matches!(answer, oracle::Answer::Contact(..)),
+                "missed {c:?}: {answer:?}, {p:?} {q:?}"
+            );
             assert_eq!(c.state, State::Undecided);
             n_missing += 1;
             n_open += (answer == oracle::Answer::Degenerate) as usize;
         }
-        println!("degenerate, {unit}: {} contacts, {n_missing} only on the CPU, {n_open} of them not decided exactly", cpu.contacts.len());
+        println!(
+            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, {n_open} of them not decided exactly",
+            cpu.contacts.len()
+        );
         assert!(cpu.undecided > 100, "nothing degenerate");
     }
 }
@@ -314,10 +398,17 @@ fn check_many_contacts(device: &Device) {
     let same = device.info().path == ShaderPath::Passthrough && device.info().wide;
     let x0 = &many.x0;
     // Half of the sheet stands still.
-    let half: Vec<[f64; 3]> = (0..x0.len()).map(|i| if i < x0.len() / 2 { many.x1[i] } else { x0[i] }).collect();
+    let half: Vec<[f64; 3]> =
+        (0..x0.len()).map(|i| if i < x0.len() / 2 { many.x1[i] } else { x0[i] }).collect();
     let less = ccd::step(&many.mesh, x0, &half, &Options::default()).unwrap();
-    assert!(less.contacts.len() > 4096 / 2 && less.contacts.len() * 5 / 4 + 256 < cpu.contacts.len(), "{} contacts", less.contacts.len());
-    for (x1, want) in [(&many.x1, &cpu), (&many.x1, &cpu), (&half, &less), (&many.x1, &cpu), (&many.x1, &cpu)] {
+    assert!(
+        less.contacts.len() > 4096 / 2 && less.contacts.len() * 5 / 4 + 256 < cpu.contacts.len(),
+        "{} contacts",
+        less.contacts.len()
+    );
+    for (x1, want) in
+        [(&many.x1, &cpu), (&many.x1, &cpu), (&half, &less), (&many.x1, &cpu), (&many.x1, &cpu)]
+    {
         check_reports(want, session.step(x0, x1).unwrap(), same);
     }
     let mut session = Session::new(device, few.mesh.clone(), Options::default()).unwrap();
@@ -336,14 +427,27 @@ pub fn check_negative_controls() {
     };
     let certain = cpu.contacts.iter().position(|c| c.state == State::Hit).unwrap();
     assert!(!fails(&|_| {}, true) && !fails(&|_| {}, false));
-    assert!(fails(&|r| r.contacts.retain(|c| *c != cpu.contacts[certain]), false), "a missing contact passes");
+    assert!(
+        fails(&|r| r.contacts.retain(|c| *c != cpu.contacts[certain]), false),
+        "a missing contact passes"
+    );
     assert!(fails(&|r| r.contacts[certain].toi += 1e-3, false), "a late contact passes");
-    assert!(fails(&|r| r.contacts[certain].toi += 1e-15, true), "another rounding passes as the same");
+    assert!(
+        fails(&|r| r.contacts[certain].toi += 1e-15, true),
+        "another rounding passes as the same"
+    );
     assert!(fails(&|r| r.candidates.ee += 1, false), "another number of candidates passes");
     let extra = Contact { kind: Kind::VertexFace, state: State::Hit, a: 0, b: 0, toi: 0.5 };
-    assert!(fails(&|r| r.contacts.insert(0, extra), false), "a certain contact that is none passes");
+    assert!(
+        fails(&|r| r.contacts.insert(0, extra), false),
+        "a certain contact that is none passes"
+    );
     let pairs = vec![Pair { a: 1, b: 2 }, Pair { a: 3, b: 4 }];
-    let other = |pairs: Vec<Pair>| compare::fails(|| check_pairs("control", vec![Pair { a: 1, b: 2 }, Pair { a: 3, b: 4 }], pairs));
+    let other = |pairs: Vec<Pair>| {
+        compare::fails(|| {
+            check_pairs("control", vec![Pair { a: 1, b: 2 }, Pair { a: 3, b: 4 }], pairs)
+        })
+    };
     assert!(
         !other(pairs.clone())
             && other(pairs[..1].to_vec())

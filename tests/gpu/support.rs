@@ -41,13 +41,19 @@ static RAN: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
 /// there.
 pub fn check_all_ran(wide: bool) {
     let ran = RAN.lock().unwrap();
-    let missing = TABLE.iter().filter(|kernel| (wide || !kernel.wide) && !ran.contains(kernel.name));
+    let missing =
+        TABLE.iter().filter(|kernel| (wide || !kernel.wide) && !ran.contains(kernel.name));
     let missing: Vec<&str> = missing.map(|kernel| kernel.name).collect();
     assert!(missing.is_empty(), "no test runs {missing:?} by itself");
 }
 
 /// Runs a kernel and returns it with what its buffers hold then.
-pub fn run<K: Bind<Vec<u8>>>(device: &Device, mut kernel: K, params: &Params<K::Own>, groups: u32) -> K {
+pub fn run<K: Bind<Vec<u8>>>(
+    device: &Device,
+    mut kernel: K,
+    params: &Params<K::Own>,
+    groups: u32,
+) -> K {
     RAN.lock().unwrap().insert(K::ID.row().name);
     harness::run(device, &mut kernel, params, groups, 65_535).unwrap();
     kernel
@@ -58,17 +64,34 @@ pub fn zeros<T>(n: usize) -> Vec<u8> {
     vec![0; n * size_of::<T>()]
 }
 
-const POISON: [f32; 14] =
-    [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, 1.0, -1.0, 1e30, -1e38, 2.9e38, -2.9e38, 3.4e38, f32::NAN, f32::INFINITY];
+const POISON: [f32; 14] = [
+    0.0,
+    -0.0,
+    1e-45,
+    -1e-40,
+    f32::MIN_POSITIVE,
+    1.0,
+    -1.0,
+    1e30,
+    -1e38,
+    2.9e38,
+    -2.9e38,
+    3.4e38,
+    f32::NAN,
+    f32::INFINITY,
+];
 
 /// Paths of a scene, and paths of poison.
 pub fn paths(step: &Step, poison: bool) -> Vec<Path> {
     let four = |p: &[f64; 3]| [p[0] as f32, p[1] as f32, p[2] as f32, 0.0];
-    let mut out: Vec<Path> = step.x0.iter().zip(&step.x1).map(|(p, q)| Path { t0: four(p), t1: four(q) }).collect();
+    let mut out: Vec<Path> =
+        step.x0.iter().zip(&step.x1).map(|(p, q)| Path { t0: four(p), t1: four(q) }).collect();
     let mut random = Random::new(4);
     let mut pick = || POISON[random.below(POISON.len() as u32) as usize];
     if poison {
-        out.iter_mut().step_by(3).for_each(|p| *p = Path { t0: [pick(), pick(), pick(), 0.0], t1: [pick(), pick(), pick(), 0.0] });
+        out.iter_mut().step_by(3).for_each(|p| {
+            *p = Path { t0: [pick(), pick(), pick(), 0.0], t1: [pick(), pick(), pick(), 0.0] }
+        });
     }
     out
 }
@@ -92,7 +115,10 @@ pub fn swept(p: &Path) -> Aabb {
     let low = |a: f32, b: f32| if a < b { a } else { b };
     let high = |a: f32, b: f32| if a > b { a } else { b };
     let clamp = |x: f32| low(high(x, -2.9e38), 2.9e38);
-    Aabb { min: std::array::from_fn(|k| clamp(low(p.t0[k], p.t1[k]))), max: std::array::from_fn(|k| clamp(high(p.t0[k], p.t1[k]))) }
+    Aabb {
+        min: std::array::from_fn(|k| clamp(low(p.t0[k], p.t1[k]))),
+        max: std::array::from_fn(|k| clamp(high(p.t0[k], p.t1[k]))),
+    }
 }
 
 pub fn twin(n: usize, seed: u32) -> (Twin, Step) {
@@ -111,7 +137,10 @@ pub fn list(pairs: &[Pair]) -> Vec<u8> {
 
 pub fn entries(list: &[u8]) -> Vec<Pair> {
     let words: Vec<u32> = read(list);
-    words[LIST_HEADER..LIST_HEADER + 2 * words[0] as usize].chunks_exact(2).map(|p| Pair { a: p[0], b: p[1] }).collect()
+    words[LIST_HEADER..LIST_HEADER + 2 * words[0] as usize]
+        .chunks_exact(2)
+        .map(|p| Pair { a: p[0], b: p[1] })
+        .collect()
 }
 
 pub fn room(n: u32) -> Vec<u8> {

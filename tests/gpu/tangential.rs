@@ -1,4 +1,5 @@
-//! Queries whose features nearly graze, decided on the device, against exact arithmetic: none is missed, none is late.
+//! Queries whose features nearly graze, decided on the device, against exact arithmetic: none is
+//! missed, none is late.
 
 use crate::grazing::exact::{Contact, contact};
 use crate::grazing::random::Random;
@@ -16,7 +17,7 @@ fn check_verdicts(patch: Patch, queries: &[Ends], verdicts: &[Verdict<f64>]) -> 
     let mut n_contacts = 0;
     for ((t0, t1), verdict) in queries.iter().zip(verdicts) {
         match contact(patch, t0, t1) {
-            Contact::At([lo, hi]) => {
+            Contact::At([lo, hi], _) => {
                 let early = verdict.toi().is_some_and(|t| t <= hi);
                 assert!(early, "contact in [{lo}, {hi}], but {verdict:?}: {patch:?} {t0:?} {t1:?}");
                 n_contacts += 1;

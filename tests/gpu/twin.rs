@@ -28,7 +28,9 @@ pub fn union<'a>(boxes: impl Iterator<Item = &'a Aabb>) -> Aabb {
 pub fn code(b: &Aabb, scene: &Aabb) -> u32 {
     let side = (0..3).fold(0.0f32, |m, k| m.max(scene.max[k] * 0.5 - scene.min[k] * 0.5));
     let scale = if side > 1e-30 { 0.5 * 1024.0 / side } else { 0.0 };
-    let cell = |k: usize| (((b.min[k] * 0.5 + b.max[k] * 0.5) - scene.min[k]) * scale).clamp(0.0, 1023.0) as u32;
+    let cell = |k: usize| {
+        (((b.min[k] * 0.5 + b.max[k] * 0.5) - scene.min[k]) * scale).clamp(0.0, 1023.0) as u32
+    };
     let cells = [cell(0), cell(1), cell(2)];
     (0..30).fold(0, |code, i| code | (cells[2 - i as usize % 3] >> (i / 3) & 1) << i)
 }
@@ -38,7 +40,11 @@ impl Twin {
     pub fn of_mesh(mesh: &Mesh, [v, e, f]: &[Vec<Aabb>; 3]) -> Self {
         Self::new([v, e, f], |set, i| match set {
             0 => [i; 3],
-            1 => [mesh.edges()[i as usize][0], mesh.edges()[i as usize][1], mesh.edges()[i as usize][1]],
+            1 => [
+                mesh.edges()[i as usize][0],
+                mesh.edges()[i as usize][1],
+                mesh.edges()[i as usize][1],
+            ],
             _ => mesh.faces()[i as usize],
         })
     }
@@ -62,7 +68,8 @@ impl Twin {
         let boxes = sets.concat();
         let scene = union(boxes.iter());
         let set_of = |i: u32| (i >= start[1]) as u32 + (i >= start[2]) as u32;
-        let keys: Vec<u32> = (0..boxes.len()).map(|i| set_of(i as u32) << 30 | code(&boxes[i], &scene)).collect();
+        let keys: Vec<u32> =
+            (0..boxes.len()).map(|i| set_of(i as u32) << 30 | code(&boxes[i], &scene)).collect();
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
         order.sort_by_key(|&i| keys[i as usize]);
         let mut nodes = vec![Aabb::EMPTY; next as usize];
@@ -81,7 +88,8 @@ impl Twin {
                 let n = (slots[level - 1][set + 1] as usize - below) / WIDTH as usize;
                 let end = slots[level][set + 1] as usize - here;
                 for i in 0..n.min(end) {
-                    let children = &nodes[below + i * WIDTH as usize..below + (i + 1) * WIDTH as usize];
+                    let children =
+                        &nodes[below + i * WIDTH as usize..below + (i + 1) * WIDTH as usize];
                     nodes[here + i] = union(children.iter());
                 }
             }

@@ -1,4 +1,5 @@
-//! The unit of the coordinates decides nothing on a device either: also where `f32` has no such numbers.
+//! The unit of the coordinates decides nothing on a device either: also where `f32` has no such
+//! numbers.
 
 use ccd::gpu::{Device, Session};
 use ccd::{Contact, Coordinate, Kind, Options, State};
@@ -14,10 +15,13 @@ fn keys<'a>(contacts: impl Iterator<Item = &'a Contact>) -> Keys {
     contacts.map(|c| (c.kind, c.a, c.b)).collect()
 }
 
-/// A step on the device has the candidates of the CPU, every certain contact of it, and its earliest time.
+/// A step on the device has the candidates of the CPU, every certain contact of it, and its
+/// earliest time.
 fn check_scale<T: Coordinate>(device: &Device, scale: f64, min_distance: f64) {
     let step = generate::triangle_soup(150, 0.3, 5);
-    let at = |x: &[[f64; 3]]| -> Vec<[T; 3]> { x.iter().map(|p| p.map(|c| T::from_f64((c + 0.25) * scale))).collect() };
+    let at = |x: &[[f64; 3]]| -> Vec<[T; 3]> {
+        x.iter().map(|p| p.map(|c| T::from_f64((c + 0.25) * scale))).collect()
+    };
     let (x0, x1) = (at(&step.x0), at(&step.x1));
     let options = Options { min_distance: min_distance * scale, threads: 1, ..Options::default() };
     let mut cpu = ccd::Session::new(step.mesh.clone(), options.clone()).expect("a session");
@@ -26,12 +30,20 @@ fn check_scale<T: Coordinate>(device: &Device, scale: f64, min_distance: f64) {
     let got = gpu.step(&x0, &x1).expect("a step").clone();
     let what = format!("scale {scale:e}, distance {min_distance}");
     let sure = |c: &&Contact| c.state == State::Hit;
-    let (want_keys, got_keys) = (keys(want.contacts.iter().filter(sure)), keys(got.contacts.iter()));
+    let (want_keys, got_keys) =
+        (keys(want.contacts.iter().filter(sure)), keys(got.contacts.iter()));
     assert!(want_keys.len() > 100, "{what}: {} contacts show nothing", want_keys.len());
     let missed: Vec<_> = want_keys.difference(&got_keys).collect();
     assert!(missed.is_empty(), "{what}: {} missed, {:?} ..", missed.len(), missed.first());
-    assert!(got_keys.len() <= keys(want.contacts.iter()).len() + 2, "{what}: {} contacts", got_keys.len());
-    let (a, b) = (want.toi.expect("a contact"), gpu.earliest_toi(&x0, &x1).expect("a step").expect("a contact"));
+    assert!(
+        got_keys.len() <= keys(want.contacts.iter()).len() + 2,
+        "{what}: {} contacts",
+        got_keys.len()
+    );
+    let (a, b) = (
+        want.toi.expect("a contact"),
+        gpu.earliest_toi(&x0, &x1).expect("a step").expect("a contact"),
+    );
     assert!((a - b).abs() < 2e-6, "{what}: earliest {b}, {a} on the CPU");
 }
 

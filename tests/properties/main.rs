@@ -31,8 +31,12 @@ fn ee(t0: Points, t1: Points) -> Verdict<f64> {
 /// certain times agree.
 fn check_consistent(a: Verdict<f64>, b: Verdict<f64>) {
     match (a, b) {
-        (Verdict::Hit { toi: x }, Verdict::Hit { toi: y }) => assert!((x - y).abs() <= TOI_TOLERANCE, "{a:?} {b:?}"),
-        (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. }) => panic!("{a:?} contradicts {b:?}"),
+        (Verdict::Hit { toi: x }, Verdict::Hit { toi: y }) => {
+            assert!((x - y).abs() <= TOI_TOLERANCE, "{a:?} {b:?}")
+        }
+        (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. }) => {
+            panic!("{a:?} contradicts {b:?}")
+        }
         _ => {}
     }
 }
@@ -41,8 +45,12 @@ fn check_oracle(verdict: Verdict<f64>, answer: &Answer) {
     match (verdict, answer) {
         (Verdict::Miss, Answer::Contact(..)) => panic!("missed: {answer:?}"),
         (Verdict::Hit { .. }, Answer::Free) => panic!("{verdict:?}, but there is no contact"),
-        (Verdict::Hit { toi }, Answer::Contact(lo, hi)) => assert!(toi <= *hi && toi >= lo - TOI_TOLERANCE, "{verdict:?} {answer:?}"),
-        (Verdict::Undecided { toi }, Answer::Contact(_, hi)) => assert!(toi <= *hi, "{verdict:?} {answer:?}"),
+        (Verdict::Hit { toi }, Answer::Contact(lo, hi)) => {
+            assert!(toi <= *hi && toi >= lo - TOI_TOLERANCE, "{verdict:?} {answer:?}")
+        }
+        (Verdict::Undecided { toi }, Answer::Contact(_, hi)) => {
+            assert!(toi <= *hi, "{verdict:?} {answer:?}")
+        }
         _ => {}
     }
 }
@@ -159,11 +167,14 @@ proptest! {
 
 #[test]
 fn the_comparison_with_exact_arithmetic_can_fail() {
-    let (t0, t1) =
-        ([[0.25, 1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [[0.25, -1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    let (t0, t1) = (
+        [[0.25, 1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.25, -1.0, 0.25], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+    );
     let answer = oracle::vertex_face(&t0, &t1);
     assert!(matches!(answer, Answer::Contact(..)));
-    let fails = |v: Verdict<f64>, a: &Answer| std::panic::catch_unwind(|| check_oracle(v, a)).is_err();
+    let fails =
+        |v: Verdict<f64>, a: &Answer| std::panic::catch_unwind(|| check_oracle(v, a)).is_err();
     assert!(!fails(vf(t0, t1), &answer));
     assert!(fails(Verdict::Miss, &answer));
     assert!(fails(Verdict::Hit { toi: 0.5 + 1e-9 }, &answer));

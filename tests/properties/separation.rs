@@ -55,7 +55,8 @@ fn axis_separation_is_that_of_exact_gaps() {
         n_separated += usize::from(separated);
         // Controls: the other answer, and the answer for a distance that is a millionth less.
         n_wrong[0] += usize::from(!right(needed, !separated));
-        n_wrong[1] += usize::from(!right(needed, axis_separated(a0, a1, b0, b1, needed * 0.999_999)));
+        n_wrong[1] +=
+            usize::from(!right(needed, axis_separated(a0, a1, b0, b1, needed * 0.999_999)));
     }
     assert!(n_separated > 5_000, "{n_separated} separated");
     assert!(n_wrong[0] > 20_000 && n_wrong[1] > 500, "wrong answers that were seen: {n_wrong:?}");
@@ -98,8 +99,12 @@ fn sampled_distance(t0: &Points, t1: &Points, patch: Patch) -> f64 {
             }
             let (s, r) = (s as f64 / N as f64, r as f64 / N as f64);
             let difference = |k: usize| match patch {
-                Patch::Triangle => at(0, k) - at(1, k) - s * (at(2, k) - at(1, k)) - r * (at(3, k) - at(1, k)),
-                Patch::Parallelogram => at(2, k) + r * (at(3, k) - at(2, k)) - at(0, k) - s * (at(1, k) - at(0, k)),
+                Patch::Triangle => {
+                    at(0, k) - at(1, k) - s * (at(2, k) - at(1, k)) - r * (at(3, k) - at(1, k))
+                }
+                Patch::Parallelogram => {
+                    at(2, k) + r * (at(3, k) - at(2, k)) - at(0, k) - s * (at(1, k) - at(0, k))
+                }
             };
             let square = (0..3).map(|k| difference(k) * difference(k)).sum::<f64>();
             least = least.min(square.sqrt());
@@ -188,7 +193,11 @@ fn halves_share_a_middle_that_is_nearly_exact() {
                 let (start, end) = (from(&t0), from(&t1));
                 let error = (f64::from(found[k]) - 0.5 * (start + end)).abs();
                 let most = 1.5 * TWO_UNITS * start.abs().max(end.abs());
-                assert!(error <= most, "{t0:?} {t1:?}: {} is off by {error:e}, beyond {most:e}", found[k]);
+                assert!(
+                    error <= most,
+                    "{t0:?} {t1:?}: {} is off by {error:e}, beyond {most:e}",
+                    found[k]
+                );
                 worst = worst.max(error / most);
             }
         }

@@ -14,7 +14,13 @@ fn n_certain(contacts: &[Contact]) -> usize {
 fn steps_equal_brute_force() {
     for seed in 0..6 {
         for step in [crumpled_sheet(24, seed), triangle_soup(300, 0.15, seed)] {
-            let report = ccd::step(&step.mesh, &step.x0, &step.x1, &Options { threads: 2, ..Options::default() }).unwrap();
+            let report = ccd::step(
+                &step.mesh,
+                &step.x0,
+                &step.x1,
+                &Options { threads: 2, ..Options::default() },
+            )
+            .unwrap();
             let want = brute::contacts(&step.mesh, &step.x0, &step.x1);
             assert!(want.len() > 20, "seed {seed}: only {} contacts", want.len());
             // What the f32 filters reject may be undecided in f64: certain contacts must be equal,
@@ -24,7 +30,8 @@ fn steps_equal_brute_force() {
             let key = |c: &Contact| (c.kind, c.a, c.b, c.state);
             let all: Vec<_> = want.iter().map(key).collect();
             assert!(report.contacts.iter().all(|c| all.contains(&key(c))), "seed {seed}");
-            let earliest = ccd::earliest_toi(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+            let earliest =
+                ccd::earliest_toi(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
             assert_eq!(earliest, report.toi, "seed {seed}");
         }
     }
@@ -55,7 +62,8 @@ fn far_from_the_origin_and_at_any_scale() {
             continue;
         }
         let narrow = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<_>>();
-        let single = ccd::step(&step.mesh, &narrow(&x0), &narrow(&x1), &Options::default()).unwrap();
+        let single =
+            ccd::step(&step.mesh, &narrow(&x0), &narrow(&x1), &Options::default()).unwrap();
         assert!(single.contacts.len() > 10, "scale {scale} in f32");
     }
     let far = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c + 1e6)).collect::<Vec<_>>();
@@ -86,7 +94,12 @@ fn broad_phase_equals_brute_force_on_uniform_and_equal_boxes() {
             assert_eq!(got, brute::self_pairs(set), "{method:?}, {} boxes", set.len());
             let mut got = broad.pairs(set, &boxes[..500]).unwrap().to_vec();
             got.sort_unstable();
-            assert_eq!(got, brute::pairs(set, &boxes[..500]), "{method:?}, {} boxes against 500", set.len());
+            assert_eq!(
+                got,
+                brute::pairs(set, &boxes[..500]),
+                "{method:?}, {} boxes against 500",
+                set.len()
+            );
         }
     }
 }
@@ -94,7 +107,11 @@ fn broad_phase_equals_brute_force_on_uniform_and_equal_boxes() {
 #[test]
 fn sessions_follow_motion_and_distance() {
     let step = crumpled_sheet(40, 5);
-    let mut session = Session::new(step.mesh.clone(), Options { min_distance: 0.004, threads: 2, ..Options::default() }).unwrap();
+    let mut session = Session::new(
+        step.mesh.clone(),
+        Options { min_distance: 0.004, threads: 2, ..Options::default() },
+    )
+    .unwrap();
     let mut x0 = step.x0.clone();
     let mut random = Random::new(8);
     let mut modes = [0, 0];

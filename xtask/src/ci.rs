@@ -14,27 +14,41 @@ pub fn run(root: &Path) -> Result<(), String> {
     command(root, &["cargo", "xtask", "shaders", "--check"])?;
     let test = readme_test_command(root)?;
     command(root, &test.split_whitespace().collect::<Vec<_>>())?;
-    command_with(root, &["cargo", "doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
+    command_with(
+        root,
+        &["cargo", "doc", "--workspace", "--no-deps"],
+        &[("RUSTDOCFLAGS", "-D warnings")],
+    )
 }
 
 /// Builds `ccd-core` where there is no standard library: a use of one would not compile.
 fn bare_metal(root: &Path) -> Result<(), String> {
-    let installed = Command::new("rustup").args(["target", "add", BARE_METAL]).status().is_ok_and(|s| s.success());
+    let installed = Command::new("rustup")
+        .args(["target", "add", BARE_METAL])
+        .status()
+        .is_ok_and(|s| s.success());
     if !installed {
-        println!("SKIPPED: the target {BARE_METAL} cannot be installed here, so ccd-core was not shown to be no_std");
+        println!(
+            "SKIPPED: the target {BARE_METAL} cannot be installed here, so ccd-core was not shown to be no_std"
+        );
         return Ok(());
     }
     for features in ["", "alloc"] {
-        command(root, &["cargo", "build", "-p", "ccd-core", "--target", BARE_METAL, "--features", features])?;
+        command(
+            root,
+            &["cargo", "build", "-p", "ccd-core", "--target", BARE_METAL, "--features", features],
+        )?;
     }
     Ok(())
 }
 
 /// The line of the README that runs the tests: what CI runs is what it says.
 fn readme_test_command(root: &Path) -> Result<String, String> {
-    let text = std::fs::read_to_string(root.join("README.md")).map_err(|e| format!("README.md: {e}"))?;
+    let text =
+        std::fs::read_to_string(root.join("README.md")).map_err(|e| format!("README.md: {e}"))?;
     let line = text.lines().find(|l| l.starts_with("cargo test"));
-    line.map(str::to_owned).ok_or_else(|| "README.md has no line that begins with `cargo test`".into())
+    line.map(str::to_owned)
+        .ok_or_else(|| "README.md has no line that begins with `cargo test`".into())
 }
 
 /// Runs a command in `root`, showing it; an error if it fails.
@@ -44,7 +58,11 @@ pub fn command(root: &Path, words: &[&str]) -> Result<(), String> {
 
 fn command_with(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
     println!("$ {}", words.join(" "));
-    let status = Command::new(words[0]).args(&words[1..]).envs(env.iter().copied()).current_dir(root).status();
+    let status = Command::new(words[0])
+        .args(&words[1..])
+        .envs(env.iter().copied())
+        .current_dir(root)
+        .status();
     match status {
         Ok(s) if s.success() => Ok(()),
         Ok(s) => Err(format!("`{}` failed: {s}", words.join(" "))),

@@ -36,7 +36,8 @@ pub fn run(root: &Path, only: Option<Part>) -> Result<(), String> {
     let mut failures = Vec::new();
     println!("{:<12} {:>10} {:>10}   bar", "", "CPU", "wall");
     for part in [Part::Dependent, Part::Command, Part::Tests] {
-        if only.is_some_and(|only| only != part && !(only == Part::Tests && part == Part::Command)) {
+        if only.is_some_and(|only| only != part && !(only == Part::Tests && part == Part::Command))
+        {
             continue;
         }
         let (name, spent, bar, found) = match part {
@@ -100,7 +101,11 @@ fn cargo(folder: &Path, target: &Path, words: &[&str]) -> Result<Spent, String> 
     command.args(words).arg("--quiet").current_dir(folder).env("CARGO_TARGET_DIR", target);
     let status = command.status().map_err(|e| format!("cargo: {e}"))?;
     if !status.success() {
-        return Err(format!("`cargo {}` in {} failed: {status}", words.join(" "), folder.display()));
+        return Err(format!(
+            "`cargo {}` in {} failed: {status}",
+            words.join(" "),
+            folder.display()
+        ));
     }
     let wall = start.elapsed().as_secs_f64();
     let cpu = cpu_of_children().zip(before).map(|(after, before)| after - before);
@@ -131,7 +136,9 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
 
 fn remove(folder: &Path) -> Result<(), String> {
     match std::fs::remove_dir_all(folder) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(format!("{}: {e}", folder.display())),
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+            Err(format!("{}: {e}", folder.display()))
+        }
         _ => Ok(()),
     }
 }

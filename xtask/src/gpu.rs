@@ -40,10 +40,19 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     );
     text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
     // What was measured before a failure is kept.
-    let write = |text: &str| std::fs::write(out, crate::markdown::wrap(text)).map_err(|e| format!("{}: {e}", out.display()));
+    let write = |text: &str| {
+        std::fs::write(out, crate::markdown::wrap(text))
+            .map_err(|e| format!("{}: {e}", out.display()))
+    };
     for path in [Shaders::Passthrough, Shaders::Wgsl] {
-        let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() }).map_err(error)?;
-        let _ = write!(text, "\n## {} through {path:?}\n\n```\n{}\n```\n", device.info().adapter.name, device.info());
+        let device = Device::open(&DeviceOptions { path: Some(path), ..DeviceOptions::default() })
+            .map_err(error)?;
+        let _ = write!(
+            text,
+            "\n## {} through {path:?}\n\n```\n{}\n```\n",
+            device.info().adapter.name,
+            device.info()
+        );
         for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
             measure_scene(&device, scene, &dir, runs, &mut text).map_err(error)?;
             write(&text)?;
@@ -53,10 +62,13 @@ pub fn run(runs: usize, out: &Path) -> Result<(), String> {
         measured?;
         measure_sort(&device, runs, &mut text).map_err(error)?;
     }
-    let device = Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
+    let device =
+        Device::open(&DeviceOptions { narrow: true, ..DeviceOptions::default() }).map_err(error)?;
     text.push_str("\n## Queries that reach each stage, with `f32` alone on the device\n\n");
     text.push_str("What `f32` leaves open is decided on the CPU.\n\n");
-    text.push_str("| scene | candidates | left by filters | left open | contacts | undecided | wall |\n");
+    text.push_str(
+        "| scene | candidates | left by filters | left open | contacts | undecided | wall |\n",
+    );
     text.push_str("|---|---|---|---|---|---|---|\n");
     for scene in SCENES.iter().filter(|s| dir.join("scenes").join(s.name).is_dir()) {
         measure_narrow(&device, scene, &dir, runs, &mut text).map_err(error)?;
@@ -103,7 +115,8 @@ fn sample<E>(runs: usize, mut run: impl FnMut(Timing) -> Result<Stages, E>) -> R
         run(Timing::Off)?;
         Ok(start.elapsed().as_secs_f64() * 1e3)
     })?;
-    let mut device = repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
+    let mut device =
+        repeat(runs, || -> Result<f64, E> { Ok(run(Timing::Whole)?.iter().map(|s| s.1).sum()) })?;
     let mut timed = repeat(runs, || run(Timing::Stages))?;
     // Now and then a call goes another way (the earliest time tries a sample again): the way that
     // most went.
@@ -127,8 +140,11 @@ fn row(text: &mut String, title: &str, m: &Measured, bytes: f64, peer: &str, not
     let parts: Vec<String> = m.stages.iter().filter(|s| s.1 > 0.0).map(part).collect();
     let (floor, (device, wall)) = (bytes / COPY * 1e3, (m.device, m.wall));
     let peer = if peer.is_empty() { String::new() } else { format!(" ({peer})") };
-    let _ =
-        writeln!(text, "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. Stages: {}.", parts.join(", "));
+    let _ = writeln!(
+        text,
+        "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. Stages: {}.",
+        parts.join(", ")
+    );
 }
 
 /// Bytes that must move between a device's memory and its processors for boxes, order and trees of
@@ -139,7 +155,13 @@ fn bytes_of_trees(mesh: &Mesh) -> f64 {
     32.0 * mesh.n_vertices() as f64 + features * (24.0 + 24.0 + 4.0 * 20.0 + 24.0 + 24.0 + 16.0)
 }
 
-fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
+fn measure_scene(
+    device: &Device,
+    scene: &Scene,
+    dir: &Path,
+    runs: usize,
+    text: &mut String,
+) -> Result<(), ccd::gpu::Error> {
     let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
     let (x0, x1) = (&t0.positions, &t1.positions);
@@ -156,7 +178,14 @@ fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: 
     assert_eq!(session.report().candidates, want.candidates, "candidates of {}", scene.name);
     let c = want.candidates;
     let note = format!("{} vertex-face, {} edge-edge", c.vf, c.ee);
-    row(text, "candidates", &measured, trees + 8.0 * c.total() as f64, peer.map_or("", |p| p.candidates), &note);
+    row(
+        text,
+        "candidates",
+        &measured,
+        trees + 8.0 * c.total() as f64,
+        peer.map_or("", |p| p.candidates),
+        &note,
+    );
     let steps = sample(runs, |timing| -> Result<Stages, ccd::gpu::Error> {
         session.set_timing(timing)?;
         session.step(x0, x1)?;
@@ -170,16 +199,39 @@ fn measure_scene(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: 
     })?;
     assert_eq!(report.n_contacts(), want.n_contacts(), "contacts of {}", scene.name);
     let (f, n) = (report.filtered, report.n_contacts());
-    let note = format!("filtered {} + {}, contacts {} + {}, {} undecided", f.vf, f.ee, n.vf, n.ee, report.undecided);
-    row(text, "step, all contacts", &steps, trees + 24.0 * n.total() as f64, peer.map_or("", |p| p.step), &note);
+    let note = format!(
+        "filtered {} + {}, contacts {} + {}, {} undecided",
+        f.vf, f.ee, n.vf, n.ee, report.undecided
+    );
+    row(
+        text,
+        "step, all contacts",
+        &steps,
+        trees + 24.0 * n.total() as f64,
+        peer.map_or("", |p| p.step),
+        &note,
+    );
     let (toi, exact) = (session.report().toi, want.toi);
     assert!(toi.is_some() == exact.is_some() && toi <= exact, "earliest {toi:?}, want {exact:?}");
-    row(text, "earliest time of impact", &earliest, trees, "", &toi.map_or("none".into(), |t| format!("{t:e}")));
+    row(
+        text,
+        "earliest time of impact",
+        &earliest,
+        trees,
+        "",
+        &toi.map_or("none".into(), |t| format!("{t:e}")),
+    );
     Ok(())
 }
 
 /// One line for a scene: how many pairs each stage sees.
-fn measure_narrow(device: &Device, scene: &Scene, dir: &Path, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
+fn measure_narrow(
+    device: &Device,
+    scene: &Scene,
+    dir: &Path,
+    runs: usize,
+    text: &mut String,
+) -> Result<(), ccd::gpu::Error> {
     let [t0, t1] = scene.load(dir);
     let mesh = t0.mesh().map_err(ccd::gpu::Error::Input)?;
     let mut session = Session::new(device, mesh, ccd::Options::default())?;
@@ -201,16 +253,23 @@ fn measure_narrow(device: &Device, scene: &Scene, dir: &Path, runs: usize, text:
 
 fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
     let _ = writeln!(text, "\n### Uniform boxes against themselves, boxes on the device\n");
-    for (n, pairs, peer) in
-        [(100_000, 320, "Kitten 0.25"), (1_000_000, 25_417, "Kitten 0.67"), (10_000_000, 255_457, "Kitten 4.14"), (20_000_000, 512_281, "")]
-    {
+    for (n, pairs, peer) in [
+        (100_000, 320, "Kitten 0.25"),
+        (1_000_000, 25_417, "Kitten 0.67"),
+        (10_000_000, 255_457, "Kitten 4.14"),
+        (20_000_000, 512_281, ""),
+    ] {
         let boxes = uniform_boxes(n);
-        for (name, method) in [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)] {
+        for (name, method) in
+            [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)]
+        {
             let title = format!("{n}, {name}");
             let mut broad = BroadPhase::new(device, method)?;
             let found = match broad.self_pairs_on_device(&boxes) {
                 Ok((found, _)) => found,
-                Err(e @ (ccd::gpu::Error::TooLarge { .. } | ccd::gpu::Error::OutOfMemory { .. })) => {
+                Err(
+                    e @ (ccd::gpu::Error::TooLarge { .. } | ccd::gpu::Error::OutOfMemory { .. }),
+                ) => {
                     let _ = writeln!(text, "| {title} | | | | | | {e} |");
                     continue;
                 }
@@ -240,16 +299,26 @@ fn measure_sort(device: &Device, runs: usize, text: &mut String) -> Result<(), c
         let values: Vec<u32> = (0..n).collect();
         let mut sorter = Sorter::new(device, n)?;
         let (sorted, order) = sorter.sort(&keys, &values)?;
-        assert!(sorted.is_sorted() && order.iter().zip(&sorted).all(|(&i, &k)| keys[i as usize] == k), "not sorted");
+        assert!(
+            sorted.is_sorted() && order.iter().zip(&sorted).all(|(&i, &k)| keys[i as usize] == k),
+            "not sorted"
+        );
         let kernels = repeat(runs, || sorter.again())?;
         let names: Vec<&str> = kernels[0].iter().map(|s| s.0).collect();
-        let stages: Vec<(&str, f64)> =
-            (0..names.len()).map(|i| (names[i], median(&mut kernels.iter().map(|k| k[i].1).collect::<Vec<_>>()))).collect();
+        let stages: Vec<(&str, f64)> = (0..names.len())
+            .map(|i| (names[i], median(&mut kernels.iter().map(|k| k[i].1).collect::<Vec<_>>())))
+            .collect();
         let total: f64 = stages.iter().map(|s| s.1).sum();
-        let of = |name: &str| stages.iter().filter(|s| s.0.starts_with(name)).map(|s| s.1).sum::<f64>();
-        let parts = format!("{:.3}, {:.3}, {:.3}", of("sort_count"), of("sort_scan"), of("sort_scatter"));
+        let of =
+            |name: &str| stages.iter().filter(|s| s.0.starts_with(name)).map(|s| s.1).sum::<f64>();
+        let parts =
+            format!("{:.3}, {:.3}, {:.3}", of("sort_count"), of("sort_scan"), of("sort_scatter"));
         let floor = n as f64 * 80.0 / COPY * 1e3;
-        let _ = writeln!(text, "| {n} | {total:.3} | {:.2} | {parts} | {floor:.3} |", n as f64 / total / 1e6);
+        let _ = writeln!(
+            text,
+            "| {n} | {total:.3} | {:.2} | {parts} | {floor:.3} |",
+            n as f64 / total / 1e6
+        );
     }
     Ok(())
 }

@@ -91,7 +91,22 @@ fn report_task(root: &Path, runs: usize) -> Result<(), String> {
 #[cfg(not(feature = "report"))]
 fn report_task(root: &Path, runs: usize) -> Result<(), String> {
     let runs = runs.to_string();
-    ci::command(root, &["cargo", "run", "--release", "-p", "xtask", "--features", "report", "--", "report", "--runs", &runs])
+    ci::command(
+        root,
+        &[
+            "cargo",
+            "run",
+            "--release",
+            "-p",
+            "xtask",
+            "--features",
+            "report",
+            "--",
+            "report",
+            "--runs",
+            &runs,
+        ],
+    )
 }
 
 #[cfg(feature = "gpu-report")]
@@ -104,7 +119,14 @@ fn gpu_task(_root: &Path, runs: usize, out: &Path) -> Result<(), String> {
 fn gpu_task(root: &Path, runs: usize, out: &Path) -> Result<(), String> {
     let (runs, out) = (runs.to_string(), out.to_string_lossy());
     let args = ["report", "--gpu", "--runs", &runs, "--out", &out];
-    ci::command(root, &[&["cargo", "run", "--release", "-p", "xtask", "--features", "gpu-report", "--"], &args[..]].concat())
+    ci::command(
+        root,
+        &[
+            &["cargo", "run", "--release", "-p", "xtask", "--features", "gpu-report", "--"],
+            &args[..],
+        ]
+        .concat(),
+    )
 }
 
 #[cfg(feature = "shaders")]
@@ -115,7 +137,8 @@ fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
 /// Without the translator: builds itself again with it.
 #[cfg(not(feature = "shaders"))]
 fn shaders_task(root: &Path, check: bool) -> Result<(), String> {
-    let mut args = vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
+    let mut args =
+        vec!["cargo", "run", "--release", "-p", "xtask", "--features", "shaders", "--", "shaders"];
     args.extend(check.then_some("--check"));
     ci::command(root, &args)
 }

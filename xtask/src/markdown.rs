@@ -44,7 +44,8 @@ mod tests {
     #[test]
     fn paragraphs_are_wrapped_and_tables_are_not() {
         let words = "word ".repeat(41);
-        let text = format!("# {words}\n\n{}\n- {}\n| {words}|\n", words.trim_end(), words.trim_end());
+        let text =
+            format!("# {words}\n\n{}\n- {}\n| {words}|\n", words.trim_end(), words.trim_end());
         let wrapped = wrap(&text);
         let lines: Vec<&str> = wrapped.lines().collect();
         assert_eq!(lines[0].len(), 207);

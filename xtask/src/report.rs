@@ -20,7 +20,11 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     for name in SCENES {
         let scene = Scene::named(name);
         let [t0, t1] = scene.load(&data);
-        let input = Input { mesh: t0.mesh().map_err(|e| e.to_string())?, x0: t0.positions, x1: t1.positions };
+        let input = Input {
+            mesh: t0.mesh().map_err(|e| e.to_string())?,
+            x0: t0.positions,
+            x1: t1.positions,
+        };
         let mut ours = Vec::new();
         println!("{name}");
         for threads in THREADS {
@@ -34,7 +38,8 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
     }
     kernels(root, &mut out)?;
     let path = root.join("benches/RESULTS.md");
-    std::fs::write(&path, crate::markdown::wrap(&out)).map_err(|e| format!("{}: {e}", path.display()))?;
+    std::fs::write(&path, crate::markdown::wrap(&out))
+        .map_err(|e| format!("{}: {e}", path.display()))?;
     println!("written {}", path.display());
     Ok(())
 }
@@ -79,8 +84,13 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
     let Input { mesh, x0, x1 } = input;
     let [v, e, f] = rounded(input);
     let new = || BroadPhase::new(threads, BroadPhaseMethod::Blocks).map_err(|e| e.to_string());
-    let session = || Session::new(mesh.clone(), Options { threads, ..Options::default() }).map_err(|e| e.to_string());
-    let count = |session: &mut Session| session.candidates(x0, x1).map_or([0; 2], |c| [c.vf.len(), c.ee.len()]);
+    let session = || {
+        Session::new(mesh.clone(), Options { threads, ..Options::default() })
+            .map_err(|e| e.to_string())
+    };
+    let count = |session: &mut Session| {
+        session.candidates(x0, x1).map_or([0; 2], |c| [c.vf.len(), c.ee.len()])
+    };
     let (candidates_fresh, _) = median(runs, || session().map(|mut s| count(&mut s)));
     let mut kept = session()?;
     count(&mut kept);
@@ -88,17 +98,27 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
     let mut broad = new()?;
     let (edges, _) = median(runs, || new().map(|mut b| b.self_pairs(&e).map_or(0, |p| p.len())));
     let (faces, _) = median(runs, || new().map(|mut b| b.self_pairs(&f).map_or(0, |p| p.len())));
-    let (vertices_faces, _) = median(runs, || new().map(|mut b| b.pairs(&v, &f).map_or(0, |p| p.len())));
-    let digest = |r: Result<ccd::Pairs, ccd::Error>| r.map(|p| Digest::of(0, p.iter())).map_err(|e| e.to_string());
-    let digests = [digest(broad.self_pairs(&e))?, digest(broad.self_pairs(&f))?, digest(broad.pairs(&v, &f))?];
+    let (vertices_faces, _) =
+        median(runs, || new().map(|mut b| b.pairs(&v, &f).map_or(0, |p| p.len())));
+    let digest = |r: Result<ccd::Pairs, ccd::Error>| {
+        r.map(|p| Digest::of(0, p.iter())).map_err(|e| e.to_string())
+    };
+    let digests = [
+        digest(broad.self_pairs(&e))?,
+        digest(broad.self_pairs(&f))?,
+        digest(broad.pairs(&v, &f))?,
+    ];
     let (toi_fresh, _) = median(runs, || session().map(|mut s| s.earliest_toi(x0, x1).ok()));
     let mut kept = session()?;
     kept.earliest_toi(x0, x1).map_err(|e| e.to_string())?;
     let (toi_kept, toi) = median(runs, || kept.earliest_toi(x0, x1).ok().flatten());
     let mut kept = session()?;
     kept.step(x0, x1).map_err(|e| e.to_string())?;
-    let (step_kept, n_contacts) = median(runs, || kept.step(x0, x1).map_or(0, |r| r.n_contacts().total()));
-    println!("  ours, {threads} threads: candidates {candidates_fresh:.1} ms, earliest toi {toi_fresh:.1} ms, step {step_kept:.1} ms");
+    let (step_kept, n_contacts) =
+        median(runs, || kept.step(x0, x1).map_or(0, |r| r.n_contacts().total()));
+    println!(
+        "  ours, {threads} threads: candidates {candidates_fresh:.1} ms, earliest toi {toi_fresh:.1} ms, step {step_kept:.1} ms"
+    );
     Ok(Ours {
         candidates_fresh,
         candidates_kept,
@@ -117,23 +137,44 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
 
 /// Boxes of vertices, edges and faces, rounded outward.
 fn rounded(input: &Input) -> [Vec<Aabb<f32>>; 3] {
-    swept_boxes(&input.mesh, &input.x0, &input.x1).map(|boxes| boxes.iter().map(|b| b.round_out()).collect())
+    swept_boxes(&input.mesh, &input.x0, &input.x1)
+        .map(|boxes| boxes.iter().map(|b| b.round_out()).collect())
 }
 
-fn measure_ipctk(root: &Path, name: &str, input: &Input, threads: usize, runs: usize) -> Result<serde_json::Value, String> {
+fn measure_ipctk(
+    root: &Path,
+    name: &str,
+    input: &Input,
+    threads: usize,
+    runs: usize,
+) -> Result<serde_json::Value, String> {
     let file = std::env::temp_dir().join(format!("ccd-report-{name}-{}.bin", std::process::id()));
     let mut bytes: Vec<u8> = Vec::new();
     for n in [input.x0.len(), input.mesh.edges().len(), input.mesh.faces().len()] {
         bytes.extend((n as u32).to_le_bytes());
     }
     input.x0.iter().chain(&input.x1).flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
-    input.mesh.edges().iter().flatten().chain(input.mesh.faces().iter().flatten()).for_each(|i| bytes.extend(i.to_le_bytes()));
+    input
+        .mesh
+        .edges()
+        .iter()
+        .flatten()
+        .chain(input.mesh.faces().iter().flatten())
+        .for_each(|i| bytes.extend(i.to_le_bytes()));
     std::fs::write(&file, bytes).map_err(|e| e.to_string())?;
     let script = root.join("xtask/src/ipctk_times.py");
-    let python = || Command::new("python3").arg(&script).arg(&file).args([threads.to_string(), runs.to_string()]).output();
+    let python = || {
+        Command::new("python3")
+            .arg(&script)
+            .arg(&file)
+            .args([threads.to_string(), runs.to_string()])
+            .output()
+    };
     let mut output = python().map_err(|e| format!("python3: {e}"))?;
     if !output.status.success() {
-        let pip = Command::new("python3").args(["-m", "pip", "install", "--quiet", IPCTK, "numpy"]).status();
+        let pip = Command::new("python3")
+            .args(["-m", "pip", "install", "--quiet", IPCTK, "numpy"])
+            .status();
         pip.map_err(|e| format!("pip: {e}"))?;
         output = python().map_err(|e| format!("python3: {e}"))?;
     }
@@ -141,7 +182,8 @@ fn measure_ipctk(root: &Path, name: &str, input: &Input, threads: usize, runs: u
     if !output.status.success() {
         return Err(format!("ipctk: {}", String::from_utf8_lossy(&output.stderr)));
     }
-    let value: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(|e| e.to_string())?;
+    let value: serde_json::Value =
+        serde_json::from_slice(&output.stdout).map_err(|e| e.to_string())?;
     println!("  ipctk: {value}");
     Ok(value)
 }
@@ -158,7 +200,10 @@ struct Parry {
 fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
     let [v, e, f] = rounded(input);
     let convert = |boxes: &[Aabb<f32>]| -> Vec<parry3d::bounding_volume::Aabb> {
-        boxes.iter().map(|b| parry3d::bounding_volume::Aabb::new(b.min.into(), b.max.into())).collect()
+        boxes
+            .iter()
+            .map(|b| parry3d::bounding_volume::Aabb::new(b.min.into(), b.max.into()))
+            .collect()
     };
     let (v, e, f) = (convert(&v), convert(&e), convert(&f));
     let within = |boxes: &[parry3d::bounding_volume::Aabb]| {
@@ -167,11 +212,16 @@ fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
             return bvh.traverse_bvtt_single_tree_parallel::<false>();
         }
         let mut pairs = Vec::new();
-        bvh.traverse_bvtt_single_tree::<false>(&mut BvhWorkspace::default(), &mut |a, b| pairs.push((a, b)));
+        bvh.traverse_bvtt_single_tree::<false>(&mut BvhWorkspace::default(), &mut |a, b| {
+            pairs.push((a, b))
+        });
         pairs
     };
     let between = || {
-        let (a, b) = (Bvh::from_leaves(BvhBuildStrategy::Binned, &v), Bvh::from_leaves(BvhBuildStrategy::Binned, &f));
+        let (a, b) = (
+            Bvh::from_leaves(BvhBuildStrategy::Binned, &v),
+            Bvh::from_leaves(BvhBuildStrategy::Binned, &f),
+        );
         a.leaf_pairs(&b, |a, b| a.intersects(b)).collect::<Vec<_>>()
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -179,11 +229,20 @@ fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
     let (faces, face_pairs) = pool.install(|| median(runs, || within(&f)));
     let (vertices_faces, vf_pairs) = pool.install(|| median(runs, between));
     let digest = |pairs: &[(u32, u32)], ordered: bool| {
-        let pair = |&(a, b): &(u32, u32)| if ordered { ccd::Pair::ordered(a, b) } else { ccd::Pair { a, b } };
+        let pair = |&(a, b): &(u32, u32)| {
+            if ordered { ccd::Pair::ordered(a, b) } else { ccd::Pair { a, b } }
+        };
         Digest::of(0, pairs.iter().map(pair))
     };
-    println!("  parry3d: edges {edges:.1} ms, faces {faces:.1} ms, vertices x faces {vertices_faces:.1} ms");
-    Parry { edges, faces, vertices_faces, digests: [digest(&edge_pairs, true), digest(&face_pairs, true), digest(&vf_pairs, false)] }
+    println!(
+        "  parry3d: edges {edges:.1} ms, faces {faces:.1} ms, vertices x faces {vertices_faces:.1} ms"
+    );
+    Parry {
+        edges,
+        faces,
+        vertices_faces,
+        digests: [digest(&edge_pairs, true), digest(&face_pairs, true), digest(&vf_pairs, false)],
+    }
 }
 
 fn header(root: &Path, runs: usize) -> Result<String, String> {
@@ -192,10 +251,16 @@ fn header(root: &Path, runs: usize) -> Result<String, String> {
         output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned()).unwrap_or_default()
     };
     let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let cpu =
-        cpu.lines().find_map(|l| l.strip_prefix("model name")).map_or("unknown processor", |l| l.trim_start_matches([':', '\t', ' ']));
+    let cpu = cpu
+        .lines()
+        .find_map(|l| l.strip_prefix("model name"))
+        .map_or("unknown processor", |l| l.trim_start_matches([':', '\t', ' ']));
     let cores = std::thread::available_parallelism().map_or(0, |n| n.get());
-    let changed = if shell(&["git", "status", "--porcelain"]).is_empty() { "" } else { " with uncommitted changes" };
+    let changed = if shell(&["git", "status", "--porcelain"]).is_empty() {
+        ""
+    } else {
+        " with uncommitted changes"
+    };
     Ok(format!(
         "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}, commit {}{changed}, {cpu}, {cores} cores, {}.\n\n\
          Milliseconds, medians of {runs} runs in one go; compare ratios, not times. \"Fresh\" pays for every buffer anew, as the other libraries do; \
@@ -207,7 +272,14 @@ fn header(root: &Path, runs: usize) -> Result<String, String> {
     ))
 }
 
-fn section(out: &mut String, name: &str, threads: usize, ours: &Ours, ipctk: &serde_json::Value, parry: &Parry) {
+fn section(
+    out: &mut String,
+    name: &str,
+    threads: usize,
+    ours: &Ours,
+    ipctk: &serde_json::Value,
+    parry: &Parry,
+) {
     let number = |key: &str| ipctk[key].as_f64().unwrap_or(f64::NAN);
     let toi = |i: usize| ipctk["toi"][i].as_f64().unwrap_or(f64::NAN);
     let rows = [
@@ -216,15 +288,39 @@ fn section(out: &mut String, name: &str, threads: usize, ours: &Ours, ipctk: &se
         ("edge boxes, fresh", ours.edges, "parry3d", parry.edges),
         ("face boxes, fresh", ours.faces, "parry3d", parry.faces),
         ("vertices x faces, fresh", ours.vertices_faces, "parry3d", parry.vertices_faces),
-        ("earliest toi, all of it, fresh", ours.toi_fresh, "ipctk Tight-Inclusion, narrow alone", number("tight")),
-        ("earliest toi, all of it, fresh", ours.toi_fresh, "ipctk ACCD, narrow alone", number("additive")),
-        ("earliest toi, all of it, kept", ours.toi_kept, "ipctk Tight-Inclusion, narrow alone", number("tight")),
-        ("all contacts, kept", ours.step_kept, "ipctk LBVH + Tight-Inclusion", number("broad") + number("tight")),
+        (
+            "earliest toi, all of it, fresh",
+            ours.toi_fresh,
+            "ipctk Tight-Inclusion, narrow alone",
+            number("tight"),
+        ),
+        (
+            "earliest toi, all of it, fresh",
+            ours.toi_fresh,
+            "ipctk ACCD, narrow alone",
+            number("additive"),
+        ),
+        (
+            "earliest toi, all of it, kept",
+            ours.toi_kept,
+            "ipctk Tight-Inclusion, narrow alone",
+            number("tight"),
+        ),
+        (
+            "all contacts, kept",
+            ours.step_kept,
+            "ipctk LBVH + Tight-Inclusion",
+            number("broad") + number("tight"),
+        ),
     ];
     let kind = if threads == 1 { "thread" } else { "threads" };
-    let _ = writeln!(out, "\n## {name}, {threads} {kind}\n\n| what | ccd | beside | its time | ratio |\n|---|---|---|---|---|");
+    let _ = writeln!(
+        out,
+        "\n## {name}, {threads} {kind}\n\n| what | ccd | beside | its time | ratio |\n|---|---|---|---|---|"
+    );
     for (what, ours, peer, theirs) in rows {
-        let _ = writeln!(out, "| {what} | {ours:.1} | {peer} | {theirs:.1} | {:.3} |", ours / theirs);
+        let _ =
+            writeln!(out, "| {what} | {ours:.1} | {peer} | {theirs:.1} | {:.3} |", ours / theirs);
     }
     let same = if ours.digests == parry.digests { "the same pairs" } else { "OTHER PAIRS" };
     let _ = writeln!(
@@ -242,8 +338,12 @@ fn section(out: &mut String, name: &str, threads: usize, ours: &Ours, ipctk: &se
     assert_eq!(ours.digests, parry.digests, "{name}: parry3d finds other pairs");
     // Its boxes are rounded to f32: it lists a few pairs more.
     for k in 0..2 {
-        let (ours, theirs) = (ours.n_candidates[k], ipctk["candidates"][k].as_u64().unwrap_or(0) as usize);
-        assert!(ours <= theirs && theirs - ours <= theirs / 1000, "{name}: {ours} candidates, ipctk {theirs}");
+        let (ours, theirs) =
+            (ours.n_candidates[k], ipctk["candidates"][k].as_u64().unwrap_or(0) as usize);
+        assert!(
+            ours <= theirs && theirs - ours <= theirs / 1000,
+            "{name}: {ours} candidates, ipctk {theirs}"
+        );
     }
 }
 
@@ -260,14 +360,22 @@ fn scaling(out: &mut String, ours: &[Ours]) {
 
 /// Runs criterion and lists its medians.
 fn kernels(root: &Path, out: &mut String) -> Result<(), String> {
-    crate::ci::command(root, &["cargo", "bench", "-p", "ccd", "--bench", "kernels", "--", "--quick", "--noplot"])?;
-    let _ = writeln!(out, "\n## Kernels (criterion, medians, one thread)\n\n| kernel | time |\n|---|---|");
+    crate::ci::command(
+        root,
+        &["cargo", "bench", "-p", "ccd", "--bench", "kernels", "--", "--quick", "--noplot"],
+    )?;
+    let _ = writeln!(
+        out,
+        "\n## Kernels (criterion, medians, one thread)\n\n| kernel | time |\n|---|---|"
+    );
     let mut rows = Vec::new();
-    let groups = std::fs::read_dir(root.join("target/criterion")).map_err(|e| format!("target/criterion: {e}"))?;
+    let groups = std::fs::read_dir(root.join("target/criterion"))
+        .map_err(|e| format!("target/criterion: {e}"))?;
     for group in groups.flatten() {
         let path = group.path().join("new/estimates.json");
         let Ok(text) = std::fs::read(&path) else { continue };
-        let estimates: serde_json::Value = serde_json::from_slice(&text).map_err(|e| e.to_string())?;
+        let estimates: serde_json::Value =
+            serde_json::from_slice(&text).map_err(|e| e.to_string())?;
         let ns = estimates["median"]["point_estimate"].as_f64().unwrap_or(f64::NAN);
         rows.push((group.file_name().to_string_lossy().into_owned(), ns));
     }

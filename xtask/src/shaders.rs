@@ -45,7 +45,11 @@ fn hash_of_inputs(root: &Path) -> Result<String, String> {
     files.sort();
     let mut hash = Sha256::new();
     for file in files {
-        let name = file.strip_prefix(root).map_err(|e| e.to_string())?.to_string_lossy().replace('\\', "/");
+        let name = file
+            .strip_prefix(root)
+            .map_err(|e| e.to_string())?
+            .to_string_lossy()
+            .replace('\\', "/");
         let text = std::fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?;
         hash.update(name.as_bytes());
         hash.update([0]);
@@ -89,7 +93,8 @@ mod build {
     fn build(root: &Path, check: bool) -> Result<(), String> {
         let toolchain = toolchain(root)?;
         if !installed(&toolchain) {
-            let how = "rustup toolchain install with the components of ccd-shaders/rust-toolchain.toml";
+            let how =
+                "rustup toolchain install with the components of ccd-shaders/rust-toolchain.toml";
             if check {
                 println!("skipped: shaders were not rebuilt, {toolchain} is not installed ({how})");
                 return Ok(());
@@ -108,19 +113,31 @@ mod build {
     fn check_with_tint(root: &Path) -> Result<(), String> {
         let dawn = root.join("target/tint/node_modules/webgpu");
         if !dawn.is_dir() {
-            println!("skipped: Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)");
+            println!(
+                "skipped: Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)"
+            );
             return Ok(());
         }
         let manifest = std::fs::read_to_string(root.join(MANIFEST)).map_err(|e| e.to_string())?;
         let manifest: Value = serde_json::from_str(&manifest).map_err(|e| e.to_string())?;
         let kernels: Vec<&Value> = manifest["kernels"].as_array().into_iter().flatten().collect();
         let portable = kernels.iter().filter(|k| k["wide"] == false);
-        let files: Vec<_> =
-            portable.filter_map(|k| k["name"].as_str()).map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl"))).collect();
-        let status = Command::new("node").arg(root.join("xtask/src/tint.mjs")).arg(dawn).args(&files).status();
+        let files: Vec<_> = portable
+            .filter_map(|k| k["name"].as_str())
+            .map(|name| root.join(PRODUCTS).join(format!("{name}.wgsl")))
+            .collect();
+        let status = Command::new("node")
+            .arg(root.join("xtask/src/tint.mjs"))
+            .arg(dawn)
+            .args(&files)
+            .status();
         match status {
             Ok(status) if status.success() => {
-                println!("Tint accepts {} of {} kernels, all that do without f64", files.len(), kernels.len());
+                println!(
+                    "Tint accepts {} of {} kernels, all that do without f64",
+                    files.len(),
+                    kernels.len()
+                );
                 Ok(())
             }
             Ok(_) => Err("Tint refuses a kernel".into()),
@@ -130,15 +147,21 @@ mod build {
 
     fn toolchain(root: &Path) -> Result<String, String> {
         let path = root.join("ccd-shaders/rust-toolchain.toml");
-        let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-        let line = text.lines().find_map(|l| l.strip_prefix("channel = \"")).ok_or("rust-toolchain.toml names no channel")?;
+        let text =
+            std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let line = text
+            .lines()
+            .find_map(|l| l.strip_prefix("channel = \""))
+            .ok_or("rust-toolchain.toml names no channel")?;
         Ok(line.trim_end_matches('"').to_string())
     }
 
     fn installed(toolchain: &str) -> bool {
         // Asked of rustup, because running rustc would install the toolchain.
         let list = Command::new("rustup").args(["toolchain", "list"]).output();
-        list.is_ok_and(|o| String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain)))
+        list.is_ok_and(|o| {
+            String::from_utf8_lossy(&o.stdout).lines().any(|l| l.starts_with(toolchain))
+        })
     }
 
     /// Runs the builder under the nightly. Its first build takes minutes (it compiles the code
@@ -166,15 +189,24 @@ mod build {
     }
 
     /// All products by file name.
-    fn translate(root: &Path, modules: &Path, toolchain: &str) -> Result<BTreeMap<String, Vec<u8>>, String> {
+    fn translate(
+        root: &Path,
+        modules: &Path,
+        toolchain: &str,
+    ) -> Result<BTreeMap<String, Vec<u8>>, String> {
         let mut products = BTreeMap::new();
         let mut kernels = Vec::new();
-        let mut names: Vec<_> = std::fs::read_dir(modules).map_err(|e| e.to_string())?.flatten().map(|e| e.path()).collect();
+        let mut names: Vec<_> = std::fs::read_dir(modules)
+            .map_err(|e| e.to_string())?
+            .flatten()
+            .map(|e| e.path())
+            .collect();
         names.sort();
         for path in names {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let spirv = std::fs::read(&path).map_err(|e| e.to_string())?;
-            let module = naga::front::spv::parse_u8_slice(&spirv, &Default::default()).map_err(|e| format!("{name}: naga: {e}"))?;
+            let module = naga::front::spv::parse_u8_slice(&spirv, &Default::default())
+                .map_err(|e| format!("{name}: naga: {e}"))?;
             let row = describe(&name, &module, &spirv);
             check_barriers(&name, &row)?;
             kernels.push(row);
@@ -182,7 +214,8 @@ mod build {
             products.insert(format!("{name}.spv"), spirv);
             products.insert(format!("{name}.wgsl"), format!("{GENERATED}\n{wgsl}").into_bytes());
         }
-        let manifest = json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
+        let manifest =
+            json!({ "inputs": hash_of_inputs(root)?, "toolchain": toolchain, "kernels": kernels });
         let text = serde_json::to_string_pretty(&manifest).map_err(|e| e.to_string())? + "\n";
         products.insert("manifest.json".into(), text.into_bytes());
         products.insert(".gitattributes".into(), ATTRIBUTES.into());
@@ -194,12 +227,15 @@ mod build {
     /// that.
     fn check_barriers(name: &str, row: &Value) -> Result<(), String> {
         let kernel = TABLE.iter().find(|kernel| kernel.name == name);
-        let written = kernel.ok_or(format!("{name} has no row in the kernel table"))?.barriers as u64;
+        let written =
+            kernel.ok_or(format!("{name} has no row in the kernel table"))?.barriers as u64;
         let found = row["barriers"].as_u64().unwrap_or(0);
         if found == written {
             Ok(())
         } else {
-            Err(format!("{name} has {found} barriers, its source {written}: a compiler copied or dropped one"))
+            Err(format!(
+                "{name} has {found} barriers, its source {written}: a compiler copied or dropped one"
+            ))
         }
     }
 
@@ -211,21 +247,26 @@ mod build {
         for (_, variable) in module.global_variables.iter() {
             match (variable.space, &variable.binding) {
                 (naga::AddressSpace::Storage { access }, Some(at)) => {
-                    let access = if access.contains(naga::StorageAccess::STORE) { "write" } else { "read" };
+                    let access =
+                        if access.contains(naga::StorageAccess::STORE) { "write" } else { "read" };
                     bindings.insert(at.binding, access);
                 }
-                (naga::AddressSpace::WorkGroup, _) => shared += module.types[variable.ty].inner.size(module.to_ctx()),
+                (naga::AddressSpace::WorkGroup, _) => {
+                    shared += module.types[variable.ty].inner.size(module.to_ctx())
+                }
                 _ => {}
             }
         }
-        let wide = module.types.iter().any(|(_, ty)| ty.inner.scalar().is_some_and(|s| s.width == 8));
+        let wide =
+            module.types.iter().any(|(_, ty)| ty.inner.scalar().is_some_and(|s| s.width == 8));
         json!({ "name": name, "entry": entry.name, "workgroup": entry.workgroup_size[0], "bindings": bindings.into_values().collect::<Vec<_>>(),
             "shared_bytes": shared, "wide": wide, "barriers": count_barriers(spirv) })
     }
 
     fn count_barriers(spirv: &[u8]) -> usize {
         const OP_CONTROL_BARRIER: u32 = 224;
-        let words: Vec<u32> = spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let words: Vec<u32> =
+            spirv.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         let (mut at, mut n) = (5, 0);
         while at < words.len() {
             n += (words[at] & 0xffff == OP_CONTROL_BARRIER) as usize;
@@ -259,10 +300,16 @@ mod build {
             }
         }
         if different.is_empty() {
-            println!("{} files in {PRODUCTS} are what the sources give, byte for byte", products.len());
+            println!(
+                "{} files in {PRODUCTS} are what the sources give, byte for byte",
+                products.len()
+            );
             return Ok(());
         }
-        Err(format!("{} of {PRODUCTS} differ from what the sources give ({MANIFEST}): run `cargo xtask shaders`", different.join(", ")))
+        Err(format!(
+            "{} of {PRODUCTS} differ from what the sources give ({MANIFEST}): run `cargo xtask shaders`",
+            different.join(", ")
+        ))
     }
 }
 
@@ -279,19 +326,27 @@ mod tests {
         let manifest = std::fs::read_to_string(root().join(MANIFEST)).expect(MANIFEST);
         let manifest: serde_json::Value = serde_json::from_str(&manifest).expect(MANIFEST);
         let want = hash_of_inputs(root()).unwrap();
-        assert_eq!(manifest["inputs"], want.as_str(), "a shader source changed: run `cargo xtask shaders`");
+        assert_eq!(
+            manifest["inputs"],
+            want.as_str(),
+            "a shader source changed: run `cargo xtask shaders`"
+        );
     }
 
     #[test]
     fn shaders_say_that_they_are_generated() {
-        let files = std::fs::read_dir(root().join("ccd-gpu/shaders")).unwrap().map(|entry| entry.unwrap().path());
-        let wgsl: Vec<PathBuf> = files.filter(|path| path.extension().is_some_and(|e| e == "wgsl")).collect();
+        let files = std::fs::read_dir(root().join("ccd-gpu/shaders"))
+            .unwrap()
+            .map(|entry| entry.unwrap().path());
+        let wgsl: Vec<PathBuf> =
+            files.filter(|path| path.extension().is_some_and(|e| e == "wgsl")).collect();
         assert!(!wgsl.is_empty());
         for path in wgsl {
             let text = std::fs::read_to_string(&path).unwrap();
             assert_eq!(text.lines().next(), Some(GENERATED), "{}", path.display());
         }
-        let attributes = std::fs::read_to_string(root().join("ccd-gpu/shaders/.gitattributes")).unwrap();
+        let attributes =
+            std::fs::read_to_string(root().join("ccd-gpu/shaders/.gitattributes")).unwrap();
         assert!(attributes.starts_with("** linguist-generated"), "{attributes}");
     }
 

@@ -124,7 +124,10 @@ fn check(name: &str, text: &str) -> Vec<String> {
         if rules && ["TODO", "FIXME", "XXX"].iter().any(|w| line.contains(w)) {
             say("unfinished");
         }
-        if rules && code.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| w == "unsafe") && !UNSAFE_FILES.contains(&name) {
+        if rules
+            && code.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| w == "unsafe")
+            && !UNSAFE_FILES.contains(&name)
+        {
             say("`unsafe` outside of the files that may have it");
         }
         for (word, places) in OWNERS {

@@ -8,7 +8,10 @@
 //! by itself (and no index is out of range, which the same bodies show on the CPU).
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{AddressSpace, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle, LocalVariable, Module, Statement};
+use naga::{
+    AddressSpace, Block, Expression, Function, FunctionArgument, GlobalVariable, Handle,
+    LocalVariable, Module, Statement,
+};
 
 /// Validates a module, changes it, validates it again and writes it.
 pub fn translate(mut module: Module) -> Result<String, String> {
@@ -20,12 +23,15 @@ pub fn translate(mut module: Module) -> Result<String, String> {
     pass_builtins(&mut module)?;
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let info = validate(&module)?;
-    naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty()).map_err(|e| format!("WGSL: {e}"))
+    naga::back::wgsl::write_string(&module, &info, naga::back::wgsl::WriterFlags::empty())
+        .map_err(|e| format!("WGSL: {e}"))
 }
 
 fn validate(module: &Module) -> Result<ModuleInfo, String> {
     let capabilities = Capabilities::FLOAT64 | Capabilities::SHADER_INT64;
-    Validator::new(ValidationFlags::all(), capabilities).validate(module).map_err(|e| format!("naga: {}", e.emit_to_string("")))
+    Validator::new(ValidationFlags::all(), capabilities)
+        .validate(module)
+        .map_err(|e| format!("naga: {}", e.emit_to_string("")))
 }
 
 /// Without `if in_range {} else { return; }`.
@@ -33,15 +39,22 @@ fn without_failed_checks(block: Block) -> Block {
     let mut out = Block::with_capacity(block.len());
     for (statement, span) in block.span_into_iter() {
         let changed = match statement {
-            Statement::If { accept, reject, .. } if accept.is_empty() && matches!(&reject[..], [Statement::Return { value: None }]) => {
+            Statement::If { accept, reject, .. }
+                if accept.is_empty()
+                    && matches!(&reject[..], [Statement::Return { value: None }]) =>
+            {
                 continue;
             }
-            Statement::If { condition, accept, reject } => {
-                Statement::If { condition, accept: without_failed_checks(accept), reject: without_failed_checks(reject) }
-            }
-            Statement::Loop { body, continuing, break_if } => {
-                Statement::Loop { body: without_failed_checks(body), continuing: without_failed_checks(continuing), break_if }
-            }
+            Statement::If { condition, accept, reject } => Statement::If {
+                condition,
+                accept: without_failed_checks(accept),
+                reject: without_failed_checks(reject),
+            },
+            Statement::Loop { body, continuing, break_if } => Statement::Loop {
+                body: without_failed_checks(body),
+                continuing: without_failed_checks(continuing),
+                break_if,
+            },
             Statement::Block(block) => Statement::Block(without_failed_checks(block)),
             Statement::Switch { selector, mut cases } => {
                 for case in &mut cases {
@@ -65,11 +78,17 @@ fn pass_builtins(module: &mut Module) -> Result<(), String> {
     for (mut statement, span) in std::mem::take(&mut entry.body).span_into_iter() {
         match &mut statement {
             Statement::Store { pointer, value } => match entry.expressions[*pointer] {
-                Expression::GlobalVariable(global) if module.global_variables[global].space == AddressSpace::Private => {
+                Expression::GlobalVariable(global)
+                    if module.global_variables[global].space == AddressSpace::Private =>
+                {
                     values.push((global, *value));
                     continue;
                 }
-                _ => return Err("an entry point that stores elsewhere than in private variables".into()),
+                _ => {
+                    return Err(
+                        "an entry point that stores elsewhere than in private variables".into()
+                    );
+                }
             },
             Statement::Call { function, arguments, .. } if arguments.is_empty() => {
                 arguments.extend(values.iter().map(|v| v.1));
@@ -85,14 +104,22 @@ fn pass_builtins(module: &mut Module) -> Result<(), String> {
 }
 
 /// Makes local variables, which arguments fill, of private ones.
-fn take_builtins(function: &mut Function, values: &[(Handle<GlobalVariable>, Handle<Expression>)], globals: &naga::Arena<GlobalVariable>) {
+fn take_builtins(
+    function: &mut Function,
+    values: &[(Handle<GlobalVariable>, Handle<Expression>)],
+    globals: &naga::Arena<GlobalVariable>,
+) {
     let span = naga::Span::UNDEFINED;
     let mut body = Block::new();
     for &(global, _) in values {
         let GlobalVariable { name, ty, .. } = globals[global].clone();
-        let local = function.local_variables.append(LocalVariable { name: name.clone(), ty, init: None }, span);
+        let local = function
+            .local_variables
+            .append(LocalVariable { name: name.clone(), ty, init: None }, span);
         function.arguments.push(FunctionArgument { name, ty, binding: None });
-        let value = function.expressions.append(Expression::FunctionArgument(function.arguments.len() as u32 - 1), span);
+        let value = function
+            .expressions
+            .append(Expression::FunctionArgument(function.arguments.len() as u32 - 1), span);
         for (_, expression) in function.expressions.iter_mut() {
             if matches!(expression, Expression::GlobalVariable(g) if *g == global) {
                 *expression = Expression::LocalVariable(local);

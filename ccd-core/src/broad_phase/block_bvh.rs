@@ -1,8 +1,11 @@
-//! Emit: pairs of blocks and of boxes, from a tree of blocks of 32 boxes that is descended one level a pass.
+//! Emit: pairs of blocks and of boxes, from a tree of blocks of 32 boxes that is descended one
+//! level a pass.
 //!
-//! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A workgroup takes a pair of nodes, keeps of
-//! either side the children that reach into the other's box, and tests those against each other. No stack, no order between workgroups, and reads of
-//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in ARCHITECTURE.md).
+//! Boxes sorted along the Morton curve are taken 32 at a time; so are the blocks, up to the top. A
+//! workgroup takes a pair of nodes, keeps of either side the children that reach into the other's
+//! box, and tests those against each other. No stack, no order between workgroups, and reads of
+//! whole blocks; the levels above the boxes hold a thirty-second of the nodes each (see "Blocks" in
+//! ARCHITECTURE.md).
 
 use crate::kernel::memory::at;
 use crate::layout::{Blocks, MAX_LEVELS};
@@ -14,9 +17,11 @@ pub const WIDTH: u32 = 32;
 pub const TEAMS: u32 = 4;
 /// Threads of a workgroup.
 pub const THREADS: u32 = TEAMS * WIDTH;
-/// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight blocks has one set.
+/// Nodes of a set on a level are padded to a multiple of this, so that a workgroup that fits eight
+/// blocks has one set.
 pub const PADDING: u32 = 8 * WIDTH;
-/// Hits that a workgroup gathers before it works on them all together; `TEAMS` pairs of nodes rarely give as many. Those beyond are worked on one by one.
+/// Hits that a workgroup gathers before it works on them all together; `TEAMS` pairs of nodes
+/// rarely give as many. Those beyond are worked on one by one.
 pub const POOL: u32 = 2048;
 
 /// The sets that a kind of pairs is between.
@@ -43,11 +48,18 @@ pub fn set_of(first: &[u32; 4], i: u32) -> usize {
     }
 }
 
-/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by whole blocks, and so on up to `tree.level`.
+/// The box of leaves `first ..= last` of a set: of those at either end one by one, between them by
+/// whole blocks, and so on up to `tree.level`.
 ///
 /// At most 62 nodes a level, and all of that level's.
 #[inline(always)]
-pub fn range_box(tree: &Blocks, set: usize, first: u32, last: u32, nodes: &[Aabb<f32>]) -> Aabb<f32> {
+pub fn range_box(
+    tree: &Blocks,
+    set: usize,
+    first: u32,
+    last: u32,
+    nodes: &[Aabb<f32>],
+) -> Aabb<f32> {
     let mut out = Aabb::EMPTY;
     let (mut from, mut to) = (first, last + 1);
     for level in 0..MAX_LEVELS as u32 {

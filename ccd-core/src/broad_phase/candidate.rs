@@ -1,8 +1,8 @@
-//! Which overlaps are candidates: features without a common vertex, of bodies that are wanted, whose boxes overlap in the
-//! precision of the input.
+//! Which overlaps are candidates: features without a common vertex, of bodies that are wanted,
+//! whose boxes overlap in the precision of the input.
 //!
-//! Written for one pair and for lanes of pairs: a backend says only how it compares ids and numbers. What it does with rows
-//! of eight or blocks of 32 is its own.
+//! Written for one pair and for lanes of pairs: a backend says only how it compares ids and
+//! numbers. What it does with rows of eight or blocks of 32 is its own.
 
 use crate::kernel::memory::at;
 use crate::layout::{Frame, Leaf, split};
@@ -28,7 +28,9 @@ impl Ids for u32 {
 /// Whether a vertex is a corner of the face: then it is no candidate.
 #[inline(always)]
 pub fn is_corner<I: Ids>(vertex: u32, face: [I; 3]) -> I::Mask {
-    face[0].is_one_of(vertex, vertex) | face[1].is_one_of(vertex, vertex) | face[2].is_one_of(vertex, vertex)
+    face[0].is_one_of(vertex, vertex)
+        | face[1].is_one_of(vertex, vertex)
+        | face[2].is_one_of(vertex, vertex)
 }
 
 /// Whether two edges have a common vertex: then they are no candidate.
@@ -37,7 +39,8 @@ pub fn share_vertex<I: Ids>(a: [u32; 2], b: [I; 2]) -> I::Mask {
     b[0].is_one_of(a[0], a[1]) | b[1].is_one_of(a[0], a[1])
 }
 
-/// Whether features of two bodies are looked at: not if both are fixed, and of one body only with `self_contact`.
+/// Whether features of two bodies are looked at: not if both are fixed, and of one body only with
+/// `self_contact`.
 ///
 /// A body is twice its number, plus one if it is fixed: [`crate::model::bodies::Bodies::words`].
 #[inline(always)]
@@ -45,8 +48,8 @@ pub fn bodies_meet(a: u32, b: u32, self_contact: bool) -> bool {
     (a / 2 != b / 2 || self_contact) && a & b & 1 == 0
 }
 
-/// Whether two boxes overlap by more than `slack` on every axis: then also those that they were rounded from. False if a
-/// bound is NaN.
+/// Whether two boxes overlap by more than `slack` on every axis: then also those that they were
+/// rounded from. False if a bound is NaN.
 #[inline(always)]
 pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
     let x = (a.max[0] - b.min[0]).gt(slack) & (b.max[0] - a.min[0]).gt(slack);
@@ -55,14 +58,24 @@ pub fn overlap_surely<N: Num>(a: &Aabb<N>, b: &Aabb<N>, slack: N) -> N::Mask {
     x & y & z
 }
 
-/// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex and a face, 1: two edges.
+/// Whether two leaves of a device's trees, whose boxes overlap, are a candidate. `kind` 0: a vertex
+/// and a face, 1: two edges.
 ///
 /// `bodies`: a word per vertex. `keys`: per vertex the bounds of its exact box, see [`bound_key`].
 #[inline(always)]
-pub fn wanted(frame: &Frame, kind: u32, a: &Leaf, b: &Leaf, boxes: [&Aabb<f32>; 2], bodies: &[u32], keys: &[[[u32; 2]; 6]]) -> bool {
+pub fn wanted(
+    frame: &Frame,
+    kind: u32,
+    a: &Leaf,
+    b: &Leaf,
+    boxes: [&Aabb<f32>; 2],
+    bodies: &[u32],
+    keys: &[[[u32; 2]; 6]],
+) -> bool {
     let (p, q) = (&a.vertices, &b.vertices);
     if frame.has(Frame::FLAG_TOPOLOGY) {
-        let neighbours = if kind == 0 { is_corner(p[0], *q) } else { share_vertex([p[0], p[1]], [q[0], q[1]]) };
+        let neighbours =
+            if kind == 0 { is_corner(p[0], *q) } else { share_vertex([p[0], p[1]], [q[0], q[1]]) };
         if neighbours {
             return false;
         }
@@ -87,8 +100,13 @@ fn overlap_exactly(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
 
 /// Whether they overlap on an axis whose bounds are the keys `MIN` and `MAX` of a vertex.
 #[inline(always)]
-fn overlap_on<const MIN: usize, const MAX: usize>(p: &[u32; 3], q: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> bool {
-    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys)) & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
+fn overlap_on<const MIN: usize, const MAX: usize>(
+    p: &[u32; 3],
+    q: &[u32; 3],
+    keys: &[[[u32; 2]; 6]],
+) -> bool {
+    !above(least::<MIN>(p, keys), greatest::<MAX>(q, keys))
+        & !above(least::<MIN>(q, keys), greatest::<MAX>(p, keys))
 }
 
 /// Whether the number of key `a` is greater than that of key `b`.
@@ -111,7 +129,8 @@ fn greatest<const KEY: usize>(vertices: &[u32; 3], keys: &[[[u32; 2]; 6]]) -> [u
     greater(greater(key(vertices[0]), key(vertices[1])), key(vertices[2]))
 }
 
-/// A bound as two words, low first, whose order as integers is that of the numbers: exact comparisons on devices without `f64`.
+/// A bound as two words, low first, whose order as integers is that of the numbers: exact
+/// comparisons on devices without `f64`.
 #[inline(always)]
 pub fn bound_key(x: f64) -> [u32; 2] {
     let [low, high] = split(x);
@@ -132,7 +151,13 @@ mod tests {
         let x = [-1e300, -2.0, -1.0, -1e-300, 0.0, 1e-310, 1.0, 1.0 + f64::EPSILON, 4e9, 1e300];
         for i in 0..x.len() {
             for j in 0..x.len() {
-                assert_eq!(above(bound_key(x[i]), bound_key(x[j])), x[i] > x[j], "{:e} {:e}", x[i], x[j]);
+                assert_eq!(
+                    above(bound_key(x[i]), bound_key(x[j])),
+                    x[i] > x[j],
+                    "{:e} {:e}",
+                    x[i],
+                    x[j]
+                );
             }
         }
         assert_eq!(bound_key(0.0), bound_key(-0.0));
@@ -141,16 +166,29 @@ mod tests {
     #[test]
     fn neighbours_and_bodies_are_told_apart() {
         assert!(is_corner(5, [1, 5, 2]) && !is_corner(5, [1, 2, 3]));
-        assert!(share_vertex([1, 2], [2, 9]) && share_vertex([1, 2], [9, 1]) && !share_vertex([1, 2], [3, 4]));
+        assert!(
+            share_vertex([1, 2], [2, 9])
+                && share_vertex([1, 2], [9, 1])
+                && !share_vertex([1, 2], [3, 4])
+        );
         let [a, b, fixed, other_fixed] = [2, 4, 7, 9];
-        assert!(bodies_meet(a, b, false) && bodies_meet(a, fixed, false) && bodies_meet(a, a, true));
-        assert!(!bodies_meet(a, a, false) && !bodies_meet(fixed, other_fixed, true) && !bodies_meet(fixed, fixed, true));
+        assert!(
+            bodies_meet(a, b, false) && bodies_meet(a, fixed, false) && bodies_meet(a, a, true)
+        );
+        assert!(
+            !bodies_meet(a, a, false)
+                && !bodies_meet(fixed, other_fixed, true)
+                && !bodies_meet(fixed, fixed, true)
+        );
     }
 
     #[test]
     fn sure_overlap_is_more_than_the_slack() {
         let of = |min: f32, max: f32| Aabb { min: [min, 0.0, 0.0], max: [max, 1.0, 1.0] };
         assert!(overlap_surely(&of(0.0, 1.0), &of(0.5, 2.0), 0.25));
-        assert!(!overlap_surely(&of(0.0, 1.0), &of(0.75, 2.0), 0.25) && !overlap_surely(&of(0.0, f32::NAN), &of(0.5, 2.0), 0.25));
+        assert!(
+            !overlap_surely(&of(0.0, 1.0), &of(0.75, 2.0), 0.25)
+                && !overlap_surely(&of(0.0, f32::NAN), &of(0.5, 2.0), 0.25)
+        );
     }
 }

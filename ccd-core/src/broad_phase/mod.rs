@@ -1,4 +1,5 @@
-//! Which boxes overlap: swept boxes, their order, trees over them, and which overlaps are candidates.
+//! Which boxes overlap: swept boxes, their order, trees over them, and which overlaps are
+//! candidates.
 
 pub mod block_bvh;
 pub mod candidate;

@@ -33,7 +33,8 @@ pub fn from_order_key(key: u32) -> f32 {
     f32::from_bits(if key >> 31 == 1 { key & 0x7fff_ffff } else { !key })
 }
 
-/// Word `k` of bounds that threads share: a maximum of integers that starts at 0, for lower bounds of their complements.
+/// Word `k` of bounds that threads share: a maximum of integers that starts at 0, for lower bounds
+/// of their complements.
 #[inline(always)]
 pub fn shared_word(b: &Aabb<f32>, k: usize) -> u32 {
     if k < 3 { !order_key(b.min[k]) } else { order_key(b.max[k - 3]) }
@@ -56,7 +57,8 @@ pub fn morton(i: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> [u32; 2] {
     morton63(grid.cell(&boxes[i]))
 }
 
-/// Key by which a device sorts box `i`: its set, then 30 bits of Morton code on a grid of 2^10 cells a side.
+/// Key by which a device sorts box `i`: its set, then 30 bits of Morton code on a grid of 2^10
+/// cells a side.
 #[inline(always)]
 pub fn sort_key(i: usize, set: usize, boxes: &[Aabb<f32>], grid: &MortonGrid) -> u32 {
     (set as u32) << 30 | morton30(grid.cell(&at(boxes, i)))

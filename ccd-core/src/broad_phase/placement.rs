@@ -1,6 +1,8 @@
-//! Map: a vertex as it was given, in `f64`, to what other kernels read of it: its path in `f32`, the exact bounds of its box as keys, its box.
+//! Map: a vertex as it was given, in `f64`, to what other kernels read of it: its path in `f32`,
+//! the exact bounds of its box as keys, its box.
 //!
-//! For devices with `f64`; a host does the same for the others. Positions of all vertices at the start of the step come first, then those at its end.
+//! For devices with `f64`; a host does the same for the others. Positions of all vertices at the
+//! start of the step come first, then those at its end.
 
 use super::candidate::bound_key;
 use super::swept_box::swept;
@@ -37,10 +39,18 @@ pub fn exact_box(p: [f64; 3], q: [f64; 3], frame: &Frame) -> Aabb<f64> {
 #[inline(always)]
 pub fn keys(b: &Aabb<f64>) -> [[u32; 2]; 6] {
     let (min, max) = (b.min, b.max);
-    [bound_key(min[0]), bound_key(min[1]), bound_key(min[2]), bound_key(max[0]), bound_key(max[1]), bound_key(max[2])]
+    [
+        bound_key(min[0]),
+        bound_key(min[1]),
+        bound_key(min[2]),
+        bound_key(max[0]),
+        bound_key(max[1]),
+        bound_key(max[2]),
+    ]
 }
 
-/// The box in `f32`, rounded outward; numbers that a device may flush become zero or the smallest normal number.
+/// The box in `f32`, rounded outward; numbers that a device may flush become zero or the smallest
+/// normal number.
 #[inline(always)]
 pub fn rounded(b: &Aabb<f64>) -> Aabb<f32> {
     let mut out = b.round_out();
@@ -56,7 +66,8 @@ fn is_tiny(x: f32) -> bool {
     x < f32::MIN_NORMAL && x > -f32::MIN_NORMAL
 }
 
-/// Zero or the smallest normal number, whichever is not below `x`, which is below that number. By bits, because a device may compare as if `x` were zero.
+/// Zero or the smallest normal number, whichever is not below `x`, which is below that number. By
+/// bits, because a device may compare as if `x` were zero.
 #[inline(always)]
 fn flushed_up(x: f64) -> f32 {
     let bits = split(x);
@@ -80,10 +91,16 @@ mod tests {
     fn nearest_is_the_conversion_of_the_standard_library() {
         let mut state = 1u64;
         for _ in 0..100_000 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             // Exponents from 2^-100 to 2^100; every fourth exactly between two f32.
             let exponent = (1023 - 100 + (state >> 50) % 200) << 52;
-            let fraction = if state.is_multiple_of(4) { (state >> 12) & !0x1fff_ffff | 0x1000_0000 } else { state >> 12 };
+            let fraction = if state.is_multiple_of(4) {
+                (state >> 12) & !0x1fff_ffff | 0x1000_0000
+            } else {
+                state >> 12
+            };
             let x = f64::from_bits(state >> 63 << 63 | exponent | fraction & ((1 << 52) - 1));
             assert_eq!(nearest(x).to_bits(), (x as f32).to_bits(), "{x:e}");
         }
@@ -92,10 +109,15 @@ mod tests {
 
     #[test]
     fn boxes_hold_the_exact_ones_also_where_numbers_are_tiny() {
-        for x in [0.0, -0.0, 1e-40, -1e-40, 1e-310, -1e-310, 1e-38, -1e-38, 2e-38, 1.0 / 3.0, -1.0 / 3.0] {
+        for x in
+            [0.0, -0.0, 1e-40, -1e-40, 1e-310, -1e-310, 1e-38, -1e-38, 2e-38, 1.0 / 3.0, -1.0 / 3.0]
+        {
             let b = rounded(&Aabb { min: [x; 3], max: [x; 3] });
             assert!(b.min[0] as f64 <= x && b.max[0] as f64 >= x, "{x:e}: {b:?}");
-            assert!([b.min[0], b.max[0]].iter().all(|y| *y == 0.0 || y.abs() >= f32::MIN_POSITIVE), "{x:e}: {b:?}");
+            assert!(
+                [b.min[0], b.max[0]].iter().all(|y| *y == 0.0 || y.abs() >= f32::MIN_POSITIVE),
+                "{x:e}: {b:?}"
+            );
         }
     }
 }

@@ -1,13 +1,15 @@
-//! Map: the binary radix tree over sorted Morton codes, every internal node independently (Karras 2012, section 4).
+//! Map: the binary radix tree over sorted Morton codes, every internal node independently [Karras
+//! 2012].
 //!
-//! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index is part of the same comparison.
+//! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index
+//! is part of the same comparison.
 
 use crate::kernel::Words;
 use crate::kernel::memory::at;
 use crate::layout::Branch;
 
-/// Levels that a tree can have: 63 bits of code and 32 of index, each deciding at most once on a path, and a leaf.
-/// Stacks of traversals are this large, so they cannot overflow.
+/// Levels that a tree can have: 63 bits of code and 32 of index, each deciding at most once on a
+/// path, and a leaf. Stacks of traversals are this large, so they cannot overflow.
 pub const MAX_DEPTH: usize = 96;
 
 /// What boxes are sorted by, as far as a tree needs it.
@@ -36,7 +38,8 @@ impl Code for [u32; 2] {
     }
 }
 
-/// Bits that key `i` (code, then index) has in common with the one `distance` ahead of it or behind it, plus one; 0 if there is none.
+/// Bits that key `i` (code, then index) has in common with the one `distance` ahead of it or behind
+/// it, plus one; 0 if there is none.
 #[inline(always)]
 fn prefix<C: Code>(codes: &[C], n: u32, i: u32, ahead: bool, distance: u32) -> u32 {
     let there = if ahead { distance < n - i } else { distance <= i };
@@ -48,7 +51,8 @@ fn prefix<C: Code>(codes: &[C], n: u32, i: u32, ahead: bool, distance: u32) -> u
     1 + if common < C::BITS { common } else { C::BITS + (i ^ j).leading_zeros() }
 }
 
-/// Internal node `i` of the tree over the first `n` of `codes`, which are sorted ascending; `i < n - 1`, `n < 2^31`.
+/// Internal node `i` of the tree over the first `n` of `codes`, which are sorted ascending;
+/// `i < n - 1`, `n < 2^31`.
 ///
 /// Every loop halves or doubles a length of less than `2^31`, so runs at most 32 times.
 #[inline(always)]
@@ -91,7 +95,8 @@ pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
     }
 }
 
-/// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is written twice.
+/// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is
+/// written twice.
 #[inline]
 pub fn link(i: usize, branch: &Branch, parents: &impl Words) {
     parents.store(branch.left as usize, i as u32);

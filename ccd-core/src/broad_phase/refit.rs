@@ -1,7 +1,9 @@
-//! Meet: boxes of internal nodes from the leaves up; the second child to arrive at a node computes it (Karras 2012, section 4).
+//! Meet: boxes of internal nodes from the leaves up; the second child to arrive at a node computes
+//! it [Karras 2012].
 //!
-//! Boxes pass between threads inside one dispatch, so they live in shared words, six a node, and the visit counter carries
-//! acquire and release. Where a device has no such order across workgroups, a host runs the levels one after the other instead.
+//! Boxes pass between threads inside one dispatch, so they live in shared words, six a node, and
+//! the visit counter carries acquire and release. Where a device has no such order across
+//! workgroups, a host runs the levels one after the other instead.
 
 use super::radix_tree::MAX_DEPTH;
 use crate::kernel::Words;
@@ -33,9 +35,17 @@ pub fn store_box(boxes: &impl Words, node: usize, aabb: &Aabb<f32>) {
 
 /// Walks up from leaf `i` of `n_leaves` and computes every node that it is the second to reach.
 ///
-/// Before: `visits` is zero (one word per internal node); `parents` has one word per node. Each internal node's box is written by
-/// exactly one thread, after both of its children. The walk is no longer than the tree is deep.
-pub fn refit(i: usize, leaf: &Aabb<f32>, branches: &[Branch], parents: &impl Words, visits: &impl Words, boxes: &impl Words) {
+/// Before: `visits` is zero (one word per internal node); `parents` has one word per node. Each
+/// internal node's box is written by exactly one thread, after both of its children. The walk is no
+/// longer than the tree is deep.
+pub fn refit(
+    i: usize,
+    leaf: &Aabb<f32>,
+    branches: &[Branch],
+    parents: &impl Words,
+    visits: &impl Words,
+    boxes: &impl Words,
+) {
     let n_internal = branches.len();
     let mut node = n_internal + i;
     store_box(boxes, node, leaf);
@@ -48,7 +58,8 @@ pub fn refit(i: usize, leaf: &Aabb<f32>, branches: &[Branch], parents: &impl Wor
             return;
         }
         let branch = &branches[parent];
-        let both = load_box(boxes, branch.left as usize).union(&load_box(boxes, branch.right as usize));
+        let both =
+            load_box(boxes, branch.left as usize).union(&load_box(boxes, branch.right as usize));
         store_box(boxes, parent, &both);
         node = parent;
     }

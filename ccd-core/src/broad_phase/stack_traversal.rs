@@ -1,6 +1,8 @@
-//! Emit: overlapping pairs by independent traversal with an explicit stack (Thinking Parallel 2), one node a step.
+//! Emit: overlapping pairs by independent traversal with an explicit stack [Karras 2012b], one node
+//! a step.
 //!
-//! Within one set, queries go in leaf order and each looks only at leaves after its own, so that every pair is found once.
+//! Within one set, queries go in leaf order and each looks only at leaves after its own, so that
+//! every pair is found once.
 
 use super::radix_tree::MAX_DEPTH;
 use crate::kernel::memory::at;
@@ -30,20 +32,33 @@ impl Walk {
         Self { stack: [0; MAX_DEPTH], height: 0, node: 0, goes_on: true }
     }
 
-    /// Visits one internal node and returns those of its children that are leaves and overlap `query`. `nodes` as in [`Node`], of which the first `n_internal` are
-    /// internal.
+    /// Visits one internal node and returns those of its children that are leaves and overlap
+    /// `query`. `nodes` as in [`Node`], of which the first `n_internal` are internal.
     ///
-    /// `after`: leaves up to and including this number are left out; [`NONE`]: none are. Every node is visited at most once, so there are at most `n_internal`
-    /// steps; the stack holds at most one node per level, see [`MAX_DEPTH`].
+    /// `after`: leaves up to and including this number are left out; [`NONE`]: none are. Every node
+    /// is visited at most once, so there are at most `n_internal` steps; the stack holds at most
+    /// one node per level, see [`MAX_DEPTH`].
     #[inline(always)]
-    pub fn step(&mut self, query: &Aabb<f32>, nodes: &[Node], branches: &[Branch], n_internal: u32, after: u32) -> Found {
+    pub fn step(
+        &mut self,
+        query: &Aabb<f32>,
+        nodes: &[Node],
+        branches: &[Branch],
+        n_internal: u32,
+        after: u32,
+    ) -> Found {
         let branch = at(branches, self.node as usize);
-        // The last leaf below the left child, which Karras' numbering tells: an internal left child has the number of its last leaf.
-        let last_of_left = if branch.left >= n_internal { branch.left - n_internal } else { branch.left };
+        // The last leaf below the left child, which Karras' numbering tells: an internal left child
+        // has the number of its last leaf.
+        let last_of_left =
+            if branch.left >= n_internal { branch.left - n_internal } else { branch.left };
         let (left, right) = (at(nodes, branch.left as usize), at(nodes, branch.right as usize));
         let to_left = (after == NONE || last_of_left > after) && left.aabb().overlaps(query);
         let to_right = (after == NONE || branch.last > after) && right.aabb().overlaps(query);
-        let found = [if to_left && left.is_leaf() { left.left } else { NONE }, if to_right && right.is_leaf() { right.left } else { NONE }];
+        let found = [
+            if to_left && left.is_leaf() { left.left } else { NONE },
+            if to_right && right.is_leaf() { right.left } else { NONE },
+        ];
         let (down_left, down_right) = (to_left && !left.is_leaf(), to_right && !right.is_leaf());
         if down_left {
             self.node = branch.left;

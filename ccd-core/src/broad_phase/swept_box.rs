@@ -1,6 +1,7 @@
 //! Map: boxes that enclose a primitive over the whole step, rounded outward to `f32`.
 //!
-//! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces are unions of their vertices.
+//! Vertices move on straight lines, so the box of both ends holds the whole path; edges and faces
+//! are unions of their vertices.
 
 use crate::kernel::memory::at;
 use crate::layout::Path;
@@ -21,11 +22,26 @@ pub fn path(path: &Path, margin: f32) -> Aabb<f32> {
     swept([p[0], p[1], p[2]], [q[0], q[1], q[2]]).inflated(margin).round_out()
 }
 
-/// A path up to time `until` in `[0, 1]`; its end is off by at most four roundings of numbers no greater than twice the coordinates.
+/// Where a path from `p` to `q` is at time `until` in `[0, 1]`, up to [`end_error`].
+#[inline(always)]
+pub fn end<R: Real>(p: [R; 3], q: [R; 3], until: R) -> [R; 3] {
+    lerp(p, q, until)
+}
+
+/// How far a coordinate of [`end`] may be from the true one, for coordinates up to `largest`: three
+/// roundings of numbers up to two and three times that are below `8 u`; where denormals are
+/// flushed, less than the smallest normal number for what is read and each of three results, and
+/// once more for the start of the path where boxes read it.
+#[inline(always)]
+pub fn end_error<R: Real>(largest: R) -> R {
+    largest * (R::UNIT * R::splat(16.0)) + R::MIN_NORMAL * R::splat(8.0)
+}
+
+/// A path up to time `until` in `[0, 1]`; its end is off by [`end_error`].
 #[inline(always)]
 pub fn shorten(path: &Path, until: f32) -> Path {
     let (p, q) = (path.t0, path.t1);
-    let end = lerp([p[0], p[1], p[2]], [q[0], q[1], q[2]], until);
+    let end = end([p[0], p[1], p[2]], [q[0], q[1], q[2]], until);
     Path { t0: p, t1: [end[0], end[1], end[2], 0.0] }
 }
 

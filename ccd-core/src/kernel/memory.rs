@@ -1,14 +1,16 @@
 //! Reading and writing slices by index: checked on a CPU, without a check in a shader.
 //!
-//! A failed check is an early return in a shader, so a barrier behind it would not be reached by every thread. Kernels keep their indices in range by
-//! construction; on a CPU, where the same bodies run, every access is still checked.
+//! A failed check is an early return in a shader, so a barrier behind it would not be reached by
+//! every thread. Kernels keep their indices in range by construction; on a CPU, where the same
+//! bodies run, every access is still checked.
 
 /// Element `i`.
 #[inline(always)]
 pub fn at<T: Copy>(slice: &[T], i: usize) -> T {
     #[cfg(not(target_arch = "spirv"))]
     return slice[i];
-    // SAFETY: the callers' indices are in range; the same calls are checked in CPU builds, which tests run on the same inputs.
+    // SAFETY: the callers' indices are in range; the same calls are checked in CPU builds, which
+    // tests run on the same inputs.
     #[cfg(target_arch = "spirv")]
     return unsafe { *slice.get_unchecked(i) };
 }

@@ -209,3 +209,10 @@ impl Id {
         self.row().threads
     }
 }
+
+const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
+const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
+const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);
+const _: () = assert!(Id::FilterEdgeEdge.threads() == crate::broad_phase::block_bvh::THREADS);

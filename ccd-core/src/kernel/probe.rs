@@ -1,4 +1,5 @@
-//! For tests alone: what a device reads from records, and what it makes of the scalar operations that kernels use.
+//! For tests alone: what a device reads from records, and what it makes of the scalar operations
+//! that kernels use.
 
 use crate::broad_phase::morton_key::{from_order_key, order_key};
 use crate::kernel::memory::put;
@@ -138,8 +139,20 @@ pub fn scalars(input: [u32; 2]) -> [u32; 24] {
 }
 
 /// Names of what [`wide`] computes, in order; each is two words.
-pub const WIDE: [&str; 12] =
-    ["a + b", "a - b", "a * b", "a / b", "abs", "min", "max", "a < b", "sqrt_up", "next_up", "next_down", "round_down, is_finite_number"];
+pub const WIDE: [&str; 12] = [
+    "a + b",
+    "a - b",
+    "a * b",
+    "a / b",
+    "abs",
+    "min",
+    "max",
+    "a < b",
+    "sqrt_up",
+    "next_up",
+    "next_down",
+    "round_down, is_finite_number",
+];
 
 /// Every operation in `f64` that kernels use, of two numbers of two words each.
 #[inline(always)]

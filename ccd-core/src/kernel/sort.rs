@@ -1,8 +1,11 @@
-//! Cooperative: least-significant-digit radix sort of 32-bit keys with their ids, stable, 8 bits a pass, in three kernels a pass.
+//! Cooperative: least-significant-digit radix sort of 32-bit keys with their ids, stable, 8 bits a
+//! pass, in three kernels a pass.
 //!
-//! `sort_count` counts the digits of each tile, `sort_scan` turns the counts of each digit into offsets, `sort_scatter` ranks each tile
-//! and moves it. Nothing waits for another workgroup (reduce, then scan), and nothing depends on the size of subgroups: the ranks within 32 keys
-//! come from a mask of lanes for each digit in workgroup memory: a digit's mask has a bit for every of 32 threads that has the digit.
+//! `sort_count` counts the digits of each tile, `sort_scan` turns the counts of each digit into
+//! offsets, `sort_scatter` ranks each tile and moves it. Nothing waits for another workgroup
+//! (reduce, then scan), and nothing depends on the size of subgroups: the ranks within 32 keys come
+//! from a mask of lanes for each digit in workgroup memory: a digit's mask has a bit for every of
+//! 32 threads that has the digit.
 
 /// Digits of a pass.
 pub const DIGITS: u32 = 256;
@@ -19,7 +22,8 @@ pub fn digit(key: u32, shift: u32) -> u32 {
     (key >> shift) & (DIGITS - 1)
 }
 
-/// Where key `k` of thread `lane` is in its tile: 32 threads share a run of `32 KEYS` keys, so that their steps follow one another.
+/// Where key `k` of thread `lane` is in its tile: 32 threads share a run of `32 KEYS` keys, so that
+/// their steps follow one another.
 #[inline(always)]
 pub fn place(lane: u32, k: u32) -> u32 {
     (lane / 32) * (32 * KEYS) + k * 32 + lane % 32

@@ -84,8 +84,9 @@ impl<T: Real> Aabb<T> {
         (self.max[0] - self.min[0]) + (self.max[1] - self.min[1]) + (self.max[2] - self.min[2])
     }
 
-    /// The same box, or a slightly larger one, in `f32`. Bounds beyond [`GREATEST`] become that, on both sides of a comparison alike, so boxes that
-    /// overlap still do; only the empty box has greater bounds.
+    /// The same box, or a slightly larger one, in `f32`. Bounds beyond [`GREATEST`] become that, on
+    /// both sides of a comparison alike, so boxes that overlap still do; only the empty box has
+    /// greater bounds.
     #[inline]
     pub fn round_out(&self) -> Aabb<f32> {
         let mut out = Aabb::EMPTY;
@@ -113,8 +114,8 @@ impl<T: Real> Aabb<T> {
 }
 
 impl Aabb<f32> {
-    /// The empty box: the neutral element of [`Aabb::union`] among boxes that were rounded out; overlaps none of them. Its bounds are finite because
-    /// shader languages cannot write others.
+    /// The empty box: the neutral element of [`Aabb::union`] among boxes that were rounded out;
+    /// overlaps none of them. Its bounds are finite because shader languages cannot write others.
     pub const EMPTY: Self = Self { min: [3.0e38; 3], max: [-3.0e38; 3] };
 }
 

@@ -1,4 +1,5 @@
-//! Morton codes: the bits of three coordinates interleaved, so that near codes are mostly near in space.
+//! Morton codes: the bits of three coordinates interleaved, so that near codes are mostly near in
+//! space.
 
 use crate::math::aabb::Aabb;
 
@@ -11,14 +12,16 @@ fn spread10(v: u32) -> u32 {
     (v | (v << 2)) & 0x0924_9249
 }
 
-/// Interleaves three 10-bit cell numbers to 30 bits; `x` is the highest bit of each triple. Higher bits are ignored.
+/// Interleaves three 10-bit cell numbers to 30 bits; `x` is the highest bit of each triple. Higher
+/// bits are ignored.
 #[inline]
 pub fn morton30(cell: [u32; 3]) -> u32 {
     (spread10(cell[0] & 0x3ff) << 2) | (spread10(cell[1] & 0x3ff) << 1) | spread10(cell[2] & 0x3ff)
 }
 
-/// Interleaves three 21-bit cell numbers to 63 bits, `x` the highest of each triple, as two words `[low, high]`
-/// (32 bits each): no 64-bit integer is needed. Bits of a cell number above the 21st are ignored.
+/// Interleaves three 21-bit cell numbers to 63 bits, `x` the highest of each triple, as two words
+/// `[low, high]` (32 bits each): no 64-bit integer is needed. Bits of a cell number above the 21st
+/// are ignored.
 #[inline]
 pub fn morton63(cell: [u32; 3]) -> [u32; 2] {
     // The low 10 bits of each cell fill bits 0..30, the next 11 fill bits 30..63.
@@ -30,7 +33,8 @@ pub fn morton63(cell: [u32; 3]) -> [u32; 2] {
 
 /// Maps centres of boxes inside `scene` to cell numbers of a cubic grid with `2^bits` cells a side.
 ///
-/// Cells are a means of ordering: rounding may put a point into a neighbouring cell, never outside of the grid.
+/// Cells are a means of ordering: rounding may put a point into a neighbouring cell, never outside
+/// of the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MortonGrid {
     origin: [f32; 3],

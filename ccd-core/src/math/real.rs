@@ -47,18 +47,23 @@ impl Mask for u16 {
 
 /// A number, or several side by side, with the operations that a branch-free filter needs.
 ///
-/// Every operation rounds as IEEE 754 says or no worse than one unit roundoff per operation; a result that underflows
-/// may be flushed to zero. Nothing is assumed about NaN except that comparisons with it are false.
-pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+/// Every operation rounds as IEEE 754 says or no worse than one unit roundoff per operation; a
+/// result that underflows may be flushed to zero. Nothing is assumed about NaN except that
+/// comparisons with it are false.
+pub trait Num:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
     /// Unit roundoff: half the distance from 1 to the next number (2^-24 or 2^-53).
     const UNIT: Self;
     /// Smallest positive normal number; flushing a result to zero loses less than this.
     const MIN_NORMAL: Self;
     /// The answer of a comparison.
     type Mask: Mask;
-    /// Whether the number is greater than the other; false if either is NaN. Every rejection ends in this.
+    /// Whether the number is greater than the other; false if either is NaN. Every rejection ends
+    /// in this.
     fn gt(self, other: Self) -> Self::Mask;
-    /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without `f64` cannot even name one.
+    /// `x` in every lane; exact. The constants of the geometry are `f32`, because a shader without
+    /// `f64` cannot even name one.
     fn splat(x: f32) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
@@ -69,7 +74,16 @@ pub trait Num: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Sel
 }
 
 /// A single number that can be compared and divided: `f32` or `f64`.
-pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::Debug + Into<f64> + bytemuck::Pod + Send + Sync {
+pub trait Real:
+    Num
+    + PartialOrd
+    + core::ops::Div<Output = Self>
+    + core::fmt::Debug
+    + Into<f64>
+    + bytemuck::Pod
+    + Send
+    + Sync
+{
     /// Exact for `f32` and `f64`.
     fn to_f64(self) -> f64;
     /// The number nearest to `x`.
@@ -78,15 +92,18 @@ pub trait Real: Num + PartialOrd + core::ops::Div<Output = Self> + core::fmt::De
     fn round_down(self) -> f32;
     /// The smallest `f32` that is not below the number.
     fn round_up(self) -> f32;
-    /// An upper bound of the square root, at most a few units in the last place above it; 0 for `x <= 0`.
+    /// An upper bound of the square root, at most a few units in the last place above it; 0 for
+    /// `x <= 0`.
     fn sqrt_up(self) -> Self;
     /// The next number towards positive infinity; infinity stays.
     fn next_up(self) -> Self;
     /// The next number towards negative infinity; negative infinity stays.
     fn next_down(self) -> Self;
-    /// Whether the number is neither infinite nor NaN, by its bits (some devices fold `x != x` away).
+    /// Whether the number is neither infinite nor NaN, by its bits (some devices fold `x != x`
+    /// away).
     fn is_finite_number(self) -> bool;
-    /// The power of two that brings a positive normal number to `[1, 2)`; to `[2, 4)` the greatest, whose inverse is tiny.
+    /// The power of two that brings a positive normal number to `[1, 2)`; to `[2, 4)` the greatest,
+    /// whose inverse is tiny.
     fn to_unit(self) -> Self;
 }
 
@@ -138,7 +155,8 @@ macro_rules! real {
                 if (y as Self) < self { Real::next_up(y) } else { y }
             }
             fn sqrt_up(self) -> Self {
-                // Heron's iteration: every iterate after the first is at or above the root, up to rounding.
+                // Heron's iteration: every iterate after the first is at or above the root, up to
+                // rounding.
                 if self <= Self::MIN_POSITIVE {
                     return if self > 0.0 { $guess(Self::MIN_POSITIVE) * 2.0 } else { 0.0 };
                 }
@@ -146,12 +164,14 @@ macro_rules! real {
                 for _ in 0..5 {
                     y = 0.5 * (y + self / y);
                 }
-                // A quotient may be off by 2.5 units in the last place, five of roundoff, and half of that is in the mean.
+                // A quotient may be off by 2.5 units in the last place, five of roundoff, and half
+                // of that is in the mean.
                 y * (1.0 + 8.0 * Self::UNIT)
             }
             #[inline]
             fn next_up(self) -> Self {
-                // By bits, because devices have no such instruction: bits of numbers of one sign are in the order of the numbers.
+                // By bits, because devices have no such instruction: bits of numbers of one sign
+                // are in the order of the numbers.
                 let bits = self.to_bits();
                 if bits & $exponent == $exponent && !(self < 0.0) {
                     self
@@ -182,13 +202,15 @@ macro_rules! real {
     };
 }
 
-/// Halves the exponent of `x` by its bits: within a factor 1.1 of the square root of a normal number.
+/// Halves the exponent of `x` by its bits: within a factor 1.1 of the square root of a normal
+/// number.
 #[inline]
 fn sqrt_guess_f32(x: f32) -> f32 {
     f32::from_bits((x.to_bits() >> 1) + 0x1fbb_4f2e)
 }
 
-/// Halves the exponent of `x` by its bits: within a factor 1.1 of the square root of a normal number.
+/// Halves the exponent of `x` by its bits: within a factor 1.1 of the square root of a normal
+/// number.
 #[inline]
 fn sqrt_guess_f64(x: f64) -> f64 {
     // Not shifted, because translators to WGSL get shifts of 64 bits wrong.
@@ -223,10 +245,17 @@ mod tests {
             assert_eq!(Real::next_down(wide), f64::next_down(wide), "{wide:e}");
         }
         for x in [0.0, -0.0, f32::MAX, f32::MIN, f32::INFINITY, f32::NEG_INFINITY] {
-            assert_eq!((Real::next_up(x), Real::next_down(x)), (f32::next_up(x), f32::next_down(x)), "{x:e}");
+            assert_eq!(
+                (Real::next_up(x), Real::next_down(x)),
+                (f32::next_up(x), f32::next_down(x)),
+                "{x:e}"
+            );
         }
         assert!(Real::next_up(f64::NAN).is_nan());
-        assert!(![f32::NAN, f32::INFINITY, f32::NEG_INFINITY].into_iter().any(Real::is_finite_number) && f32::MAX.is_finite_number());
+        assert!(
+            ![f32::NAN, f32::INFINITY, f32::NEG_INFINITY].into_iter().any(Real::is_finite_number)
+                && f32::MAX.is_finite_number()
+        );
     }
 
     #[test]
@@ -238,7 +267,10 @@ mod tests {
                 assert_eq!((x as f64 * 2f64.powi(7 * e)).to_unit(), 2f64.powi(-8 * e), "{x:e}");
             }
         }
-        assert_eq!((f32::MAX.to_unit(), f64::MAX.to_unit()), (f32::MIN_POSITIVE, f64::MIN_POSITIVE));
+        assert_eq!(
+            (f32::MAX.to_unit(), f64::MAX.to_unit()),
+            (f32::MIN_POSITIVE, f64::MIN_POSITIVE)
+        );
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Three-component arithmetic on plain arrays, over any [`Num`]: the same lines serve `f32`, `f64` and SIMD lanes.
+//! Three-component arithmetic on plain arrays, over any [`Num`]: the same lines serve `f32`, `f64`
+//! and SIMD lanes.
 
 use crate::math::real::Num;
 

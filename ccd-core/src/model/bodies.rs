@@ -7,7 +7,8 @@ use alloc::vec::Vec;
 
 /// Which body each vertex belongs to, which bodies stand still, and which pairs are wanted.
 ///
-/// A pair of features is left out if both bodies are fixed, or if both are the same body and `self_contact` is off.
+/// A pair of features is left out if both bodies are fixed, or if both are the same body and
+/// `self_contact` is off.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bodies {
     body_of_vertex: Vec<u32>,
@@ -17,15 +18,17 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// Bodies are numbered by `body_of_vertex`; those whose entry in `fixed` is true do not move (missing entries are false).
-    /// With `self_contact` off, no pair within one body is looked at.
+    /// Bodies are numbered by `body_of_vertex`; those whose entry in `fixed` is true do not move
+    /// (missing entries are false). With `self_contact` off, no pair within one body is looked at.
     pub fn new(body_of_vertex: &[u32], fixed: &[bool], self_contact: bool) -> Self {
         // Numbered anew, because the caller's numbers may need all bits of a word.
         let mut names = body_of_vertex.to_vec();
         names.sort_unstable();
         names.dedup();
         let is_fixed = |name: u32| fixed.get(name as usize).copied().unwrap_or(false);
-        let word = |&name: &u32| (names.partition_point(|&n| n < name) as u32) << 1 | is_fixed(name) as u32;
+        let word = |&name: &u32| {
+            (names.partition_point(|&n| n < name) as u32) << 1 | is_fixed(name) as u32
+        };
         Self {
             words: body_of_vertex.iter().map(word).collect(),
             body_of_vertex: body_of_vertex.to_vec(),
@@ -34,7 +37,8 @@ impl Bodies {
         }
     }
 
-    /// Per vertex twice a number of its body, plus one if that does not move: what candidates are chosen by.
+    /// Per vertex twice a number of its body, plus one if that does not move: what candidates are
+    /// chosen by.
     pub fn words(&self) -> &[u32] {
         &self.words
     }
@@ -64,7 +68,10 @@ impl Bodies {
     /// Checks that there is a body for every vertex and that no element joins two.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         if self.body_of_vertex.len() != mesh.n_vertices() {
-            return Err(Error::BodyCount { expected: mesh.n_vertices(), found: self.body_of_vertex.len() });
+            return Err(Error::BodyCount {
+                expected: mesh.n_vertices(),
+                found: self.body_of_vertex.len(),
+            });
         }
         let mixed = |element, at, v: &[u32]| {
             let body = |v: u32| self.body_of_vertex[v as usize];
@@ -90,6 +97,9 @@ mod tests {
         assert!(!bodies.wants(0, 1) && !bodies.wants(2, 3));
         assert_eq!(Bodies::new(&[u32::MAX, 7], &[], true).words(), [2, 0]);
         let mesh = Mesh::new(4, &[[0, 1, 2]]).unwrap();
-        assert_eq!(bodies.check(&mesh), Err(Error::MixedBodies { element: "face", at: 0, bodies: [0, 1] }));
+        assert_eq!(
+            bodies.check(&mesh),
+            Err(Error::MixedBodies { element: "face", at: 0, bodies: [0, 1] })
+        );
     }
 }

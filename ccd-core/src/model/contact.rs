@@ -29,7 +29,8 @@ impl Kind {
 pub enum State {
     /// Certainly a contact; the time of impact is at most [`crate::TOI_TOLERANCE`] early.
     Hit,
-    /// Not decided: to be treated as a contact, may be none; certainly none before its time of impact.
+    /// Not decided: to be treated as a contact, may be none; certainly none before its time of
+    /// impact.
     Undecided,
 }
 

@@ -1,4 +1,5 @@
-//! A digest of a set of pairs that does not depend on their order: what every backend must share for the same input.
+//! A digest of a set of pairs that does not depend on their order: what every backend must share
+//! for the same input.
 
 use crate::layout::Pair;
 
@@ -16,7 +17,9 @@ impl Digest {
     #[inline]
     pub fn add(&mut self, kind: u32, pair: Pair) {
         self.count += 1;
-        self.sum = self.sum.wrapping_add(mix(((pair.a as u64) << 32 | pair.b as u64) ^ mix(kind as u64 + 1)));
+        self.sum = self
+            .sum
+            .wrapping_add(mix(((pair.a as u64) << 32 | pair.b as u64) ^ mix(kind as u64 + 1)));
     }
 
     /// The digest of all pairs of one kind.
@@ -34,7 +37,7 @@ impl core::fmt::Display for Digest {
     }
 }
 
-/// A bijection of 64 bits with good avalanche (the finaliser of SplitMix64, Steele et al. 2014).
+/// A bijection of 64 bits with good avalanche (the finaliser of SplitMix64) [Steele 2014].
 fn mix(x: u64) -> u64 {
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -91,9 +91,11 @@ pub enum Error {
 }
 
 impl Error {
-    /// Most vertices, edges, faces or boxes: ids are 32 bits, and a tree over `n` boxes numbers `2 n - 1` nodes.
+    /// Most vertices, edges, faces or boxes: ids are 32 bits, and a tree over `n` boxes numbers
+    /// `2 n - 1` nodes.
     pub const MAX_ELEMENTS: u64 = (1 << 31) - 1;
-    /// Greatest absolute coordinate that is accepted: cubes of differences must stay finite in `f64`.
+    /// Greatest absolute coordinate that is accepted: cubes of differences must stay finite in
+    /// `f64`.
     pub const MAX_COORDINATE: f64 = 1e100;
 }
 
@@ -119,10 +121,18 @@ impl core::fmt::Display for Error {
             Error::VertexCount { time, expected, found } => {
                 write!(f, "t{time} has {found} vertices, the mesh has {expected}")
             }
-            Error::TooMany { element, count, limit } => write!(f, "{count} {element}: at most {limit} are possible"),
-            Error::MinDistance { value } => write!(f, "minimum distance is {value}; it must be finite and not negative"),
-            Error::Box { at, axis, min, max } => write!(f, "box {at} has {} from {min} to {max}", axis_name(axis)),
-            Error::BodyCount { expected, found } => write!(f, "{found} body ids for {expected} vertices"),
+            Error::TooMany { element, count, limit } => {
+                write!(f, "{count} {element}: at most {limit} are possible")
+            }
+            Error::MinDistance { value } => {
+                write!(f, "minimum distance is {value}; it must be finite and not negative")
+            }
+            Error::Box { at, axis, min, max } => {
+                write!(f, "box {at} has {} from {min} to {max}", axis_name(axis))
+            }
+            Error::BodyCount { expected, found } => {
+                write!(f, "{found} body ids for {expected} vertices")
+            }
             Error::MixedBodies { element, at, bodies } => {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
             }
@@ -149,7 +159,8 @@ pub fn check_coordinates<R: crate::Real>(time: u8, x: &[[R; 3]]) -> Result<(), E
     Ok(())
 }
 
-/// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are 31 bits.
+/// Checks that boxes have bounds in order, each at most `greatest` in size, and that their ids are
+/// 31 bits.
 pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> Result<(), Error> {
     let (count, limit) = (boxes.len() as u64, Error::MAX_ELEMENTS);
     if count > limit {
@@ -170,5 +181,9 @@ pub fn check_boxes<R: crate::Real>(boxes: &[crate::Aabb<R>], greatest: f64) -> R
 
 /// Checks a minimum distance.
 pub fn check_min_distance(value: f64) -> Result<(), Error> {
-    if value >= 0.0 && value <= Error::MAX_COORDINATE { Ok(()) } else { Err(Error::MinDistance { value }) }
+    if value >= 0.0 && value <= Error::MAX_COORDINATE {
+        Ok(())
+    } else {
+        Err(Error::MinDistance { value })
+    }
 }

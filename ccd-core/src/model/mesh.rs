@@ -8,9 +8,10 @@ use alloc::vec::Vec;
 
 /// The connectivity of a triangle mesh; it stays the same while vertices move.
 ///
-/// Edges are undirected vertex pairs `[a, b]` with `a < b`, sorted by `b`, then by `a`: the order of the upper triangle of an adjacency matrix
-/// column by column, which published collision data uses. Their ids do not depend on the order of faces. A degenerate face
-/// (a vertex twice) is kept and counted; its sides that join a vertex with itself are no edges.
+/// Edges are undirected vertex pairs `[a, b]` with `a < b`, sorted by `b`, then by `a`: the order
+/// of the upper triangle of an adjacency matrix column by column, which published collision data
+/// uses. Their ids do not depend on the order of faces. A degenerate face (a vertex twice) is kept
+/// and counted; its sides that join a vertex with itself are no edges.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mesh {
     n_vertices: usize,
@@ -25,8 +26,13 @@ impl Mesh {
         Self::with_edges(n_vertices, faces, &[])
     }
 
-    /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges count once.
-    pub fn with_edges(n_vertices: usize, faces: &[[u32; 3]], more_edges: &[[u32; 2]]) -> Result<Self, Error> {
+    /// A mesh with edges that no face has (rods, wires) besides those of the faces. Repeated edges
+    /// count once.
+    pub fn with_edges(
+        n_vertices: usize,
+        faces: &[[u32; 3]],
+        more_edges: &[[u32; 2]],
+    ) -> Result<Self, Error> {
         limit("vertices", n_vertices)?;
         limit("faces", faces.len())?;
         limit("edges", faces.len().saturating_mul(3).saturating_add(more_edges.len()))?;
@@ -35,7 +41,8 @@ impl Mesh {
             for &vertex in face {
                 check_index("face", at, vertex, n_vertices)?;
             }
-            n_degenerate += (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) as usize;
+            n_degenerate +=
+                (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) as usize;
         }
         for (at, edge) in more_edges.iter().enumerate() {
             for &vertex in edge {
@@ -44,8 +51,11 @@ impl Mesh {
             n_degenerate += (edge[0] == edge[1]) as usize;
         }
         let sides = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let mut edges: Vec<[u32; 2]> =
-            sides.chain(more_edges.iter().copied()).filter(|[a, b]| a != b).map(|[a, b]| if a < b { [a, b] } else { [b, a] }).collect();
+        let mut edges: Vec<[u32; 2]> = sides
+            .chain(more_edges.iter().copied())
+            .filter(|[a, b]| a != b)
+            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
+            .collect();
         edges.sort_unstable_by_key(|&[a, b]| (b, a));
         edges.dedup();
         edges.shrink_to_fit();
@@ -98,8 +108,17 @@ fn limit(element: &'static str, count: usize) -> Result<(), Error> {
     if count > limit { Err(Error::TooMany { element, count, limit }) } else { Ok(()) }
 }
 
-fn check_index(element: &'static str, at: usize, vertex: u32, n_vertices: usize) -> Result<(), Error> {
-    if (vertex as usize) < n_vertices { Ok(()) } else { Err(Error::Index { element, at, vertex, n_vertices }) }
+fn check_index(
+    element: &'static str,
+    at: usize,
+    vertex: u32,
+    n_vertices: usize,
+) -> Result<(), Error> {
+    if (vertex as usize) < n_vertices {
+        Ok(())
+    } else {
+        Err(Error::Index { element, at, vertex, n_vertices })
+    }
 }
 
 #[cfg(test)]

@@ -70,7 +70,9 @@ mod tests {
         for row in METHODS {
             assert_eq!(row.method.row(), row);
             assert_eq!(BroadPhaseMethod::named(row.name), Some(row.method));
-            assert!(!row.about.is_empty() && row.backends.iter().all(|b| ["cpu", "gpu"].contains(b)));
+            assert!(
+                !row.about.is_empty() && row.backends.iter().all(|b| ["cpu", "gpu"].contains(b))
+            );
         }
         assert_eq!(BroadPhaseMethod::named("by hand"), None);
         assert_eq!(METHODS[0].method, BroadPhaseMethod::default());

@@ -7,9 +7,11 @@ use super::mesh::Mesh;
 /// What a step looks for and how.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
-    /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or more.
+    /// Contact means a distance of at most this, in the unit of the coordinates; 0 (touching) or
+    /// more.
     pub min_distance: f64,
-    /// Threads of work on a CPU: 0 for those of rayon's current pool, 1 for the calling one alone, more for a pool of the session's own.
+    /// Threads of work on a CPU: 0 for those of rayon's current pool, 1 for the calling one alone,
+    /// more for a pool of the session's own.
     pub threads: usize,
     /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
     pub bodies: Option<Bodies>,

@@ -27,7 +27,11 @@ impl Record for Points {
 }
 
 /// `N` slices of one kind of record, all in one precision.
-pub type Slices<'a, R, const N: usize> = Precision<[&'a [<R as Record>::Of<f32>]; N], [&'a [<R as Record>::Of<f64>]; N]>;
+pub type Slices<'a, R, const N: usize> =
+    Precision<[&'a [<R as Record>::Of<f32>]; N], [&'a [<R as Record>::Of<f64>]; N]>;
+
+/// Positions at both ends of a step, as given.
+pub type Given<'a> = Slices<'a, Points, 2>;
 
 mod sealed {
     /// `f32` and `f64` alone.
@@ -48,7 +52,9 @@ macro_rules! coordinate {
 
         impl Coordinate for $t {
             #[inline]
-            fn slices<'a, R: Record, const N: usize>(of: [&'a [R::Of<Self>]; N]) -> Slices<'a, R, N> {
+            fn slices<'a, R: Record, const N: usize>(
+                of: [&'a [R::Of<Self>]; N],
+            ) -> Slices<'a, R, N> {
                 $precision(of)
             }
         }

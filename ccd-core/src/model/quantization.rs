@@ -1,8 +1,9 @@
-//! What hosts find out about positions before a step: bounds, whether they are exact in `f32`, and the numbers that follow from that.
+//! What hosts find out about positions before a step: bounds, whether they are exact in `f32`, and
+//! the numbers that follow from that.
 
 use crate::math::aabb::{Aabb, GREATEST};
 use crate::math::real::{Num, Real};
-use crate::model::error::Error;
+use crate::model::error::{Error, check_coordinates};
 
 /// What one pass over positions finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +24,11 @@ impl Default for Scan {
 
 impl Scan {
     /// Of no position.
-    pub const NONE: Self = Self { bounds: Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] }, exact: true, finite: true };
+    pub const NONE: Self = Self {
+        bounds: Aabb { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] },
+        exact: true,
+        finite: true,
+    };
 
     /// Takes one position.
     #[inline]
@@ -38,30 +43,59 @@ impl Scan {
         }
     }
 
+    /// Takes the positions of both ends of a step.
+    pub fn take_all<T: Real>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) {
+        for (p, q) in x0.iter().zip(x1) {
+            self.take(*p);
+            self.take(*q);
+        }
+    }
+
+    /// Fails with the first coordinate of these positions, all of which were taken, that is not
+    /// accepted.
+    pub fn check<T: Real>(&self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<(), Error> {
+        if self.finite {
+            return Ok(());
+        }
+        check_coordinates(0, x0)?;
+        check_coordinates(1, x1)
+    }
+
     /// Of the positions of both.
     #[inline]
     pub fn merged(&self, other: &Self) -> Self {
-        Self { bounds: self.bounds.union(&other.bounds), exact: self.exact & other.exact, finite: self.finite & other.finite }
+        Self {
+            bounds: self.bounds.union(&other.bounds),
+            exact: self.exact & other.exact,
+            finite: self.finite & other.finite,
+        }
     }
 
     /// Greatest absolute coordinate, 0 without positions.
     pub fn greatest(&self) -> f64 {
-        (0..3).fold(0.0, |m, k| Num::max(m, Num::max(Num::abs(self.bounds.min[k]), Num::abs(self.bounds.max[k])))).min(f64::MAX)
+        (0..3)
+            .fold(0.0, |m, k| {
+                Num::max(m, Num::max(Num::abs(self.bounds.min[k]), Num::abs(self.bounds.max[k])))
+            })
+            .min(f64::MAX)
     }
 
-    /// Whether boxes in `f32` of positions of type `T` are rounded: by rounding the input, or by growing exact boxes.
+    /// Whether boxes in `f32` of positions of type `T` are rounded: by rounding the input, or by
+    /// growing exact boxes.
     pub fn rounds_boxes<T: Real>(&self, min_distance: f64) -> bool {
         T::UNIT.to_f64() < f32::UNIT as f64 && !(self.exact && min_distance == 0.0)
     }
 
-    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`]; at most [`GREATEST`], because
-    /// bounds further apart than that were cut to it or are certainly in order.
+    /// By how much rounded boxes may overlap without overlapping in truth, see [`slack_at`]; at
+    /// most [`GREATEST`], because bounds further apart than that were cut to it or are certainly in
+    /// order.
     pub fn slack(&self, min_distance: f64) -> f32 {
         slack_at((self.greatest() + min_distance).round_up()).min(GREATEST)
     }
 
-    /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the middle of their bounds, and
-    /// in another unit where theirs is one in which products of `f32` would overflow or vanish.
+    /// How positions become `f32`: as they are if they are exact and `keep`, else relative to the
+    /// middle of their bounds, and in another unit where theirs is one in which products of `f32`
+    /// would overflow or vanish.
     pub fn table(&self, keep: bool) -> Table {
         let empty = self.bounds.min[0] > self.bounds.max[0];
         if empty || self.exact && keep && self.greatest() <= EXACT_LIMIT {
@@ -75,7 +109,8 @@ impl Scan {
             reach = Num::max(reach, far);
         }
         let scale = scale_of(reach);
-        // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than the coordinates.
+        // Rounding to f32, and before it at most six roundings in f64 of numbers no greater than
+        // the coordinates.
         let error = reach * (1.01 * f32::UNIT as f64) + self.greatest() * (16.0 * f64::UNIT);
         // Scaling is exact unless the result is tiny; so is the rounding to f32.
         let error = error * scale * (1.0 + 4.0 * f64::UNIT) + 2.0 * f32::MIN_NORMAL as f64;
@@ -83,11 +118,12 @@ impl Scan {
     }
 }
 
-/// Coordinates in `f32` up to this, 2^28, are taken as they are: the fourth powers of their differences, which filters
-/// form, are finite.
+/// Coordinates in `f32` up to this, 2^28, are taken as they are: the fourth powers of their
+/// differences, which filters form, are finite.
 const EXACT_LIMIT: f64 = 268_435_456.0;
 
-/// The power of two that brings `reach` to about 2^16 where it is far from it; 1 from 2^-16 to 2^28.
+/// The power of two that brings `reach` to about 2^16 where it is far from it; 1 from 2^-16 to
+/// 2^28.
 fn scale_of(reach: f64) -> f64 {
     const BIAS: u64 = 1023;
     if reach >= 1.0 / 65_536.0 && reach <= EXACT_LIMIT || reach < f64::MIN_NORMAL {
@@ -136,18 +172,21 @@ impl Table {
     }
 }
 
-/// Half of the minimum distance and the smallest normal number, rounded up: two boxes grown by it keep the distance.
+/// Half of the minimum distance and the smallest normal number, rounded up: two boxes grown by it
+/// keep the distance.
 ///
-/// The smallest normal number is for devices that flush denormals. A coordinate that is flushed when it is read moves by less
-/// than that, and what a comparison or a sum flushes keeps its order; a margin that is a denormal would be none.
+/// The smallest normal number is for devices that flush denormals. A coordinate that is flushed
+/// when it is read moves by less than that, and what a comparison or a sum flushes keeps its order;
+/// a margin that is a denormal would be none.
 pub fn margin<T: Real>(min_distance: f64) -> T {
     let half = T::from_f64(min_distance * 0.5);
     // Two roundings, of half of a unit of the sum each at most, are one step.
     if min_distance > 0.0 { (half + T::MIN_NORMAL).next_up() } else { T::splat(0.0) }
 }
 
-/// Boxes of coordinates up to `greatest` that were rounded to `f32` and overlap by at most this may not overlap in truth: twice the spacing of `f32` there,
-/// since outward rounding moves two bounds by less than that together.
+/// Boxes of coordinates up to `greatest` that were rounded to `f32` and overlap by at most this may
+/// not overlap in truth: twice the spacing of `f32` there, since outward rounding moves two bounds
+/// by less than that together.
 pub fn slack_at(greatest: f32) -> f32 {
     greatest * (8.0 * f32::UNIT) + f32::MIN_NORMAL
 }
@@ -159,7 +198,8 @@ mod tests {
     /// Corners of a cube of half side `reach` around `centre`, and points near its middle.
     fn check_table(centre: f64, reach: f64) {
         let mut scan = Scan::NONE;
-        let points: [[f64; 3]; 3] = [[centre - reach; 3], [centre + reach; 3], [centre + 0.123_456_789 * reach; 3]];
+        let points: [[f64; 3]; 3] =
+            [[centre - reach; 3], [centre + reach; 3], [centre + 0.123_456_789 * reach; 3]];
         points.iter().for_each(|p| scan.take(*p));
         let table = scan.table(true);
         for p in points {
@@ -168,12 +208,21 @@ mod tests {
             // Exact up to the rounding of f64, of numbers no greater than the coordinates.
             let want = (p[0] - table.origin[0]) * table.scale;
             let slack = scan.greatest() * 4.0 * f64::UNIT * table.scale;
-            assert!((placed as f64 - want).abs() <= table.error as f64 + slack, "{centre:e} {reach:e}: {placed} for {want}");
+            assert!(
+                (placed as f64 - want).abs() <= table.error as f64 + slack,
+                "{centre:e} {reach:e}: {placed} for {want}"
+            );
             let largest = placed.abs() as f64;
-            assert!(largest <= 2.0 * EXACT_LIMIT, "{centre:e} {reach:e}: {placed} overflows in a filter");
+            assert!(
+                largest <= 2.0 * EXACT_LIMIT,
+                "{centre:e} {reach:e}: {placed} overflows in a filter"
+            );
         }
         if reach > 0.0 {
-            assert!((table.error as f64) < 1e-6 * (reach + centre.abs() * 1e-8) * table.scale + 3e-38, "{centre:e} {reach:e}: {table:?}");
+            assert!(
+                (table.error as f64) < 1e-6 * (reach + centre.abs() * 1e-8) * table.scale + 3e-38,
+                "{centre:e} {reach:e}: {table:?}"
+            );
         }
     }
 
@@ -200,6 +249,8 @@ mod tests {
         };
         assert_eq!(scan(1.5).table(true), Table::AS_GIVEN);
         assert_eq!(scan(EXACT_LIMIT).table(true), Table::AS_GIVEN);
-        assert!(scan(2.0 * EXACT_LIMIT).table(true).scale < 1.0 && scan(1e38).table(true).error > 0.0);
+        assert!(
+            scan(2.0 * EXACT_LIMIT).table(true).scale < 1.0 && scan(1e38).table(true).error > 0.0
+        );
     }
 }

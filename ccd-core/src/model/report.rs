@@ -21,7 +21,8 @@ pub struct Times {
 /// What a step found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// All contacts, sorted by kind, then `a`, then `b`; empty if only the earliest time was asked for.
+    /// All contacts, sorted by kind, then `a`, then `b`; empty if only the earliest time was asked
+    /// for.
     pub contacts: Vec<Contact>,
     /// Least time of impact; `None` without contact.
     pub toi: Option<f64>,

@@ -1,5 +1,5 @@
-//! The cascade of filters, written once for one number and for lanes: what `f32` certifies about candidates before any is
-//! decided.
+//! The cascade of filters, written once for one number and for lanes: what `f32` certifies about
+//! candidates before any is decided.
 
 use crate::kernel::memory::at;
 use crate::layout::{Leaf, Path};
@@ -31,7 +31,10 @@ pub fn edge_edge(a: &Leaf, b: &Leaf, paths: &[Path], error: f32, min_distance: f
 pub fn ends(ids: [u32; 4], paths: &[Path]) -> ([[f32; 3]; 4], [[f32; 3]; 4]) {
     let (p, q) = (at(paths, ids[0] as usize), at(paths, ids[1] as usize));
     let (r, s) = (at(paths, ids[2] as usize), at(paths, ids[3] as usize));
-    ([three(p.t0), three(q.t0), three(r.t0), three(s.t0)], [three(p.t1), three(q.t1), three(r.t1), three(s.t1)])
+    (
+        [three(p.t0), three(q.t0), three(r.t0), three(s.t0)],
+        [three(p.t1), three(q.t1), three(r.t1), three(s.t1)],
+    )
 }
 
 #[inline(always)]
@@ -39,14 +42,16 @@ fn three(p: [f32; 4]) -> [f32; 3] {
     [p[0], p[1], p[2]]
 }
 
-/// Where two features certainly stay further than `min_distance` apart: over the whole step, else over each half of it.
+/// Where two features certainly stay further than `min_distance` apart: over the whole step, else
+/// over each half of it.
 #[inline(always)]
 pub fn apart<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
     let whole = apart_throughout(m, patch, min_distance);
     if whole.all() { whole } else { whole | apart_in_halves(m, patch, min_distance) }
 }
 
-/// Where they certainly do by what one look at the whole of a motion tells: by the sign of coplanarity, or beside each other.
+/// Where they certainly do by what one look at the whole of a motion tells: by the sign of
+/// coplanarity, or beside each other.
 #[inline(always)]
 pub fn apart_throughout<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N::Mask {
     let zero = N::splat(0.0);

@@ -8,7 +8,11 @@ use crate::narrow_phase::relative_motion::Patch;
 /// `x` limited to `[0, 1]`; NaN (from a side of no length) becomes 0.
 #[inline]
 fn unit<R: Real>(x: R) -> R {
-    if x > R::splat(0.0) { if x < R::splat(1.0) { x } else { R::splat(1.0) } } else { R::splat(0.0) }
+    if x > R::splat(0.0) {
+        if x < R::splat(1.0) { x } else { R::splat(1.0) }
+    } else {
+        R::splat(0.0)
+    }
 }
 
 /// `a - x b` with the `x` in `[0, 1]` that makes it shortest.
@@ -45,7 +49,9 @@ pub fn closest<R: Real>(a: [R; 3], b: [R; 3], c: [R; 3], patch: Patch) -> [R; 3]
             let hypotenuse = to_segment(a_b, sub(c, b));
             [to_segment(a, b), to_segment(a, c), hypotenuse, hypotenuse]
         }
-        Patch::Parallelogram => [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)],
+        Patch::Parallelogram => {
+            [to_segment(a, b), to_segment(a, c), to_segment(a_b, c), to_segment(sub(a, c), b)]
+        }
     };
     let nearer = |p: [R; 3], q: [R; 3]| if dot(q, q) < dot(p, p) { q } else { p };
     nearer(nearer(nearer(sides[0], sides[1]), sides[2]), sides[3])

@@ -1,24 +1,31 @@
-//! Conservative advancement along separating directions: certifies time intervals as free of contact, whatever the geometry.
+//! Conservative advancement along separating directions: certifies time intervals as free of
+//! contact, whatever the geometry.
 //!
-//! For a direction `w` the separation of the two features is `min_j w . d_j(t)` over the corners `d_j` of their difference
-//! (3 for vertex-face, 4 for edge-edge), each linear in `t`. Two certificates come from that:
-//! - one direction: the time until which a fixed `w` separates them is known in closed form. Taking `w` towards the nearest
-//!   point at the current time and advancing to that time is the conservative advancement of Mirtich (1996, chapter 2.3) with
-//!   the motion bound replaced by the true motion along `w`;
-//! - two directions, `w` at the start and `v` at the end of an interval `[t, e]`: along `w + x (v - w)`, which turns with the
-//!   features, the separation is a quadratic in `x` with the Bernstein values `w . d_j(t)`, `(w . d_j(e) + v . d_j(t)) / 2`
-//!   and `v . d_j(e)`. All of them large enough, it is in all of the interval. What a turning feature costs is then of second
-//!   order in the length of the interval, so that slow and grazing approaches end after some tens of directions.
+//! For a direction `w` the separation of the two features is `min_j w . d_j(t)` over the corners
+//! `d_j` of their difference (3 for vertex-face, 4 for edge-edge), each linear in `t`. Two
+//! certificates come from that:
+//! - one direction: the time until which a fixed `w` separates them is known in closed form. Taking
+//!   `w` towards the nearest point at the current time and advancing to that time is the
+//!   conservative advancement of [Mirtich 1996] (chapter 2.3) with the motion bound replaced by the
+//!   true motion along `w`;
+//! - two directions, `w` at the start and `v` at the end of an interval `[t, e]`: along
+//!   `w + x (v - w)`, which turns with the features, the separation is a quadratic in `x` with the
+//!   Bernstein values `w . d_j(t)`, `(w . d_j(e) + v . d_j(t)) / 2` and `v . d_j(e)`. All of them
+//!   large enough, it is in all of the interval. What a turning feature costs is then of second
+//!   order in the length of the interval, so that slow and grazing approaches end after some tens
+//!   of directions.
 //!
-//! Neither needs coplanarity, so degenerate and planar motions are not special. An inexact direction costs progress, never
-//! certainty.
+//! Neither needs coplanarity, so degenerate and planar motions are not special. An inexact
+//! direction costs progress, never certainty.
 //!
 //! # The bound
-//! Components of a direction add up to 1, so a scalar product with a corner errs by at most [`Motion::corner_error`] `s`.
-//! A separation at time `t` is `g0 + (g1 - g0) t`: three operations, at most `4 u (|g0| + |g1|)`. It must exceed
-//! `min_distance |w|`, for which `|w|` is a square root from above, `1.01 s`, and `12 u (|g0| + |g1|)`: the other `8 u` cover the
-//! roundings of these sums and of the sum of two such differences, `12 u` of `min_distance |w|` those of its own.
-//! `|w + x (v - w)|` is at most `(1 - x) |w| + x |v|`, which raised to the same degree has the values `|w|`, `(|w| + |v|) / 2`, `|v|`.
+//! Components of a direction add up to 1, so a scalar product with a corner errs by at most
+//! [`Motion::corner_error`] `s`. A separation at time `t` is `g0 + (g1 - g0) t`: three operations,
+//! at most `4 u (|g0| + |g1|)`. It must exceed `min_distance |w|`, for which `|w|` is a square root
+//! from above, `1.01 s`, and `12 u (|g0| + |g1|)`: the other `8 u` cover the roundings of these
+//! sums and of the sum of two such differences, `12 u` of `min_distance |w|` those of its own.
+//! `|w + x (v - w)|` is at most `(1 - x) |w| + x |v|`, which raised to the same degree has the
+//! values `|w|`, `(|w| + |v|) / 2`, `|v|`.
 
 use crate::math::real::Real;
 use crate::math::vec3::{dot, lerp, scale, sum_abs};
@@ -40,9 +47,20 @@ const MAX_DIRECTIONS: usize = 96;
 /// Steps in time below which advancing ends: 2^-28, a part of the tolerance of a time of impact.
 const MIN_STEP: f32 = 3.725_290_3e-9;
 
-/// Advances from `from` towards `until` while the features certainly stay further than `min_distance >= 0` apart.
-pub fn advance<R: Real>(m: &Motion<R>, patch: Patch, from: R, until: R, min_distance: R) -> Advance<R> {
-    let field = Field { corners: [m.corners(patch, 0), m.corners(patch, 1)], slack: m.corner_error(), min_distance };
+/// Advances from `from` towards `until` while the features certainly stay further than
+/// `min_distance >= 0` apart.
+pub fn advance<R: Real>(
+    m: &Motion<R>,
+    patch: Patch,
+    from: R,
+    until: R,
+    min_distance: R,
+) -> Advance<R> {
+    let field = Field {
+        corners: [m.corners(patch, 0), m.corners(patch, 1)],
+        slack: m.corner_error(),
+        min_distance,
+    };
     // Free of contact up to `reach >= t`; `now` separates at `t`.
     let (mut t, mut reach, mut goal) = (from, from, from);
     let mut now = Separation::nothing();
@@ -81,8 +99,9 @@ fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
     closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch)
 }
 
-/// The part of a step to try after it failed, from how far separations exceed what is needed at its start and at its end: almost
-/// as far as the line between both says, or half as far where the features only turned too much.
+/// The part of a step to try after it failed, from how far separations exceed what is needed at its
+/// start and at its end: almost as far as the line between both says, or half as far where the
+/// features only turned too much.
 #[inline(always)]
 fn shorter<R: Real>(here: R, there: R) -> R {
     let (least, half, most) = (R::splat(0.0625), R::splat(0.5), R::splat(0.9));
@@ -114,7 +133,8 @@ impl<R: Real> Field<R> {
     /// Along `w`, of any length.
     #[inline(always)]
     fn towards(&self, w: [R; 3]) -> Separation<R> {
-        // Components that add up to 1: products neither overflow nor vanish, and a direction needs no unit length.
+        // Components that add up to 1: products neither overflow nor vanish, and a direction needs
+        // no unit length.
         let w_sum = sum_abs(w);
         if !(w_sum > R::splat(0.0)) || !w_sum.is_finite_number() {
             return Separation::nothing();
@@ -122,7 +142,8 @@ impl<R: Real> Field<R> {
         let w = scale(w, R::splat(1.0) / w_sum);
         let length = dot(w, w).sqrt_up();
         let twelve = R::UNIT * R::splat(12.0);
-        let common = self.slack * R::splat(1.01) + self.min_distance * length * (R::splat(1.0) + twelve);
+        let common =
+            self.slack * R::splat(1.01) + self.min_distance * length * (R::splat(1.0) + twelve);
         let [p, q] = &self.corners;
         let g0 = [dot(w, p[0]), dot(w, p[1]), dot(w, p[2]), dot(w, p[3])];
         let g1 = [dot(w, q[0]), dot(w, q[1]), dot(w, q[2]), dot(w, q[3])];
@@ -154,10 +175,14 @@ impl<R: Real> Separation<R> {
     #[inline(always)]
     fn clear_at(&self, t: R) -> bool {
         let zero = R::splat(0.0);
-        self.excess(0, t) > zero && self.excess(1, t) > zero && self.excess(2, t) > zero && self.excess(3, t) > zero
+        self.excess(0, t) > zero
+            && self.excess(1, t) > zero
+            && self.excess(2, t) > zero
+            && self.excess(3, t) > zero
     }
 
-    /// Whether the direction that turns from this one at `t`, where it separates, to `then` at `end`, where that does, separates in between.
+    /// Whether the direction that turns from this one at `t`, where it separates, to `then` at
+    /// `end`, where that does, separates in between.
     #[inline(always)]
     fn clear_with(&self, then: &Self, t: R, end: R) -> bool {
         let zero = R::splat(0.0);
@@ -173,14 +198,19 @@ impl<R: Real> Separation<R> {
         (self.excess(0, t).min(self.excess(1, t))).min(self.excess(2, t).min(self.excess(3, t)))
     }
 
-    /// The time until which the direction certainly separates if it does at `t`; 2 if it always does from then on.
+    /// The time until which the direction certainly separates if it does at `t`; 2 if it always
+    /// does from then on.
     #[inline(always)]
     fn reach(&self, t: R) -> R {
-        let (first, second) = (self.reach_of(0, t).min(self.reach_of(1, t)), self.reach_of(2, t).min(self.reach_of(3, t)));
+        let (first, second) = (
+            self.reach_of(0, t).min(self.reach_of(1, t)),
+            self.reach_of(2, t).min(self.reach_of(3, t)),
+        );
         first.min(second).max(t)
     }
 
-    /// The same for corner `j`. A quotient of two differences is off by less than `6 u`, of which 16 are taken away.
+    /// The same for corner `j`. A quotient of two differences is off by less than `6 u`, of which
+    /// 16 are taken away.
     #[inline(always)]
     fn reach_of(&self, j: usize, t: R) -> R {
         let (g0, g1, needed) = (self.g0[j], self.g1[j], self.needed[j]);
@@ -198,7 +228,9 @@ impl<R: Real> Separation<R> {
 /// Whether the features certainly are within `min_distance` of each other at time `t`.
 pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bool {
     let x = nearest(m, patch, t);
-    // Twice for the interpolation besides the differences, twice for the length of an error in three components.
-    let length = dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0)) + m.corner_error() * R::splat(4.0);
+    // Twice for the interpolation besides the differences, twice for the length of an error in
+    // three components.
+    let length = dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0))
+        + m.corner_error() * R::splat(4.0);
     length <= min_distance
 }

@@ -112,7 +112,12 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
             let rest = (d - s - r, d_error + s_error + r_error + rounding);
             [(s, s_error), (r, r_error), rest, rest]
         }
-        Patch::Parallelogram => [(s, s_error), (r, r_error), (d - s, d_error + s_error + rounding), (d - r, d_error + r_error + rounding)],
+        Patch::Parallelogram => [
+            (s, s_error),
+            (r, r_error),
+            (d - s, d_error + s_error + rounding),
+            (d - r, d_error + r_error + rounding),
+        ],
     };
     let mut all_inside = true;
     for k in 0..4 {

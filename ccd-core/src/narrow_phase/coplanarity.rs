@@ -2,7 +2,7 @@
 //!
 //! `f(t) = a(t) . (b(t) x c(t))` is a cubic whose zeros are the only times at which the four points
 //! are coplanar, hence the only times of contact. In Bernstein form its control values enclose it:
-//! all of one sign means no contact (Tang, Manocha and Tong 2010; dissertation 2.3.2). Changed
+//! all of one sign means no contact [Tang 2010], [da Silva 2013]. Changed
 //! here: the triple products are summed per Bernstein index, so that nothing is divided, and one
 //! bound covers every control value.
 //!
@@ -61,7 +61,12 @@ impl<N: Num> Coplanarity<N> {
         let n00 = cross(m.b[0], m.c[0]);
         let n11 = cross(m.b[1], m.c[1]);
         let n01 = add(cross(m.b[0], m.c[1]), cross(m.b[1], m.c[0]));
-        let c = [dot(m.a[0], n00), dot(m.a[1], n00) + dot(m.a[0], n01), dot(m.a[0], n11) + dot(m.a[1], n01), dot(m.a[1], n11)];
+        let c = [
+            dot(m.a[0], n00),
+            dot(m.a[1], n00) + dot(m.a[0], n01),
+            dot(m.a[0], n11) + dot(m.a[1], n01),
+            dot(m.a[1], n11),
+        ];
         let [ma, mb, mc] = m.magnitudes();
         let (one, eight) = (N::splat(1.0), N::splat(8.0));
         let bc = (mb * eight) * mc;
@@ -97,7 +102,11 @@ impl<N: Num> Coplanarity<N> {
 ///
 /// `t0`, `t1`: `v f0 f1 f2` at the start and the end.
 #[inline]
-pub fn vertex_face_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
+pub fn vertex_face_filter<R: crate::math::real::Real>(
+    t0: &[[R; 3]; 4],
+    t1: &[[R; 3]; 4],
+    min_distance: R,
+) -> bool {
     let m = Motion::vertex_face(t0, t1, R::splat(0.0));
     Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
 }
@@ -107,7 +116,11 @@ pub fn vertex_face_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R
 ///
 /// `t0`, `t1`: `ea0 ea1 eb0 eb1` at the start and the end.
 #[inline]
-pub fn edge_edge_filter<R: crate::math::real::Real>(t0: &[[R; 3]; 4], t1: &[[R; 3]; 4], min_distance: R) -> bool {
+pub fn edge_edge_filter<R: crate::math::real::Real>(
+    t0: &[[R; 3]; 4],
+    t1: &[[R; 3]; 4],
+    min_distance: R,
+) -> bool {
     let m = Motion::edge_edge(t0, t1, R::splat(0.0));
     Coplanarity::new(&m).clearance(min_distance) > R::splat(0.0)
 }

@@ -1,8 +1,10 @@
-//! Where a cubic can vanish: isolation into monotone pieces, then Newton-Raphson guarded by bisection.
+//! Where a cubic can vanish: isolation into monotone pieces, then Newton-Raphson guarded by
+//! bisection.
 //!
-//! A root is not a number here but an interval outside of which the cubic is certainly not zero, rounding included
-//! (dissertation 2.3.2 takes Newton-Raphson with bisection from Press et al. 2007, chapter 9.4; changed here: the iteration looks for
-//! the two ends of the band `|f| <= bound` rather than for a root of the rounded polynomial).
+//! A root is not a number here but an interval outside of which the cubic is certainly not zero,
+//! rounding included ([da Silva 2013] takes Newton-Raphson with bisection from [Press 2007];
+//! changed here: the iteration looks for the two ends of the band `|f| <= bound` rather than for a
+//! root of the rounded polynomial).
 
 use crate::math::real::Real;
 
@@ -25,7 +27,8 @@ impl<R: Real> Interval<R> {
     }
 }
 
-/// A cubic `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3`, `s = 1 - t`, known up to `band` on `[0, 1]`.
+/// A cubic `c[0] s^3 + c[1] s^2 t + c[2] s t^2 + c[3] t^3`, `s = 1 - t`, known up to `band` on
+/// `[0, 1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Cubic<R> {
     c: [R; 4],
@@ -34,30 +37,39 @@ pub struct Cubic<R> {
     scale: R,
 }
 
-/// Steps of the guarded iteration; each at least halves the bracket when it is a bisection, and 44 halvings reach
-/// [`WIDTH`]. Running out leaves a wider interval, never a wrong one.
+/// Steps of the guarded iteration; each at least halves the bracket when it is a bisection, and 44
+/// halvings reach [`WIDTH`]. Running out leaves a wider interval, never a wrong one.
 const MAX_STEPS: usize = 64;
-/// Width, in time, to which an end of an interval is refined: 2^-42, far below the 1e-6 that a caller is promised.
+/// Width, in time, to which an end of an interval is refined: 2^-42, far below the 1e-6 that a
+/// caller is promised.
 const WIDTH: f32 = 2.273_736_8e-13;
 
-/// Coefficients are taken from this many times the smallest normal number up to the inverse of that: 2^26.
+/// Coefficients are taken from this many times the smallest normal number up to the inverse of
+/// that: 2^26.
 const MARGIN: f32 = 67_108_864.0;
 
 impl<R: Real> Cubic<R> {
     /// `error` bounds how far the exact polynomial is from `c` anywhere on `[0, 1]`.
     ///
-    /// The band adds the rounding of evaluation, at most `12 u max|c|`, and what a critical point that is only nearly right can hide: the derivative
-    /// there is below `19 u` times the sum of its coefficients, itself at most `12 max|c|` (from the quadratic formula without cancellation, whose residual is
-    /// at most `13 u` of that sum, and the rounding of the point), so the cubic turns back by less than `228 u max|c|`.
+    /// The band adds the rounding of evaluation, at most `12 u max|c|`, and what a critical point
+    /// that is only nearly right can hide: the derivative there is below `19 u` times the sum of
+    /// its coefficients, itself at most `12 max|c|` (from the quadratic formula without
+    /// cancellation, whose residual is at most `13 u` of that sum, and the rounding of the point),
+    /// so the cubic turns back by less than `228 u max|c|`.
     #[inline]
     pub fn new(c: [R; 4], error: R) -> Self {
         let largest = c[0].abs().max(c[1].abs()).max(c[2].abs().max(c[3].abs()));
         let least = R::MIN_NORMAL * R::splat(MARGIN);
         let one = R::splat(1.0);
-        // Elsewhere products and quotients overflow, underflow, or are not what a device promises: then nothing is known of the cubic.
+        // Elsewhere products and quotients overflow, underflow, or are not what a device promises:
+        // then nothing is known of the cubic.
         let fine = largest >= least && largest <= one / least;
         let rounding = if fine { R::UNIT * R::splat(256.0) } else { R::splat(2.0) };
-        Self { c, band: error + largest * rounding, scale: if fine { one / largest } else { R::splat(0.0) } }
+        Self {
+            c,
+            band: error + largest * rounding,
+            scale: if fine { one / largest } else { R::splat(0.0) },
+        }
     }
 
     /// Value at `t` in `[0, 1]`.
@@ -76,7 +88,8 @@ impl<R: Real> Cubic<R> {
         [c1 - three * c0, c2 - c1, three * c3 - c2]
     }
 
-    /// The critical points inside `(0, 1)`, ascending, as the ends of monotone pieces: `[0, .., 1]` and the number of pieces.
+    /// The critical points inside `(0, 1)`, ascending, as the ends of monotone pieces: `[0, .., 1]`
+    /// and the number of pieces.
     pub fn pieces(&self) -> ([R; 4], usize) {
         let (zero, one) = (R::splat(0.0), R::splat(1.0));
         // Scaled, so that squares neither overflow nor vanish.
@@ -104,7 +117,8 @@ impl<R: Real> Cubic<R> {
         (ends, n)
     }
 
-    /// The intervals in which the exact cubic may vanish, ascending; they are at most three and together hold every zero.
+    /// The intervals in which the exact cubic may vanish, ascending; they are at most three and
+    /// together hold every zero.
     pub fn zero_intervals(&self) -> ([Interval<R>; 3], usize) {
         let zero = R::splat(0.0);
         let mut out = [Interval { lo: zero, hi: zero, crosses: false }; 3];
@@ -120,7 +134,8 @@ impl<R: Real> Cubic<R> {
         (out, n)
     }
 
-    /// The interval of possible zeros within one monotone piece `[from, to]`; empty if there can be none.
+    /// The interval of possible zeros within one monotone piece `[from, to]`; empty if there can be
+    /// none.
     pub fn zero_in_piece(&self, from: R, to: R) -> Interval<R> {
         let (f0, f1) = (self.value(from), self.value(to));
         let starts_outside = f0.abs() > self.band;
@@ -135,7 +150,8 @@ impl<R: Real> Cubic<R> {
         Interval { lo, hi, crosses }
     }
 
-    /// The last time, up to [`WIDTH`], at which `f` is still certainly on the side where it is at `from`.
+    /// The last time, up to [`WIDTH`], at which `f` is still certainly on the side where it is at
+    /// `from`.
     fn enter_band(&self, from: R, to: R, negative: bool) -> R {
         let sign = if negative { R::splat(-1.0) } else { R::splat(1.0) };
         let (width, half) = (R::splat(WIDTH), R::splat(0.5));
@@ -154,20 +170,26 @@ impl<R: Real> Cubic<R> {
             }
             let s = R::splat(1.0) - t;
             let slope = sign * ((q[0] * s + q[1] * t) * s + (q[1] * s + q[2] * t) * t);
-            // Newton's step, moved a little past its target so that the bracket closes from both sides in turn.
+            // Newton's step, moved a little past its target so that the bracket closes from both
+            // sides in turn.
             let step = -gap / slope;
             let past = if gap > R::splat(0.0) { half * width } else { -(half * width) };
             let next = t + step + past;
-            t = if next > low && next < high && step.abs() < half * (high - low) { next } else { half * (low + high) };
+            t = if next > low && next < high && step.abs() < half * (high - low) {
+                next
+            } else {
+                half * (low + high)
+            };
         }
         low
     }
 
-    /// A time after `from` from which on `f` certainly is on the side where it is at `to`, at most twice as far away as needed;
-    /// `to` if none is found.
+    /// A time after `from` from which on `f` certainly is on the side where it is at `to`, at most
+    /// twice as far away as needed; `to` if none is found.
     ///
-    /// Only that side counts: on the other one noise at a critical point may lie just outside of the band, with the crossing
-    /// still to come. On the piece `f` is monotone up to what the band allows for, so it does not come back.
+    /// Only that side counts: on the other one noise at a critical point may lie just outside of
+    /// the band, with the crossing still to come. On the piece `f` is monotone up to what the band
+    /// allows for, so it does not come back.
     fn leave_band(&self, from: R, to: R, negative: bool) -> R {
         let sign = if negative { R::splat(-1.0) } else { R::splat(1.0) };
         let mut step = R::splat(2.0 * WIDTH);
@@ -235,6 +257,9 @@ mod tests {
     fn constant_and_zero_cubics() {
         assert_eq!(Cubic::new([1.0, 3.0, 3.0, 1.0], 1e-15).zero_intervals().1, 0);
         let (intervals, n) = Cubic::new([0.0f64; 4], 0.0).zero_intervals();
-        assert_eq!((n, intervals[0].lo, intervals[0].hi, intervals[0].crosses), (1, 0.0, 1.0, false));
+        assert_eq!(
+            (n, intervals[0].lo, intervals[0].hi, intervals[0].crosses),
+            (1, 0.0, 1.0, false)
+        );
     }
 }

@@ -27,12 +27,14 @@ pub fn rounds(n: u32, own: u32, groups: u32, threads: u32) -> u32 {
     if tiles > own { (tiles - own).div_ceil(groups) } else { 0 }
 }
 
-/// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of its `f64`, which start at 2^-126 like those of `f32`.
+/// A time of impact in `[0, 1]` as an integer of the same order, rounded down: the upper bits of
+/// its `f64`, which start at 2^-126 like those of `f32`.
 ///
 /// The bits of the `f32` next below, for `toi >= 2^-126`; 0 for lesser ones.
 #[inline(always)]
 pub fn earliest_key(toi: [u32; 2]) -> u32 {
-    // 11 bits of exponent, bias 1023, to 8 bits, bias 127; the 29 lowest bits of the fraction fall away.
+    // 11 bits of exponent, bias 1023, to 8 bits, bias 127; the 29 lowest bits of the fraction fall
+    // away.
     let exponent = toi[1] >> 20;
     if exponent <= 1023 - 127 {
         return 0;
@@ -72,33 +74,70 @@ fn verdicts<R>(verdict: Verdict<R>, bits: impl Fn(R) -> [u32; 2]) -> Verdicts {
 #[inline(always)]
 pub fn vertex_face(pair: Pair, frame: &Frame, paths: &[Path], faces: &[[u32; 3]]) -> Verdicts {
     let (x0, x1) = ends(vertex_face_ids(pair, faces), paths);
-    verdicts(solve(&Motion::vertex_face(&x0, &x1, frame.path_error), Patch::Triangle, frame.min_distance), widen)
+    verdicts(
+        solve(
+            &Motion::vertex_face(&x0, &x1, frame.path_error),
+            Patch::Triangle,
+            frame.min_distance,
+        ),
+        widen,
+    )
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f32`.
 #[inline(always)]
 pub fn edge_edge(pair: Pair, frame: &Frame, paths: &[Path], edges: &[[u32; 2]]) -> Verdicts {
     let (x0, x1) = ends(edge_edge_ids(pair, edges), paths);
-    verdicts(solve(&Motion::edge_edge(&x0, &x1, frame.path_error), Patch::Parallelogram, frame.min_distance), widen)
+    verdicts(
+        solve(
+            &Motion::edge_edge(&x0, &x1, frame.path_error),
+            Patch::Parallelogram,
+            frame.min_distance,
+        ),
+        widen,
+    )
 }
 
 /// Decides vertex `pair.a` against face `pair.b` in `f64`.
 #[inline(always)]
-pub fn vertex_face_wide(pair: Pair, frame: &Frame, paths: &[Path], wide: &[[f64; 3]], faces: &[[u32; 3]]) -> Verdicts {
+pub fn vertex_face_wide(
+    pair: Pair,
+    frame: &Frame,
+    paths: &[Path],
+    wide: &[[f64; 3]],
+    faces: &[[u32; 3]],
+) -> Verdicts {
     let (x0, x1) = wide_ends(vertex_face_ids(pair, faces), frame, paths, wide);
-    verdicts(solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(frame.distance_bits)), split)
+    verdicts(
+        solve(&Motion::vertex_face(&x0, &x1, 0.0), Patch::Triangle, join(frame.distance_bits)),
+        split,
+    )
 }
 
 /// Decides edges `pair.a` and `pair.b` in `f64`.
 #[inline(always)]
-pub fn edge_edge_wide(pair: Pair, frame: &Frame, paths: &[Path], wide: &[[f64; 3]], edges: &[[u32; 2]]) -> Verdicts {
+pub fn edge_edge_wide(
+    pair: Pair,
+    frame: &Frame,
+    paths: &[Path],
+    wide: &[[f64; 3]],
+    edges: &[[u32; 2]],
+) -> Verdicts {
     let (x0, x1) = wide_ends(edge_edge_ids(pair, edges), frame, paths, wide);
-    verdicts(solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(frame.distance_bits)), split)
+    verdicts(
+        solve(&Motion::edge_edge(&x0, &x1, 0.0), Patch::Parallelogram, join(frame.distance_bits)),
+        split,
+    )
 }
 
 /// Positions as given: in `f32` if those are exact.
 #[inline(always)]
-fn wide_ends(ids: [u32; 4], frame: &Frame, paths: &[Path], positions: &[[f64; 3]]) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
+fn wide_ends(
+    ids: [u32; 4],
+    frame: &Frame,
+    paths: &[Path],
+    positions: &[[f64; 3]],
+) -> ([[f64; 3]; 4], [[f64; 3]; 4]) {
     if frame.has(Frame::FLAG_EXACT) {
         let (p, q) = ends(ids, paths);
         (widened(p), widened(q))
@@ -140,10 +179,20 @@ pub fn edge_edge_ids(pair: Pair, edges: &[[u32; 2]]) -> [u32; 4] {
     [a0, a1, b0, b1]
 }
 
-/// The verdict on a pair of features with these vertices, in the precision `R`, from exact positions at both times.
-pub fn pair<T: Copy + Into<R>, R: Real>(kind: Kind, ids: [u32; 4], x: [&[[T; 3]]; 2], min_distance: R) -> Verdict<R> {
+/// The verdict on a pair of features with these vertices, in the precision `R`, from exact
+/// positions at both times.
+pub fn pair<T: Copy + Into<R>, R: Real>(
+    kind: Kind,
+    ids: [u32; 4],
+    x: [&[[T; 3]]; 2],
+    min_distance: R,
+) -> Verdict<R> {
     let patch = kind.patch();
-    solve(&Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0)), patch, min_distance)
+    solve(
+        &Motion::new(patch, &gather(ids, x[0]), &gather(ids, x[1]), R::splat(0.0)),
+        patch,
+        min_distance,
+    )
 }
 
 #[cfg(test)]
@@ -152,7 +201,8 @@ mod tests {
 
     #[test]
     fn keys_are_the_bits_of_f32_rounded_down() {
-        for toi in [0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, 1.0 - f64::EPSILON, 1.0] {
+        for toi in [0.0, 1e-300, 1.2e-38, 7.49207e-6, 0.1, 1.0 / 3.0, 0.5, 1.0 - f64::EPSILON, 1.0]
+        {
             let want = if toi < f32::MIN_POSITIVE as f64 { 0.0 } else { Real::round_down(toi) };
             assert_eq!(f32::from_bits(earliest_key(split(toi))), want, "{toi:e}");
         }

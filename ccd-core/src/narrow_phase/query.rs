@@ -1,7 +1,8 @@
 //! The elemental queries: one vertex against one face, one edge against one edge, over one step.
 //!
-//! Coordinates are in any unit of length, time runs from 0 to 1, vertices move on straight lines. Contact is closed: touching
-//! counts, also at `t = 0` and `t = 1`. With a minimum distance `d > 0`, contact means a distance of at most `d`.
+//! Coordinates are in any unit of length, time runs from 0 to 1, vertices move on straight lines.
+//! Contact is closed: touching counts, also at `t = 0` and `t = 1`. With a minimum distance
+//! `d > 0`, contact means a distance of at most `d`.
 
 use crate::math::real::Real;
 use crate::narrow_phase::conservative_advancement::{Advance, advance, within};
@@ -21,12 +22,14 @@ const HALF_TOLERANCE: f32 = 5e-7;
 pub enum Verdict<R> {
     /// Certainly no contact during the step.
     Miss,
-    /// Certainly contact; `toi` is not later than the first contact and at most [`TOI_TOLERANCE`] earlier.
+    /// Certainly contact; `toi` is not later than the first contact and at most [`TOI_TOLERANCE`]
+    /// earlier.
     Hit {
         /// Time of impact in `[0, 1]`.
         toi: R,
     },
-    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no contact before `toi`.
+    /// Neither could be certified in this arithmetic: to be treated as a contact. There is no
+    /// contact before `toi`.
     Undecided {
         /// The time until which the step is certainly free, in `[0, 1]`.
         toi: R,
@@ -78,8 +81,8 @@ widen!(EdgeEdge);
 
 /// Decides a vertex-face query in the arithmetic of `R`.
 ///
-/// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or underflows in `R` is undecided,
-/// not wrong.
+/// `min_distance >= 0`. Coordinates must be finite and at most 1e100 (`f64`); what overflows or
+/// underflows in `R` is undecided, not wrong.
 pub fn vertex_face<R: Real>(q: &VertexFace<R>, min_distance: R) -> Verdict<R> {
     solve(&Motion::vertex_face(&q.t0, &q.t1, R::splat(0.0)), Patch::Triangle, min_distance)
 }
@@ -96,18 +99,24 @@ pub fn solve<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict<R
     if plane.clearance(min_distance) > R::splat(0.0) {
         return Verdict::Miss;
     }
-    if min_distance > R::splat(0.0) { at_distance(&m, patch, min_distance) } else { touching(&m, patch, &plane) }
+    if min_distance > R::splat(0.0) {
+        at_distance(&m, patch, min_distance)
+    } else {
+        touching(&m, patch, &plane)
+    }
 }
 
-/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth powers and their inverses
-/// stay inside `f32`.
+/// Vectors whose greatest component is within this factor of 1, 2^16, need no other unit: fourth
+/// powers and their inverses stay inside `f32`.
 const UNIT_RANGE: f32 = 65_536.0;
 
-/// The query in a unit of length in which its vectors are neither huge nor tiny: times do not depend on the unit, products do.
+/// The query in a unit of length in which its vectors are neither huge nor tiny: times do not
+/// depend on the unit, products do.
 ///
-/// Scaling by a power of two is exact, but for components so much smaller than the greatest that they vanish, which is what
-/// every bound allows for where results are flushed to zero. A distance that vanishes becomes the smallest normal number; that
-/// is more, and too little for a certain contact.
+/// Scaling by a power of two is exact, but for components so much smaller than the greatest that
+/// they vanish, which is what every bound allows for where results are flushed to zero. A distance
+/// that vanishes becomes the smallest normal number; that is more, and too little for a certain
+/// contact.
 #[inline(always)]
 fn in_unit<R: Real>(m: &Motion<R>, min_distance: R) -> (Motion<R>, R) {
     let [a, b, c] = m.magnitudes();
@@ -154,7 +163,8 @@ fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict
         Advance::Clear => return Verdict::Miss,
         Advance::Stuck(toi) => toi,
     };
-    // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small enough.
+    // A hit needs a witness: a time shortly after `toi` at which the distance certainly is small
+    // enough.
     let later = [0.0, 0.02 * HALF_TOLERANCE, 1.8 * HALF_TOLERANCE];
     for i in 0..3 {
         let t = (toi + R::splat(later[i])).min(one);
@@ -169,7 +179,8 @@ fn at_distance<R: Real>(m: &Motion<R>, patch: Patch, min_distance: R) -> Verdict
 mod tests {
     use super::*;
 
-    /// Random queries at many scales: what is certainly a contact at scale 1 is none that may be missed at another.
+    /// Random queries at many scales: what is certainly a contact at scale 1 is none that may be
+    /// missed at another.
     fn check_scales<R: Real>(exponents: &[i32]) {
         let mut x = 7u32;
         let mut coordinate = || {
@@ -178,7 +189,9 @@ mod tests {
         };
         let mut n_hits = 0;
         for _ in 0..20_000 {
-            let mut four = || core::array::from_fn::<[f64; 3], 4, _>(|_| core::array::from_fn(|_| coordinate()));
+            let mut four = || {
+                core::array::from_fn::<[f64; 3], 4, _>(|_| core::array::from_fn(|_| coordinate()))
+            };
             let (t0, t1) = (four(), four());
             let at = |scale: f64, x: &[[f64; 3]; 4]| x.map(|p| p.map(|c| R::from_f64(c * scale)));
             let verdicts = |scale| {
@@ -186,12 +199,16 @@ mod tests {
                 let zero = R::splat(0.0);
                 [vertex_face(&VertexFace { t0, t1 }, zero), edge_edge(&EdgeEdge { t0, t1 }, zero)]
             };
-            let base = [vertex_face(&VertexFace { t0, t1 }, 0.0), edge_edge(&EdgeEdge { t0, t1 }, 0.0)];
+            let base =
+                [vertex_face(&VertexFace { t0, t1 }, 0.0), edge_edge(&EdgeEdge { t0, t1 }, 0.0)];
             for k in 0..2 {
                 if matches!(base[k], Verdict::Hit { .. }) {
                     n_hits += 1;
                     for &e in exponents {
-                        assert!(verdicts(2f64.powi(e))[k] != Verdict::Miss, "missed at scale 2^{e}: {t0:?} {t1:?}");
+                        assert!(
+                            verdicts(2f64.powi(e))[k] != Verdict::Miss,
+                            "missed at scale 2^{e}: {t0:?} {t1:?}"
+                        );
                     }
                 }
             }
@@ -205,12 +222,20 @@ mod tests {
         check_scales::<f32>(&[0, 16, -16, 20, -20, 24, -24, 30, -30, 40, -40, 45]);
     }
 
-    /// A vertex grazes the plane of the face near t = 0.15 and goes through it at t = 0.589: the coplanarity cubic nearly touches
-    /// zero before it crosses.
+    /// A vertex grazes the plane of the face near t = 0.15 and goes through it at t = 0.589: the
+    /// coplanarity cubic nearly touches zero before it crosses.
     fn check_tangential<R: Real>() {
-        let at = |v: [f64; 3], z: f64| [v, [0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]].map(|p| p.map(R::from_f64));
-        let t0 = at([-0.540_695_877_705_146_2, 0.225_321_612_868_974_26, 0.027_710_373_284_185_068], -0.646_476_115_185_463_8);
-        let t1 = at([0.376_821_355_790_778_86, 0.225_321_612_868_974_26, -0.019_311_892_065_309_713], 0.363_575_607_019_382_63);
+        let at = |v: [f64; 3], z: f64| {
+            [v, [0.0; 3], [1.0, 0.0, z], [0.0, 1.0, 0.0]].map(|p| p.map(R::from_f64))
+        };
+        let t0 = at(
+            [-0.540_695_877_705_146_2, 0.225_321_612_868_974_26, 0.027_710_373_284_185_068],
+            -0.646_476_115_185_463_8,
+        );
+        let t1 = at(
+            [0.376_821_355_790_778_86, 0.225_321_612_868_974_26, -0.019_311_892_065_309_713],
+            0.363_575_607_019_382_63,
+        );
         let verdict = vertex_face(&VertexFace { t0, t1 }, R::splat(0.0));
         let toi = verdict.toi().map(R::to_f64);
         assert!(toi.is_some_and(|t| t <= 0.589_303_333_765_757_5), "{verdict:?}");

@@ -7,7 +7,7 @@
 //! | edge-edge | `eb0 - ea0` | `ea1 - ea0` | `eb0 - eb1` | parallelogram: `0 <= s, r <= 1` |
 //!
 //! There is contact at time `t` exactly when `a(t) = s b(t) + r c(t)` with `(s, r)` in the patch
-//! (Provot 1997). Taking differences first recentres the query: each difference has relative error
+//! [Provot 1997]. Taking differences first recentres the query: each difference has relative error
 //! of one unit roundoff, however far from the origin the query is.
 
 use crate::math::real::Num;
@@ -37,8 +37,8 @@ pub struct Motion<N> {
 }
 
 impl<N: Num> Motion<N> {
-    /// From the four points of a query over `patch`, at both times. `coordinate_error`: how far each
-    /// coordinate may be from the true one.
+    /// From the four points of a query over `patch`, at both times. `coordinate_error`: how far
+    /// each coordinate may be from the true one.
     #[inline(always)]
     pub fn new(patch: Patch, t0: &[[N; 3]; 4], t1: &[[N; 3]; 4], coordinate_error: N) -> Self {
         match patch {
@@ -130,6 +130,8 @@ impl<N: Num> Motion<N> {
     #[inline(always)]
     pub fn corner_error(&self) -> N {
         let [a, b, c] = self.magnitudes();
-        (a + b + c) * (N::UNIT * N::splat(16.0)) + self.error * N::splat(3.0) + (N::MIN_NORMAL * N::splat(256.0))
+        (a + b + c) * (N::UNIT * N::splat(16.0))
+            + self.error * N::splat(3.0)
+            + (N::MIN_NORMAL * N::splat(256.0))
     }
 }

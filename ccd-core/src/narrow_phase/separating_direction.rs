@@ -34,7 +34,13 @@ use crate::narrow_phase::relative_motion::{Motion, Patch};
 /// (none, if they were rounded outward to numbers that are not flushed). A difference that
 /// overflows has the right sign; one that is NaN separates nothing.
 #[inline(always)]
-pub fn axis_separated<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
+pub fn axis_separated<N: Num>(
+    a0: &[[N; 3]; 2],
+    a1: &[[N; 3]; 2],
+    b0: &[[N; 3]; 2],
+    b1: &[[N; 3]; 2],
+    needed: N,
+) -> N::Mask {
     // No closures: they would not be compiled for the instruction set of the caller.
     separated_on::<N, 0>(a0, a1, b0, b1, needed)
         | separated_on::<N, 1>(a0, a1, b0, b1, needed)
@@ -43,7 +49,13 @@ pub fn axis_separated<N: Num>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 
 
 /// The same on axis `K`.
 #[inline(always)]
-fn separated_on<N: Num, const K: usize>(a0: &[[N; 3]; 2], a1: &[[N; 3]; 2], b0: &[[N; 3]; 2], b1: &[[N; 3]; 2], needed: N) -> N::Mask {
+fn separated_on<N: Num, const K: usize>(
+    a0: &[[N; 3]; 2],
+    a1: &[[N; 3]; 2],
+    b0: &[[N; 3]; 2],
+    b1: &[[N; 3]; 2],
+    needed: N,
+) -> N::Mask {
     let above = (a0[0][K] - b0[1][K]).gt(needed) & (a1[0][K] - b1[1][K]).gt(needed);
     let below = (b0[0][K] - a0[1][K]).gt(needed) & (b1[0][K] - a1[1][K]).gt(needed);
     above | below
@@ -62,12 +74,18 @@ pub fn beside<N: Num>(m: &Motion<N>, patch: Patch, min_distance: N) -> N {
     let [ma, mb, mc] = m.magnitudes();
     let reach = Reach {
         size: (ma + mb + mc) * N::splat(2.0),
-        needed: min_distance * N::splat(1.0001) + m.error * N::splat(3.1) + (N::MIN_NORMAL * N::splat(256.0)),
+        needed: min_distance * N::splat(1.0001)
+            + m.error * N::splat(3.1)
+            + (N::MIN_NORMAL * N::splat(256.0)),
     };
     let along_b = apart(cross(n, b), &corners0, &corners1, &reach);
     let along_c = apart(cross(n, c), &corners0, &corners1, &reach);
     let best = along_b.max(along_c);
-    if matches!(patch, Patch::Triangle) { best.max(apart(cross(n, sub(c, b)), &corners0, &corners1, &reach)) } else { best }
+    if matches!(patch, Patch::Triangle) {
+        best.max(apart(cross(n, sub(c, b)), &corners0, &corners1, &reach))
+    } else {
+        best
+    }
 }
 
 /// What a separation must exceed.

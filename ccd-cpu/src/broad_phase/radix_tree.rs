@@ -81,7 +81,7 @@ impl RadixTree {
         });
     }
 
-    /// Pairs of a loose box of `a` with a box of the tree over `b` (Tian and Wan, section 1.2).
+    /// Pairs of a loose box of `a` with a box of the tree over `b` [Tian and Wan] (section 1.2).
     pub fn pairs(&mut self, threads: &Threads, a: &[Aabb<f32>], b: &[Aabb<f32>], out: &mut Vec<Pair>) {
         self.build(threads, b);
         self.collect(threads, a.len(), out, |i, pairs| match b {

@@ -11,7 +11,7 @@ use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::quantization::{Scan, Table};
-use ccd_core::{Aabb, Error, Num, Real};
+use ccd_core::{Aabb, Error, Real};
 
 /// Blocks may become this much looser than after the last build before trees are built anew:
 /// building costs about a tenth of a step, and traversal grows with looseness.
@@ -53,10 +53,10 @@ impl<T: Real> Ends<'_, T> {
         self.until >= 1.0
     }
 
-    /// Position of vertex `i` at `until`, up to the rounding of four operations in `f64`.
+    /// Position of vertex `i` at `until`, up to [`swept_box::end_error`].
     fn end(&self, i: usize) -> [f64; 3] {
         let (p, q) = (self.x0[i].map(T::to_f64), self.x1[i].map(T::to_f64));
-        if self.whole() { q } else { std::array::from_fn(|k| p[k] + (q[k] - p[k]) * self.until) }
+        if self.whole() { q } else { swept_box::end(p, q, self.until) }
     }
 }
 
@@ -132,17 +132,12 @@ impl Prepared {
         self.scans.resize(x.x0.len().div_ceil(CHUNK), Scan::NONE);
         threads.fill(&mut self.scans, |i| {
             let mut scan = Scan::NONE;
-            for v in i * CHUNK..((i + 1) * CHUNK).min(x.x0.len()) {
-                scan.take(x.x0[v]);
-                scan.take(x.x1[v]);
-            }
+            let part = i * CHUNK..((i + 1) * CHUNK).min(x.x0.len());
+            scan.take_all(&x.x0[part.clone()], &x.x1[part]);
             scan
         });
         let all = self.scans.iter().fold(Scan::NONE, |all, s| all.merged(s));
-        if !all.finite {
-            ccd_core::model::error::check_coordinates(0, x.x0)?;
-            ccd_core::model::error::check_coordinates(1, x.x1)?;
-        }
+        all.check(x.x0, x.x1)?;
         Ok(all)
     }
 
@@ -169,8 +164,7 @@ impl Prepared {
             threads.fill(boxes, |i| {
                 let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
                 let largest = ccd_core::math::vec3::max_abs(p).max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
-                // Four roundings of numbers at most twice the largest coordinate.
-                swept_box::swept(p, q).inflated(margin.to_f64() + largest * (16.0 * f64::UNIT)).round_out()
+                swept_box::swept(p, q).inflated(margin.to_f64() + swept_box::end_error(largest)).round_out()
             });
         }
     }

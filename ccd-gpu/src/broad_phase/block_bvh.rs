@@ -56,30 +56,58 @@ impl Tree {
     pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
-        let too_large = Error::TooLarge { what: "nodes of the tree", bytes: n * size_of::<Aabb>() as u64, limit };
+        let too_large = Error::TooLarge {
+            what: "nodes of the tree",
+            bytes: n * size_of::<Aabb>() as u64,
+            limit,
+        };
         let levels = Levels::new(count).ok_or(too_large)?;
-        let nodes =
-            device.buffer("nodes of the tree", levels.total() as u64 * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;
+        let nodes = device.buffer(
+            "nodes of the tree",
+            levels.total() as u64 * size_of::<Aabb>() as u64,
+            U::STORAGE | U::COPY_DST | U::COPY_SRC,
+        )?;
         // Nodes that only fill up a block stay as they are now.
         let empty = vec![Aabb::EMPTY; 1 << 16];
         let all = nodes.size() / size_of::<Aabb>() as u64;
         for first in (0..all).step_by(empty.len()) {
             let n = (all - first).min(empty.len() as u64) as usize;
-            device.queue().write_buffer(&nodes, first * size_of::<Aabb>() as u64, bytemuck::cast_slice(&empty[..n]));
+            device.queue().write_buffer(
+                &nodes,
+                first * size_of::<Aabb>() as u64,
+                bytemuck::cast_slice(&empty[..n]),
+            );
         }
-        let start = |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
+        let start =
+            |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
         let pairs = |kind: u32| -> Result<Vec<List>, Error> {
             // A node overlaps some tens of others on real scenes; what does not fit makes the list
             // grow.
             (1..levels.start(kind))
                 .map(|level| {
-                    List::new(device, "pairs of nodes", 2, levels.nodes(level, if kind == 0 { 2 } else { 1 }).saturating_mul(40).max(4096))
+                    List::new(
+                        device,
+                        "pairs of nodes",
+                        2,
+                        levels
+                            .nodes(level, if kind == 0 { 2 } else { 1 })
+                            .saturating_mul(40)
+                            .max(4096),
+                    )
                 })
                 .collect()
         };
         Ok(Self {
-            boxes: device.buffer("boxes", n * size_of::<Aabb>() as u64, U::STORAGE | U::COPY_DST | U::COPY_SRC)?,
-            leaves: device.buffer("leaves", levels.padded(0) as u64 * size_of::<Leaf>() as u64, U::STORAGE)?,
+            boxes: device.buffer(
+                "boxes",
+                n * size_of::<Aabb>() as u64,
+                U::STORAGE | U::COPY_DST | U::COPY_SRC,
+            )?,
+            leaves: device.buffer(
+                "leaves",
+                levels.padded(0) as u64 * size_of::<Leaf>() as u64,
+                U::STORAGE,
+            )?,
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
             sort: Sort::new(device, n as u32)?,
             start: [start(0)?, start(1)?],
@@ -132,11 +160,21 @@ impl Tree {
     }
 
     /// Boxes of all nodes, in the order of the last sort.
-    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, edges: &wgpu::Buffer, faces: &wgpu::Buffer) {
+    pub fn fit(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        edges: &wgpu::Buffer,
+        faces: &wgpu::Buffer,
+    ) {
         let Self { boxes, nodes, leaves, .. } = self;
         let [_, order] = self.sorted();
         let mut p = Params { frame: *frame, dispatch: Dispatch::default(), own: self.record() };
-        recorder.each(&FitLeaves { boxes, order, edges, faces, nodes, leaves }, &p, self.levels.padded(0));
+        recorder.each(
+            &FitLeaves { boxes, order, edges, faces, nodes, leaves },
+            &p,
+            self.levels.padded(0),
+        );
         for level in 1..self.levels.top() {
             p.own.level = level;
             recorder.each(&FitLevel { nodes }, &p, self.levels.padded(level));
@@ -151,7 +189,11 @@ impl Tree {
                 let lists = &self.pairs[kind as usize];
                 let input = lists.get(level as usize - 1).unwrap_or(&self.start[kind as usize]);
                 let output = &lists[level as usize - 2];
-                let kernel = NodePairs { nodes: &self.nodes, input: input.buffer(), output: output.buffer() };
+                let kernel = NodePairs {
+                    nodes: &self.nodes,
+                    input: input.buffer(),
+                    output: output.buffer(),
+                };
                 self.each_part(frame, Pass { kind, level, step: 1 }, input, output, |p| {
                     recorder.dispatch(&kernel, p, self.groups.min(input.room()));
                 });
@@ -165,12 +207,20 @@ impl Tree {
     }
 
     /// Calls `run` with the parameters of each dispatch over the pairs of `input`.
-    pub fn each_part(&self, frame: &Frame, pass: Pass, input: &List, output: &List, mut run: impl FnMut(&Params<Blocks>)) {
+    pub fn each_part(
+        &self,
+        frame: &Frame,
+        pass: Pass,
+        input: &List,
+        output: &List,
+        mut run: impl FnMut(&Params<Blocks>),
+    ) {
         let Pass { kind, level, step } = pass;
         let own = Blocks { kind, level, step, ..self.record() };
         let (room_in, room_out) = (input.room(), output.room());
         for part in 0..room_in.div_ceil(step).div_ceil(DISPATCH_LIMIT) {
-            let dispatch = Dispatch { n: 0, first: part * DISPATCH_LIMIT * step, room_in, room_out };
+            let dispatch =
+                Dispatch { n: 0, first: part * DISPATCH_LIMIT * step, room_in, room_out };
             run(&Params { frame: *frame, dispatch, own });
         }
     }

@@ -48,7 +48,9 @@ impl Levels {
 
     /// The level on which the descent for a kind of pairs starts, at least 1.
     pub fn start(&self, kind: u32) -> u32 {
-        (1..MAX_LEVELS as u32 - 1).find(|&level| self.n_pairs(kind, level) <= MAX_START_PAIRS).unwrap_or(MAX_LEVELS as u32 - 1)
+        (1..MAX_LEVELS as u32 - 1)
+            .find(|&level| self.n_pairs(kind, level) <= MAX_START_PAIRS)
+            .unwrap_or(MAX_LEVELS as u32 - 1)
     }
 
     /// The highest level that any descent reads.
@@ -78,18 +80,29 @@ mod tests {
 
     #[test]
     fn children_of_every_node_are_in_its_set() {
-        for count in [[0, 0, 0], [1, 2, 3], [46_598, 138_825, 92_230], [0, 10_000_000, 0], [257, 8192, 8193]] {
+        for count in
+            [[0, 0, 0], [1, 2, 3], [46_598, 138_825, 92_230], [0, 10_000_000, 0], [257, 8192, 8193]]
+        {
             let levels = Levels::new(count).unwrap();
             for level in 1..MAX_LEVELS as u32 {
                 for set in 0..3 {
-                    let (first, end) = (levels.slots[level as usize - 1][set], levels.slots[level as usize - 1][set + 1]);
-                    assert!(levels.nodes(level, set) * WIDTH <= end - first, "{count:?} level {level} set {set}");
+                    let (first, end) = (
+                        levels.slots[level as usize - 1][set],
+                        levels.slots[level as usize - 1][set + 1],
+                    );
+                    assert!(
+                        levels.nodes(level, set) * WIDTH <= end - first,
+                        "{count:?} level {level} set {set}"
+                    );
                     assert!((end - first) % PADDING == 0);
                 }
             }
             for kind in [0, 1] {
                 let pairs = levels.start_pairs(kind);
-                assert!(pairs.len() as u64 <= MAX_START_PAIRS && pairs.len() as u64 == levels.n_pairs(kind, levels.start(kind)));
+                assert!(
+                    pairs.len() as u64 <= MAX_START_PAIRS
+                        && pairs.len() as u64 == levels.n_pairs(kind, levels.start(kind))
+                );
             }
         }
         assert_eq!(Levels::new([u32::MAX, u32::MAX, 1]), None);

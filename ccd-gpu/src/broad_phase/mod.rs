@@ -48,7 +48,8 @@ struct Binary {
 }
 
 impl BroadPhase {
-    /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by blocks.
+    /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by
+    /// blocks.
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
         Ok(Self {
             method,
@@ -116,7 +117,9 @@ impl BroadPhase {
                     at += size_of_val(boxes) as u64;
                 }
             }
-            Some(Binary { loose: None, .. }) => queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[1])),
+            Some(Binary { loose: None, .. }) => {
+                queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[1]))
+            }
             Some(Binary { loose: Some(loose), .. }) => {
                 queue.write_buffer(loose, 0, bytemuck::cast_slice(sets[0]));
                 queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[2]));
@@ -132,7 +135,8 @@ impl BroadPhase {
         let Some(buffers) = buffers else { return Ok(0) };
         loop {
             let mut plan = Plan::default();
-            let of_descent: Vec<_> = buffers.blocks.lists().map(|_| plan.part(HEADER_BYTES)).collect();
+            let of_descent: Vec<_> =
+                buffers.blocks.lists().map(|_| plan.part(HEADER_BYTES)).collect();
             let of_pairs = plan.part(HEADER_BYTES);
             let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
@@ -146,10 +150,14 @@ impl BroadPhase {
                 }
                 recorder.read(&reading, of_pairs, pairs.buffer(), 0);
             })?;
-            let (of_descent, found) = reading.with(device, |bytes| -> Result<(Vec<Header>, Header), Error> {
-                let of_descent = of_descent.iter().map(|part| read_header(part.of(bytes))).collect::<Result<_, _>>()?;
-                Ok((of_descent, read_header(of_pairs.of(bytes))?))
-            })??;
+            let (of_descent, found) =
+                reading.with(device, |bytes| -> Result<(Vec<Header>, Header), Error> {
+                    let of_descent = of_descent
+                        .iter()
+                        .map(|part| read_header(part.of(bytes)))
+                        .collect::<Result<_, _>>()?;
+                    Ok((of_descent, read_header(of_pairs.of(bytes))?))
+                })??;
             self.stages = bench.times(&stages)?;
             let mut grown = pairs.grow(device, found.wanted)?;
             for (list, header) in buffers.blocks.pairs.iter_mut().flatten().zip(&of_descent) {
@@ -181,8 +189,14 @@ impl Buffers {
             return Ok(Self { count, blocks: Tree::new(device, count)?, tree: None });
         }
         let usage = U::STORAGE | U::COPY_DST;
-        let loose = (within == 0).then(|| device.buffer("loose boxes", a as u64 * size_of::<Aabb>() as u64, usage)).transpose()?;
-        Ok(Self { count, blocks: Tree::new(device, [0, n, 0])?, tree: Some(Binary { tree: RadixTree::new(device, n)?, loose }) })
+        let loose = (within == 0)
+            .then(|| device.buffer("loose boxes", a as u64 * size_of::<Aabb>() as u64, usage))
+            .transpose()?;
+        Ok(Self {
+            count,
+            blocks: Tree::new(device, [0, n, 0])?,
+            tree: Some(Binary { tree: RadixTree::new(device, n)?, loose }),
+        })
     }
 
     /// Everything from boxes to pairs.

@@ -41,7 +41,8 @@ impl RadixTree {
         recorder.stage("boxes of branches");
         let own = Blocks { level: blocks.levels.top(), ..blocks.record() };
         let p = Params { frame: *frame, dispatch: Dispatch::default(), own };
-        let kernel = BranchBoxes { branches, block_nodes: &blocks.nodes, leaves: &blocks.leaves, nodes };
+        let kernel =
+            BranchBoxes { branches, block_nodes: &blocks.nodes, leaves: &blocks.leaves, nodes };
         recorder.each(&kernel, &p, *n);
     }
 
@@ -49,15 +50,30 @@ impl RadixTree {
     pub fn self_pairs(&self, recorder: &mut Recorder, frame: &Frame, pairs: &List) {
         let Self { branches, nodes, n } = self;
         queries(frame, *n, pairs, |p| {
-            recorder.each(&TraverseHalf { nodes, branches, pairs: pairs.buffer() }, p, p.dispatch.n);
+            recorder.each(
+                &TraverseHalf { nodes, branches, pairs: pairs.buffer() },
+                p,
+                p.dispatch.n,
+            );
         });
     }
 
     /// Lists all pairs of one of `n` loose boxes with a box of the tree.
-    pub fn pairs_with(&self, recorder: &mut Recorder, frame: &Frame, boxes: &wgpu::Buffer, n: u32, pairs: &List) {
+    pub fn pairs_with(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        boxes: &wgpu::Buffer,
+        n: u32,
+        pairs: &List,
+    ) {
         let Self { branches, nodes, .. } = self;
         queries(frame, n, pairs, |p| {
-            recorder.each(&TraverseAgainst { boxes, nodes, branches, pairs: pairs.buffer() }, p, p.dispatch.n);
+            recorder.each(
+                &TraverseAgainst { boxes, nodes, branches, pairs: pairs.buffer() },
+                p,
+                p.dispatch.n,
+            );
         });
     }
 }
@@ -65,7 +81,12 @@ impl RadixTree {
 /// Calls `run` with the parameters of each dispatch over `n` queries.
 fn queries(frame: &Frame, n: u32, pairs: &List, mut run: impl FnMut(&Params)) {
     for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
-        let dispatch = Dispatch { n: (n - first).min(DISPATCH_LIMIT), first, room_in: 0, room_out: pairs.room() };
+        let dispatch = Dispatch {
+            n: (n - first).min(DISPATCH_LIMIT),
+            first,
+            room_in: 0,
+            room_out: pairs.room(),
+        };
         run(&Params { frame: *frame, dispatch, own: Plain::default() });
     }
 }

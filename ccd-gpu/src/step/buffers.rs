@@ -46,27 +46,45 @@ impl Buffers {
     pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
         let count = [mesh.n_vertices(), mesh.edges().len(), mesh.faces().len()].map(|n| n as u32);
         let fixed = |what, bytes: &[u8]| -> Result<wgpu::Buffer, Error> {
-            let buffer = device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
+            let buffer =
+                device.buffer(what, bytes.len() as u64, U::STORAGE | U::COPY_SRC | U::COPY_DST)?;
             device.queue().write_buffer(&buffer, 0, bytes);
             Ok(buffer)
         };
         let (bodies, body_flags) = options.bodies.as_ref().map_or((&[][..], 0), |bodies| {
-            (bodies.words(), Frame::FLAG_BODIES | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 })
+            (
+                bodies.words(),
+                Frame::FLAG_BODIES
+                    | if bodies.self_contact() { Frame::FLAG_SELF_CONTACT } else { 0 },
+            )
         });
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
             tree: Tree::new(device, count)?,
             positions: Positions::new(device, mesh.n_vertices())?,
-            shortened: device.buffer("paths", count[0] as u64 * size_of::<Path>() as u64, U::STORAGE)?,
+            shortened: device.buffer(
+                "paths",
+                count[0] as u64 * size_of::<Path>() as u64,
+                U::STORAGE,
+            )?,
             edges: fixed("edges", bytemuck::cast_slice(mesh.edges()))?,
             faces: fixed("faces", bytemuck::cast_slice(mesh.faces()))?,
             bodies: fixed("bodies", bytemuck::cast_slice(bodies))?,
             body_flags,
-            survivors: [list("filtered vertex-face pairs", 2, features / 2)?, list("filtered edge-edge pairs", 2, features)?],
-            undecided: [list("undecided vertex-face pairs", 2, features / 2)?, list("undecided edge-edge pairs", 2, features)?],
+            survivors: [
+                list("filtered vertex-face pairs", 2, features / 2)?,
+                list("filtered edge-edge pairs", 2, features)?,
+            ],
+            undecided: [
+                list("undecided vertex-face pairs", 2, features / 2)?,
+                list("undecided edge-edge pairs", 2, features)?,
+            ],
             contacts: list("contacts", (size_of::<Touch>() / 4) as u32, features / 2)?,
-            candidates: [list("vertex-face candidates", 2, 0)?, list("edge-edge candidates", 2, 0)?],
+            candidates: [
+                list("vertex-face candidates", 2, 0)?,
+                list("edge-edge candidates", 2, 0)?,
+            ],
             order: None,
             to_order: 0,
             earliest: [fixed("time of impact", &[0; 4])?, fixed("time of impact", &[0; 4])?],

@@ -24,7 +24,10 @@ impl ContactOrder {
     /// For so many contacts at most.
     pub fn new(device: &Device, room: u32) -> Result<Self, Error> {
         let bytes = room as u64 * size_of::<Touch>() as u64;
-        Ok(Self { sort: Sort::new(device, room)?, ordered: device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)? })
+        Ok(Self {
+            sort: Sort::new(device, room)?,
+            ordered: device.buffer("ordered contacts", bytes, U::STORAGE | U::COPY_SRC)?,
+        })
     }
 
     /// Contacts for which there is room.

@@ -11,17 +11,16 @@ use ccd_core::narrow_phase::decide;
 const MIN_SHARE: usize = 256;
 
 /// Decides pairs in `f64` on all cores and appends those that touch or stay undecided.
-pub fn decide<T: Real + Sync>(
+pub fn decide<T: Real>(
     mesh: &Mesh,
     kind: Kind,
     pairs: &[Pair],
-    x0: &[[T; 3]],
-    x1: &[[T; 3]],
+    x: [&[[T; 3]]; 2],
     min_distance: f64,
     out: &mut Vec<Contact>,
 ) {
     let one = |&pair: &Pair| {
-        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), [x0, x1], min_distance);
+        let verdict = decide::pair(kind, mesh.vertices_of(kind, pair), x, min_distance);
         Contact::of(kind, pair, verdict)
     };
     if pairs.len() <= MIN_SHARE {
@@ -31,8 +30,10 @@ pub fn decide<T: Real + Sync>(
     let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
     let share = pairs.len().div_ceil(cores).max(MIN_SHARE);
     std::thread::scope(|scope| {
-        let threads: Vec<_> =
-            pairs.chunks(share).map(|part| scope.spawn(move || part.iter().filter_map(one).collect::<Vec<_>>())).collect();
+        let threads: Vec<_> = pairs
+            .chunks(share)
+            .map(|part| scope.spawn(move || part.iter().filter_map(one).collect::<Vec<_>>()))
+            .collect();
         for thread in threads {
             match thread.join() {
                 Ok(found) => out.extend(found),
@@ -44,7 +45,11 @@ pub fn decide<T: Real + Sync>(
 
 /// Appends the contacts of a list as a device wrote them, without its header.
 pub fn take_touches(bytes: &[u8], out: &mut Vec<Contact>) {
-    out.extend(bytes.chunks_exact(size_of::<Touch>()).map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))));
+    out.extend(
+        bytes
+            .chunks_exact(size_of::<Touch>())
+            .map(|touch| Contact::from(&bytemuck::pod_read_unaligned::<Touch>(touch))),
+    );
 }
 
 /// Puts contacts in their canonical order.

@@ -4,13 +4,14 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, FilterEdgeEdge, FilterVertexFace, ListCandidates,
-    PlaceVertices, Shorten, SweepEdges, SweepFaces, SweepVertices,
+    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, FilterEdgeEdge,
+    FilterVertexFace, ListCandidates, PlaceVertices, Shorten, SweepEdges, SweepFaces,
+    SweepVertices,
 };
 use crate::broad_phase::block_bvh::Pass;
 use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
-use ccd_core::Num;
+use ccd_core::broad_phase::swept_box;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Decision, Dispatch, Frame, Params, Plain};
 
@@ -58,13 +59,13 @@ impl Buffers {
         self.contacts(recorder, frame, paths, SAMPLE, wide);
         recorder.copy(self.survivors[0].buffer(), 4, &self.sample, 0, 4);
         recorder.copy(self.survivors[1].buffer(), 4, &self.sample, 4, 4);
-        // The end of a cut path is off by four roundings of numbers up to twice the coordinates;
-        // where denormals are flushed, also by less than the smallest normal number for what is
-        // read and each of three results, and once more for the start of the path where boxes read
-        // it.
-        let error = frame.path_error + self.positions.reach * (16.0 * f32::UNIT) + 8.0 * f32::MIN_NORMAL;
-        let cut =
-            Frame { path_error: error, margin: (frame.margin + error).next_up(), flags: frame.flags & !Frame::FLAG_CONFIRM, ..*frame };
+        let error = frame.path_error + swept_box::end_error(self.positions.reach);
+        let cut = Frame {
+            path_error: error,
+            margin: (frame.margin + error).next_up(),
+            flags: frame.flags & !Frame::FLAG_CONFIRM,
+            ..*frame
+        };
         self.clear(recorder);
         recorder.stage("shorten");
         let [of_vf, of_ee] = &self.earliest;
@@ -79,13 +80,21 @@ impl Buffers {
         self.lists().map(|list| recorder.clear(list.buffer(), HEADER_BYTES));
     }
 
-    fn sweep(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, of_vertices: Boxes) {
+    fn sweep(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        paths: &wgpu::Buffer,
+        of_vertices: Boxes,
+    ) {
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
         let (edges, faces, boxes) = (&self.edges, &self.faces, &self.tree.boxes);
         match of_vertices {
             Boxes::OfPaths => recorder.each(&SweepVertices { paths, boxes }, &p, v),
-            Boxes::OfPositions => recorder.each(&PlaceVertices { positions: wide, paths, keys, boxes }, &p, v),
+            Boxes::OfPositions => {
+                recorder.each(&PlaceVertices { positions: wide, paths, keys, boxes }, &p, v)
+            }
             Boxes::Sent => {}
         }
         recorder.each(&SweepEdges { edges, boxes }, &p, e);
@@ -115,22 +124,47 @@ impl Buffers {
     }
 
     /// Filters candidates of every `step`-th block pair and decides what is left.
-    fn contacts(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, step: u32, wide: bool) {
+    fn contacts(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        paths: &wgpu::Buffer,
+        step: u32,
+        wide: bool,
+    ) {
         self.descend(recorder, frame);
         [0, 1].into_iter().for_each(|kind| self.filter(recorder, frame, paths, kind, step));
         [0, 1].into_iter().for_each(|kind| self.decide(recorder, frame, kind, wide));
     }
 
-    fn filter(&self, recorder: &mut Recorder, frame: &Frame, paths: &wgpu::Buffer, kind: usize, step: u32) {
+    fn filter(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        paths: &wgpu::Buffer,
+        kind: usize,
+        step: u32,
+    ) {
         recorder.stage(FILTER[kind]);
         let (tree, list) = (&self.tree, &self.survivors[kind]);
         let pairs = tree.block_pairs(kind);
-        let (nodes, leaves, bodies, keys) = (&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys);
+        let (nodes, leaves, bodies, keys) =
+            (&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys);
         let (input, output) = (pairs.buffer(), list.buffer());
         let groups = tree.groups.min(pairs.room());
-        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step }, pairs, list, |p| match kind {
-            0 => recorder.dispatch(&FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output }, p, groups),
-            _ => recorder.dispatch(&FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output }, p, groups),
+        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step }, pairs, list, |p| {
+            match kind {
+                0 => recorder.dispatch(
+                    &FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
+                    p,
+                    groups,
+                ),
+                _ => recorder.dispatch(
+                    &FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
+                    p,
+                    groups,
+                ),
+            }
         });
     }
 
@@ -151,16 +185,19 @@ impl Buffers {
         if wide {
             let p = Params { frame, dispatch, own: Plain::default() };
             if kind == 0 {
-                let kernel = DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
+                let kernel =
+                    DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest };
                 recorder.dispatch(&kernel, &p, groups);
             } else {
-                let kernel = DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
+                let kernel =
+                    DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest };
                 recorder.dispatch(&kernel, &p, groups);
             }
         } else {
             let p = Params { frame, dispatch, own: Decision { room_open: open.room() } };
             if kind == 0 {
-                let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
+                let kernel =
+                    DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
                 recorder.dispatch(&kernel, &p, groups);
             } else {
                 let kernel = DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest };

@@ -6,8 +6,7 @@ use crate::error::Error;
 use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::layout::{Frame, Path, split};
 use ccd_core::math::real::Real;
-use ccd_core::model::error;
-use ccd_core::model::precision::{Points, Precision};
+use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::quantization::{Scan, Table, margin};
 use ccd_core::{Aabb, Coordinate};
 use wgpu::BufferUsages as U;
@@ -67,7 +66,20 @@ impl Positions {
 
     /// Checks and uploads. Returns whether a buffer was replaced. `boxes`: where boxes of vertices
     /// go if kernels cannot make them.
-    pub fn upload<T: Coordinate>(
+    pub fn upload(
+        &mut self,
+        device: &Device,
+        given: Given,
+        min_distance: f64,
+        boxes: &wgpu::Buffer,
+    ) -> Result<bool, Error> {
+        match given {
+            Precision::F32([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
+            Precision::F64([x0, x1]) => self.take(device, x0, x1, min_distance, boxes),
+        }
+    }
+
+    fn take<T: Coordinate>(
         &mut self,
         device: &Device,
         x0: &[[T; 3]],
@@ -76,14 +88,8 @@ impl Positions {
         boxes: &wgpu::Buffer,
     ) -> Result<bool, Error> {
         let mut scan = Scan::NONE;
-        for (p, q) in x0.iter().zip(x1) {
-            scan.take(*p);
-            scan.take(*q);
-        }
-        if !scan.finite {
-            error::check_coordinates(0, x0)?;
-            error::check_coordinates(1, x1)?;
-        }
+        scan.take_all(x0, x1);
+        scan.check(x0, x1)?;
         let table = scan.table(true);
         self.table = table;
         self.exact = table == Table::AS_GIVEN;
@@ -101,10 +107,17 @@ impl Positions {
         if self.boxes == Boxes::OfPositions {
             let bytes = (x0.len() * size_of::<[f64; 3]>()) as u64;
             let replaced = make_room(device, "positions in f64", &mut self.wide, 2 * bytes)?
-                | make_room(device, "keys of exact boxes", &mut self.keys, (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64)?;
+                | make_room(
+                    device,
+                    "keys of exact boxes",
+                    &mut self.keys,
+                    (x0.len() * size_of::<[[u32; 2]; 6]>()) as u64,
+                )?;
             for (x, at) in [(x0, 0), (x1, bytes)] {
                 match T::slices::<Points, 1>([x]) {
-                    Precision::F64([x]) => queue.write_buffer(&self.wide, at, bytemuck::cast_slice(x)),
+                    Precision::F64([x]) => {
+                        queue.write_buffer(&self.wide, at, bytemuck::cast_slice(x))
+                    }
                     // Rare: coordinates that are too large for the filters as they are.
                     Precision::F32([x]) => {
                         self.host_wide.clear();
@@ -120,7 +133,8 @@ impl Positions {
             [p[0], p[1], p[2], 0.0]
         };
         self.host_paths.clear();
-        self.host_paths.extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
+        self.host_paths
+            .extend(x0.iter().zip(x1).map(|(p, q)| Path { t0: path_end(p), t1: path_end(q) }));
         queue.write_buffer(&self.paths, 0, bytemuck::cast_slice(&self.host_paths));
         if self.boxes == Boxes::OfPaths {
             return Ok(false);
@@ -130,7 +144,10 @@ impl Positions {
         self.host_boxes.clear();
         for (p, q) in x0.iter().zip(x1) {
             let exact = swept_box::swept(*p, *q).inflated(margin);
-            self.host_keys.push(placement::keys(&Aabb { min: exact.min.map(T::to_f64), max: exact.max.map(T::to_f64) }));
+            self.host_keys.push(placement::keys(&Aabb {
+                min: exact.min.map(T::to_f64),
+                max: exact.max.map(T::to_f64),
+            }));
             self.host_boxes.push(exact.round_out());
         }
         let keys: &[u8] = bytemuck::cast_slice(&self.host_keys);
@@ -167,7 +184,12 @@ impl Positions {
 }
 
 /// Replaces a buffer that is too small. Returns whether it was.
-fn make_room(device: &Device, what: &'static str, buffer: &mut wgpu::Buffer, bytes: u64) -> Result<bool, Error> {
+fn make_room(
+    device: &Device,
+    what: &'static str,
+    buffer: &mut wgpu::Buffer,
+    bytes: u64,
+) -> Result<bool, Error> {
     let too_small = buffer.size() < bytes;
     if too_small {
         *buffer = device.buffer(what, bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)?;

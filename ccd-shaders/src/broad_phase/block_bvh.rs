@@ -3,8 +3,8 @@
 use crate::workgroup::{barrier, get, group, set};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::block_bvh::{set_of, slot};
-use ccd_core::layout::{Blocks, Frame, Leaf, Params};
 use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{Blocks, Frame, Leaf, Params};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

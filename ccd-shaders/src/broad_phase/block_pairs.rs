@@ -13,8 +13,8 @@ use ccd_core::broad_phase::block_bvh::{
     NOT_KEPT, POOL, TEAMS, THREADS, WIDTH, keep, kept, pack, sets, slot, unpack,
 };
 use ccd_core::broad_phase::candidate::wanted;
-use ccd_core::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
 use ccd_core::kernel::memory::at;
+use ccd_core::layout::{Blocks, Frame, Leaf, Pair, Params, Path};
 use ccd_core::narrow_phase::cascade;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
@@ -76,10 +76,7 @@ fn clear(lane: u32, counters: &mut [u32; 8]) {
 /// Gathers the columns of each team. Returns this thread's child of the first node, empty if it
 /// does not reach into the second.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "views cannot be put into a structure: naga refuses types that hold pointers"
-)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn gather(
     lane: u32,
     params: &Params<Blocks>,
@@ -117,10 +114,7 @@ fn counts(same: bool, leaves: bool, i: u32, j: u32) -> bool {
 /// Tests this thread's row against the columns of its team and pools the hits. Returns the columns
 /// of those for which the pool has no room, as bits.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "views cannot be put into a structure: naga refuses types that hold pointers"
-)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn test(
     lane: u32,
     row: Aabb,

@@ -4,9 +4,9 @@ use crate::workgroup::{barrier, get, group, raise, set};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{block_bvh, morton_key};
 use ccd_core::kernel::Id;
+use ccd_core::kernel::memory::put;
 use ccd_core::layout::Params;
 use ccd_core::math::morton::MortonGrid;
-use ccd_core::kernel::memory::put;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -6,8 +6,8 @@ use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::broad_phase::{block_bvh, radix_tree};
 use ccd_core::kernel::Id;
-use ccd_core::layout::{Blocks, Branch, Leaf, Node, Pair, Params};
 use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{Blocks, Branch, Leaf, Node, Pair, Params};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -107,10 +107,7 @@ pub fn traverse_against(
 /// Appends the pairs of box `a` with the leaves after leaf `after` that overlap `query`; `one_set`:
 /// the lesser id first.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "views cannot be put into a structure: naga refuses types that hold pointers"
-)]
+#[allow(clippy::too_many_arguments, reason = "naga refuses structures that hold views")]
 fn traverse(
     params: &Params,
     a: u32,

@@ -1,9 +1,9 @@
 //! Contacts into their canonical order; the sorts between are those of `sort.rs`.
 
 use crate::workgroup::{group, length};
+use ccd_core::kernel::memory::{at, put};
 use ccd_core::kernel::{Id, contact_order};
 use ccd_core::layout::{ContactSort, LIST_HEADER, Params, TOUCH_WORDS};
-use ccd_core::kernel::memory::{at, put};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

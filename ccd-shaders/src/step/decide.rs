@@ -4,9 +4,9 @@ use crate::workgroup::{
     add, add_shared, barrier, get, group, length, lower, read_pair, set, write_pair,
 };
 use ccd_core::kernel::Id;
-use ccd_core::narrow_phase::decide::{self, Verdicts};
-use ccd_core::layout::{Decision, Frame, LIST_HEADER, Pair, Params, Path, TOUCH_WORDS, Touch};
 use ccd_core::kernel::memory::put;
+use ccd_core::layout::{Decision, Frame, LIST_HEADER, Pair, Params, Path, TOUCH_WORDS, Touch};
+use ccd_core::narrow_phase::decide::{self, Verdicts};
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 

@@ -4,9 +4,9 @@ use crate::workgroup::group;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::{placement, swept_box};
 use ccd_core::kernel::Id;
-use ccd_core::narrow_phase::decide;
-use ccd_core::layout::{Params, Path};
 use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{Params, Path};
+use ccd_core::narrow_phase::decide;
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;
 
@@ -102,7 +102,10 @@ pub fn shorten(
         put(
             shortened,
             i as usize,
-            swept_box::shorten(&at(paths, i as usize), decide::until(at(of_vf, 0).min(at(of_ee, 0)))),
+            swept_box::shorten(
+                &at(paths, i as usize),
+                decide::until(at(of_vf, 0).min(at(of_ee, 0))),
+            ),
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Pseudo-random numbers of a seed, the same on every machine (SplitMix64, [Steele 2014]).
+//! Pseudo-random numbers of a seed, the same on every machine (SplitMix64) [Steele 2014].
 
 #[derive(Clone, Debug)]
 pub struct Random(u64);
