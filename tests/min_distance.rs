@@ -2,7 +2,7 @@
 //! all of the distance.
 
 use ccd::scenes::{Random, triangle_soup};
-use ccd::{Coordinate, Kind, Mesh, Options, Real, Session, State, TOI_TOLERANCE};
+use ccd::{Coordinate, Kind, Mesh, Options, Session, State, TOI_TOLERANCE};
 use first::{First, first_within, point_triangle, segment_segment};
 use std::collections::HashMap;
 

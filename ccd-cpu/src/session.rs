@@ -1,9 +1,10 @@
 //! A mesh stepped frame by frame: buffers and the order of trees are kept, trees are refitted or
 //! rebuilt by a stated rule.
 
-use crate::broad_phase::pair_descent::PairDescent;
+use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
-use crate::step::candidates::{EdgeRows, FaceRows, Given, Scene, Take};
+use crate::broad_phase::pair_source::PairSource;
+use crate::step::candidates::{EdgePairs, FacePairs, Given, Scene, Take};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
@@ -23,7 +24,7 @@ pub struct Session {
     options: Options,
     threads: Threads,
     prepared: Prepared,
-    traversal: PairDescent,
+    method: Method,
     workers: Vec<Worker>,
     listers: [Vec<Lister>; 2],
     runs: [Vec<Run>; 2],
@@ -34,13 +35,14 @@ impl Session {
     /// A session for `mesh`.
     pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
+        let method = Method::new(options.broad_phase)?;
         let threads = Threads::new(options.threads)?;
         Ok(Self {
             mesh,
             options,
             threads,
             prepared: Prepared::default(),
-            traversal: PairDescent::default(),
+            method,
             workers: Vec::new(),
             listers: Default::default(),
             runs: Default::default(),
@@ -87,7 +89,11 @@ impl Session {
     /// [`Session::step`].
     ///
     /// It is not later than the earliest contact. `None`: the whole step is free.
-    pub fn earliest_toi<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Option<f64>, Error> {
+    pub fn earliest_toi<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Option<f64>, Error> {
         self.run(T::slices::<Points, 2>([x0, x1]), true)?;
         Ok(self.report.toi)
     }
@@ -96,7 +102,11 @@ impl Session {
     /// that share a vertex or that the bodies rule out.
     ///
     /// A step does not need this: it never lists them.
-    pub fn candidates<T: Coordinate>(&mut self, x0: &[[T; 3]], x1: &[[T; 3]]) -> Result<Candidates<'_>, Error> {
+    pub fn candidates<T: Coordinate>(
+        &mut self,
+        x0: &[[T; 3]],
+        x1: &[[T; 3]],
+    ) -> Result<Candidates<'_>, Error> {
         self.list(T::slices::<Points, 2>([x0, x1]))?;
         let [vf, ee] = [0, 1].map(|k| Pairs::new(&self.runs[k], &self.listers[k]));
         Ok(Candidates { vf, ee })
@@ -106,16 +116,18 @@ impl Session {
     #[inline(never)]
     fn list(&mut self, given: Given) -> Result<(), Error> {
         let x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, traversal, listers, runs, .. } = self;
+        let Self { mesh, options, threads, prepared, method, listers, runs, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.trees(threads, mesh, options.bodies.as_ref(), true);
+            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), true);
             let scene = prepared.scene(mesh, options, &x, false);
-            for (kind, lists) in [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut()) {
+            for (kind, lists) in
+                [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
+            {
                 lists.resize_with(threads.count(), Lister::default);
                 lists.iter_mut().for_each(Lister::clear);
-                traverse(kind, threads, traversal, prepared, &scene, 1, lists);
+                find(kind, threads, method, prepared, &scene, 1, lists);
             }
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
@@ -128,7 +140,7 @@ impl Session {
     #[inline(never)]
     fn run(&mut self, given: Given, earliest: bool) -> Result<(), Error> {
         let mut x = Positions::new(&self.mesh, given)?;
-        let Self { mesh, options, threads, prepared, traversal, workers, report, .. } = self;
+        let Self { mesh, options, threads, prepared, method, workers, report, .. } = self;
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             let start = Instant::now();
@@ -136,20 +148,37 @@ impl Session {
             workers.iter_mut().for_each(Worker::reset);
             report.contacts.clear();
             report.times = Default::default();
-            prepare(threads, prepared, mesh, options, &x, report)?;
+            prepare(threads, prepared, method, mesh, options, &x, report)?;
             if earliest {
                 // A part of the tasks first; what it finds bounds the time that matters. Smaller
                 // boxes for that time are worth it if there are many candidates.
-                detect(threads, traversal, prepared, &prepared.scene(mesh, options, &x, false), SAMPLE, workers, report);
+                detect(
+                    threads,
+                    method,
+                    prepared,
+                    &prepared.scene(mesh, options, &x, false),
+                    SAMPLE,
+                    workers,
+                    report,
+                );
                 let n_features = mesh.n_vertices() + mesh.edges().len() + mesh.faces().len();
                 if let Some(bound) = least_toi(workers)
-                    && report.candidates.total() * SAMPLE as u64 > CANDIDATES_PER_FEATURE * n_features as u64
+                    && report.candidates.total() * SAMPLE as u64
+                        > CANDIDATES_PER_FEATURE * n_features as u64
                 {
                     x.until = bound;
-                    prepare(threads, prepared, mesh, options, &x, report)?;
+                    prepare(threads, prepared, method, mesh, options, &x, report)?;
                 }
             }
-            detect(threads, traversal, prepared, &prepared.scene(mesh, options, &x, !earliest), 1, workers, report);
+            detect(
+                threads,
+                method,
+                prepared,
+                &prepared.scene(mesh, options, &x, !earliest),
+                1,
+                workers,
+                report,
+            );
             collect(threads, workers, report);
             report.times.total = milliseconds(start);
             Ok(())
@@ -167,14 +196,24 @@ pub struct Candidates<'a> {
 }
 
 /// Every contact of one step, with no session to keep: see [`Session::step`].
-pub fn step<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Report, Error> {
+pub fn step<T: Coordinate>(
+    mesh: &Mesh,
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    options: &Options,
+) -> Result<Report, Error> {
     let mut session = Session::new(mesh.clone(), options.clone())?;
     session.step(x0, x1)?;
     Ok(session.into_report())
 }
 
 /// The earliest time of impact of one step: see [`Session::earliest_toi`].
-pub fn earliest_toi<T: Coordinate>(mesh: &Mesh, x0: &[[T; 3]], x1: &[[T; 3]], options: &Options) -> Result<Option<f64>, Error> {
+pub fn earliest_toi<T: Coordinate>(
+    mesh: &Mesh,
+    x0: &[[T; 3]],
+    x1: &[[T; 3]],
+    options: &Options,
+) -> Result<Option<f64>, Error> {
     Session::new(mesh.clone(), options.clone())?.earliest_toi(x0, x1)
 }
 
@@ -188,6 +227,7 @@ const CANDIDATES_PER_FEATURE: u64 = 2;
 fn prepare(
     threads: &Threads,
     prepared: &mut Prepared,
+    method: &mut Method,
     mesh: &Mesh,
     options: &Options,
     x: &Positions,
@@ -197,7 +237,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.trees(threads, mesh, options.bodies.as_ref(), x.whole());
+    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x.whole());
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())
@@ -211,7 +251,7 @@ fn least_toi(workers: &[Worker]) -> Option<f64> {
 /// Finds and decides all candidates, or those of every `part`-th task.
 fn detect(
     threads: &Threads,
-    traversal: &mut PairDescent,
+    method: &mut Method,
     prepared: &Prepared,
     scene: &Scene,
     part: usize,
@@ -223,7 +263,7 @@ fn detect(
     let before = narrow(workers);
     for kind in [Kind::VertexFace, Kind::EdgeEdge] {
         workers.iter_mut().for_each(Worker::start_kind);
-        traverse(kind, threads, traversal, prepared, scene, part, workers);
+        find(kind, threads, method, prepared, scene, part, workers);
         // If a sample came before, the last pass counts.
         *report.candidates.of(kind) = workers.iter().map(|w| w.n_candidates).sum();
         *report.filtered.of(kind) = workers.iter().map(|w| w.n_filtered).sum();
@@ -234,26 +274,25 @@ fn detect(
 }
 
 /// Hands the candidates of one kind to the workers.
-fn traverse<W: Take>(
+fn find<W: Take>(
     kind: Kind,
     threads: &Threads,
-    traversal: &mut PairDescent,
+    method: &mut Method,
     prepared: &Prepared,
     scene: &Scene,
     part: usize,
     workers: &mut [W],
 ) {
     let Prepared { vertices, edges, faces, .. } = prepared;
+    let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
     match kind {
         Kind::VertexFace => {
-            let (vertex_leaves, face_leaves) = (&vertices.leaves, &faces.leaves);
-            let (vertices, faces) = (&vertices.bvh, &faces.bvh);
-            let rows = FaceRows { scene, vertices, faces, vertex_leaves, face_leaves, worker: PhantomData };
-            traversal.run(threads, (vertices, Some(faces)), part, &rows, workers);
+            let sink = FacePairs { scene, vertices, faces, worker: PhantomData };
+            method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
         }
         Kind::EdgeEdge => {
-            let rows = EdgeRows { scene, edges: &edges.bvh, leaves: &edges.leaves, worker: PhantomData };
-            traversal.run(threads, (&edges.bvh, None), part, &rows, workers);
+            let sink = EdgePairs { scene, edges, worker: PhantomData };
+            method.find(threads, (&edges.boxes, None), part, &sink, workers);
         }
     }
 }
@@ -271,7 +310,8 @@ fn collect(threads: &Threads, workers: &mut [Worker], report: &mut Report) {
     }
     threads.sort(&mut report.contacts, |c: &Contact| (c.kind, c.a, c.b));
     report.toi = least_toi(workers);
-    report.undecided = report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
+    report.undecided =
+        report.contacts.iter().filter(|c| c.state == State::Undecided).count() as u64;
     report.times.narrow += milliseconds(start);
 }
 

@@ -36,7 +36,13 @@ const MIN_PART: usize = 8192;
 
 impl RadixSort {
     /// Sorts `0 .. n` by `key(i) < 2^63` into `order`.
-    pub fn sort(&mut self, threads: &Threads, n: usize, key: impl Fn(usize) -> u64 + Sync, order: &mut Vec<u32>) {
+    pub fn sort(
+        &mut self,
+        threads: &Threads,
+        n: usize,
+        key: impl Fn(usize) -> u64 + Sync,
+        order: &mut Vec<u32>,
+    ) {
         for half in 0..2 {
             self.keys[half].resize_with(n, AtomicU64::default);
             self.values[half].resize_with(n, AtomicU32::default);
@@ -60,14 +66,17 @@ impl RadixSort {
         let mut from = 0;
         let mut moved = false;
         for pass in 0..PASSES {
-            let total = |bin: usize| workers.iter().map(|w| w.counts[pass][bin] as usize).sum::<usize>();
+            let total =
+                |bin: usize| workers.iter().map(|w| w.counts[pass][bin] as usize).sum::<usize>();
             let first_bin = (0..BINS).find(|&bin| total(bin) > 0).unwrap_or(0);
             if total(first_bin) == n {
                 continue;
             }
             if moved && n_workers > 1 {
                 // Keys moved between workers: count this digit again where they are now.
-                threads.each(workers, &|k, worker| count(&keys[from][range(k)], &mut worker.counts, pass..pass + 1));
+                threads.each(workers, &|k, worker| {
+                    count(&keys[from][range(k)], &mut worker.counts, pass..pass + 1)
+                });
             }
             moved = true;
             let mut next = 0;
@@ -91,7 +100,9 @@ impl RadixSort {
             });
             from = to;
         }
-        threads.each(workers, &|k, worker| sort_ties(&keys[from], &values[from], range(k), &mut worker.ties));
+        threads.each(workers, &|k, worker| {
+            sort_ties(&keys[from], &values[from], range(k), &mut worker.ties)
+        });
         order.resize(n, 0);
         threads.fill(order, |i| values[from][i].load(Relaxed));
     }
@@ -103,7 +114,12 @@ fn digit(key: u64, pass: usize) -> usize {
 }
 
 /// Sorts every run of keys with equal upper bits that begins in `range`.
-fn sort_ties(keys: &[AtomicU64], values: &[AtomicU32], range: std::ops::Range<usize>, ties: &mut Vec<(u64, u32)>) {
+fn sort_ties(
+    keys: &[AtomicU64],
+    values: &[AtomicU32],
+    range: std::ops::Range<usize>,
+    ties: &mut Vec<(u64, u32)>,
+) {
     let upper = |i: usize| keys[i].load(Relaxed) >> LOW_BITS;
     let mut i = range.start;
     // A run that began before this range is sorted by whoever has its beginning.
@@ -148,7 +164,9 @@ mod tests {
         let mut x = 7u64;
         let keys: Vec<u64> = (0..n)
             .map(|_| {
-                x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                x = x
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
                 (x >> 1) & ((1 << bits) - 1)
             })
             .collect();

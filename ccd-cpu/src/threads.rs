@@ -56,7 +56,12 @@ impl Threads {
     }
 
     /// As [`Threads::each`], with a second thing of its own for every worker.
-    pub fn each_with<W: Send, S: Send>(&self, workers: &mut [W], scratch: &mut [S], f: &(dyn Fn(&mut W, &mut S) + Sync)) {
+    pub fn each_with<W: Send, S: Send>(
+        &self,
+        workers: &mut [W],
+        scratch: &mut [S],
+        f: &(dyn Fn(&mut W, &mut S) + Sync),
+    ) {
         assert_eq!(workers.len(), scratch.len());
         if self.count == 1 {
             workers.iter_mut().zip(scratch).for_each(|(w, s)| f(w, s));
@@ -87,6 +92,10 @@ impl Threads {
 
     /// Sorts in place by a key that no two items share.
     pub fn sort<T: Send, K: Ord>(&self, items: &mut [T], key: impl Fn(&T) -> K + Sync) {
-        if self.count == 1 { items.sort_unstable_by_key(key) } else { items.par_sort_unstable_by_key(key) }
+        if self.count == 1 {
+            items.sort_unstable_by_key(key)
+        } else {
+            items.par_sort_unstable_by_key(key)
+        }
     }
 }

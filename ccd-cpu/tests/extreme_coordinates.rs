@@ -1,4 +1,5 @@
-//! The unit of the coordinates decides nothing: a scene in any unit that is accepted has the contacts that it has at scale 1.
+//! The unit of the coordinates decides nothing: a scene in any unit that is accepted has the
+//! contacts that it has at scale 1.
 
 use ccd_core::model::contact::Contact;
 use ccd_core::model::mesh::Mesh;
@@ -36,7 +37,8 @@ fn keys(contacts: &[Contact]) -> Vec<Key> {
     contacts.iter().map(|c| (c.kind, c.a, c.b)).collect()
 }
 
-/// Contacts at `scale`, and the earliest time, must be those at scale 1; contacts that only a coarser arithmetic leaves open may come in addition.
+/// Contacts at `scale`, and the earliest time, must be those at scale 1; contacts that only a
+/// coarser arithmetic leaves open may come in addition.
 fn check_scale<R: Coordinate>(scale: f64, min_distance: f64, want: &[Key], want_toi: f64) {
     let (mesh, x0, x1) = soup(60);
     let options = Options { threads: 1, min_distance: min_distance * scale, ..Options::default() };
@@ -44,11 +46,24 @@ fn check_scale<R: Coordinate>(scale: f64, min_distance: f64, want: &[Key], want_
     let (x0, x1) = (scaled::<R>(&x0, scale), scaled::<R>(&x1, scale));
     let got = keys(&session.step(&x0, &x1).expect("a step").contacts);
     for key in want {
-        assert!(got.contains(key), "scale {scale:e}: {key:?} is missed; {} of {} found", got.len(), want.len());
+        assert!(
+            got.contains(key),
+            "scale {scale:e}: {key:?} is missed; {} of {} found",
+            got.len(),
+            want.len()
+        );
     }
-    assert!(got.len() <= want.len() + want.len() / 50, "scale {scale:e}: {} contacts, {} at scale 1", got.len(), want.len());
+    assert!(
+        got.len() <= want.len() + want.len() / 50,
+        "scale {scale:e}: {} contacts, {} at scale 1",
+        got.len(),
+        want.len()
+    );
     let toi = session.earliest_toi(&x0, &x1).expect("a step").expect("a contact");
-    assert!((toi - want_toi).abs() <= 2e-6, "scale {scale:e}: earliest {toi}, {want_toi} at scale 1");
+    assert!(
+        (toi - want_toi).abs() <= 2e-6,
+        "scale {scale:e}: earliest {toi}, {want_toi} at scale 1"
+    );
 }
 
 #[test]
@@ -60,7 +75,10 @@ fn contacts_do_not_depend_on_the_unit() {
         let want = keys(&session.step(&x0, &x1).expect("a step").contacts);
         let toi = session.earliest_toi(&x0, &x1).expect("a step").expect("a contact");
         assert!(want.len() > 200, "{} contacts show nothing", want.len());
-        for e in [-330, -300, -200, -130, -60, -20, 0, 20, 40, 100, 120, 125, 126, 127, 128, 129, 130, 160, 200, 300, 330] {
+        for e in [
+            -330, -300, -200, -130, -60, -20, 0, 20, 40, 100, 120, 125, 126, 127, 128, 129, 130,
+            160, 200, 300, 330,
+        ] {
             check_scale::<f64>(2f64.powi(e), min_distance, &want, toi);
         }
     }
@@ -69,7 +87,8 @@ fn contacts_do_not_depend_on_the_unit() {
 #[test]
 fn contacts_in_f32_do_not_depend_on_the_unit() {
     let (mesh, x0, x1) = soup(60);
-    let mut session = Session::new(mesh, Options { threads: 1, ..Options::default() }).expect("a session");
+    let mut session =
+        Session::new(mesh, Options { threads: 1, ..Options::default() }).expect("a session");
     let (y0, y1) = (scaled::<f32>(&x0, 1.0), scaled::<f32>(&x1, 1.0));
     let want = keys(&session.step(&y0, &y1).expect("a step").contacts);
     let toi = session.earliest_toi(&y0, &y1).expect("a step").expect("a contact");

@@ -13,6 +13,7 @@ use ccd_core::Coordinate;
 use ccd_core::layout::{Pair, Touch};
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
+use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::report::Report;
@@ -73,6 +74,10 @@ impl Session {
     /// A session for `mesh` on `device`.
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
+        if options.broad_phase != BroadPhaseMethod::Blocks {
+            let name = options.broad_phase.row().name;
+            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
+        }
         Ok(Self {
             buffers: Buffers::new(device, &mesh, &options)?,
             bench: Bench::new(device)?,

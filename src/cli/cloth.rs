@@ -78,7 +78,11 @@ impl Cloth {
         let choice = backend.choose(mesh.edges().len())?;
         let session = |min_distance| {
             let bodies = Some(bodies.clone());
-            Session::new(&choice, mesh.clone(), Options { min_distance, threads: 0, bodies })
+            Session::new(
+                &choice,
+                mesh.clone(),
+                Options { min_distance, bodies, ..Options::default() },
+            )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
         let springs = springs(&faces[..n_faces_cloth], &x);

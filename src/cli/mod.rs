@@ -112,8 +112,11 @@ struct StepOptions {
 impl StepOptions {
     /// A session for a mesh where the options want it.
     fn session(&self, mesh: ccd::Mesh) -> Result<ccd::any::Session, Failure> {
-        let options =
-            ccd::Options { min_distance: self.min_distance, threads: self.threads, bodies: None };
+        let options = ccd::Options {
+            min_distance: self.min_distance,
+            threads: self.threads,
+            ..ccd::Options::default()
+        };
         Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
     }
 }

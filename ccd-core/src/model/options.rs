@@ -3,6 +3,7 @@
 use super::bodies::Bodies;
 use super::error::{Error, check_min_distance};
 use super::mesh::Mesh;
+use super::method::BroadPhaseMethod;
 
 /// What a step looks for and how.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +16,9 @@ pub struct Options {
     pub threads: usize,
     /// Which pairs of bodies are looked at; `None`: all pairs of features that share no vertex.
     pub bodies: Option<Bodies>,
+    /// How pairs whose boxes overlap are found; results do not depend on it. A session of a backend
+    /// that does not have the method is refused.
+    pub broad_phase: BroadPhaseMethod,
 }
 
 impl Options {

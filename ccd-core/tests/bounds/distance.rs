@@ -8,6 +8,8 @@ use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::{Real, TOI_TOLERANCE, Verdict};
 
+type Distance = fn([[f64; 3]; 4]) -> f64;
+
 /// A query, its minimum distance, and what measures its distance: a function, and the points of the
 /// first feature.
 struct Query<R> {
@@ -15,12 +17,12 @@ struct Query<R> {
     t0: Points<R>,
     t1: Points<R>,
     d: f64,
-    distance: fn([[f64; 3]; 4]) -> f64,
+    distance: Distance,
     n_first: usize,
 }
 
 /// The least distance during the step, nearly.
-fn least(distance: fn([[f64; 3]; 4]) -> f64, t0: &Points<f64>, t1: &Points<f64>) -> f64 {
+fn least(distance: Distance, t0: &Points<f64>, t1: &Points<f64>) -> f64 {
     let at = |t: f64| {
         distance(std::array::from_fn(|i| {
             std::array::from_fn(|k| t0[i][k] + t * (t1[i][k] - t0[i][k]))
@@ -44,7 +46,7 @@ fn query<R: Real>(random: &mut Random) -> Query<R> {
     let t1 = t0.map(|p| std::array::from_fn(|k| p[k] + slow * random.between(-1.0, 1.0)));
     let narrow = |x: Points<f64>| x.map(|p| p.map(R::from_f64));
     let (t0, t1) = (narrow(t0), narrow(t1));
-    let (patch, distance, n_first): (_, fn([[f64; 3]; 4]) -> f64, _) = match random.below(2) {
+    let (patch, distance, n_first): (_, Distance, _) = match random.below(2) {
         0 => (Patch::Triangle, point_triangle, 1),
         _ => (Patch::Parallelogram, segment_segment, 2),
     };

@@ -1,58 +1,49 @@
-//! The default tree: boxes sorted along the Morton curve, in blocks of eight, in blocks of eight
-//! blocks, and so on.
+//! The default tree: boxes in Morton order, in blocks of eight, in blocks of eight blocks, and so
+//! on.
 //!
 //! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i ..
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass
-//! over the levels.
+//! over the levels. Level 0, the leaves, is kept elsewhere: every method has it.
 
-use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::leaf_boxes::set_lane;
+use crate::broad_phase::pair_source::Fixed;
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
 
-/// A tree over `n` boxes.
+/// The levels above the leaves.
 #[derive(Debug, Default)]
 pub struct BlockBvh {
-    n: usize,
-    order: Vec<u32>,
-    /// `levels[0]` holds the boxes, `levels[height - 1]` is one block; those above are kept for
-    /// their memory.
-    levels: Vec<Vec<Block>>,
+    /// `upper[0]` is level 1, `upper[height - 2]` one block; those above are kept for their memory.
+    upper: Vec<Vec<Block>>,
     height: usize,
     /// Per level and block: the lanes that hold fixed boxes only; empty where none was marked.
     fixed: Vec<Vec<u8>>,
     any_fixed: bool,
-    morton: MortonOrder,
-    looseness_at_build: f64,
+    looseness_at_build: Option<f64>,
     sums: Vec<f64>,
 }
 
 impl BlockBvh {
-    /// Whether there is no box.
-    pub fn is_empty(&self) -> bool {
-        self.n == 0
-    }
-
-    /// Number of levels above the boxes; a tree without boxes has one empty block.
+    /// Number of levels, the leaves included.
     pub fn height(&self) -> usize {
         self.height
     }
 
-    /// Blocks of a level, 0 being the boxes themselves. A level above the last is one block with
-    /// one lane used.
+    /// Blocks of a level from 1 on. A level above the last is one block with one lane used.
+    #[inline(always)]
     pub fn level(&self, level: usize) -> &[Block] {
-        &self.levels[level]
-    }
-
-    /// Ids of the boxes in leaf order: lane `j` of block `i` of level 0 is box `order()[8 i + j]`.
-    pub fn order(&self) -> &[u32] {
-        &self.order
+        &self.upper[level - 1]
     }
 
     /// Lanes of block `i` of a level that hold fixed boxes only.
     #[inline(always)]
     pub fn fixed(&self, level: usize, i: usize) -> u8 {
-        if level < self.fixed.len() && i < self.fixed[level].len() { self.fixed[level][i] } else { 0 }
+        if level < self.fixed.len() && i < self.fixed[level].len() {
+            self.fixed[level][i]
+        } else {
+            0
+        }
     }
 
     /// Whether any box is fixed.
@@ -60,104 +51,87 @@ impl BlockBvh {
         self.any_fixed
     }
 
-    /// Sorts the boxes anew and builds all levels. Boxes for which `fixed(i)` come last, so that
-    /// whole blocks are fixed.
-    pub fn build(&mut self, threads: &Threads, boxes: &[Aabb<f32>], fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
-        self.n = boxes.len();
-        self.morton.sort(threads, boxes, fixed, &mut self.order);
-        self.fit(threads, boxes);
-        self.mark_fixed(fixed);
-        self.looseness_at_build = self.looseness(threads);
-    }
-
-    fn mark_fixed(&mut self, fixed: Option<&(dyn Fn(usize) -> bool + Sync)>) {
+    /// Forgets the boxes of before; marks those of the new order that are fixed.
+    pub fn begin(&mut self, order: &[u32], fixed: Option<Fixed>) {
+        self.looseness_at_build = None;
         self.any_fixed = fixed.is_some();
         // Levels beyond those of this build, too: `raise` may need them, and they are not marked.
         self.fixed.iter_mut().for_each(Vec::clear);
         let Some(fixed) = fixed else { return };
-        for level in 0..self.height {
+        let mut level = 0;
+        loop {
             if self.fixed.len() == level {
                 self.fixed.push(Vec::new());
             }
             let (below, here) = self.fixed.split_at_mut(level);
             match below.last() {
-                None => here[0].extend(self.order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
-                Some(below) => here[0].extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
+                None => here[0]
+                    .extend(order.chunks(WIDTH).map(|ids| all_of(ids, |&id| fixed(id as usize)))),
+                Some(below) => here[0]
+                    .extend(below.chunks(WIDTH).map(|masks| all_of(masks, |&mask| mask == 0xff))),
             }
+            if here[0].len() <= 1 {
+                break;
+            }
+            level += 1;
         }
     }
 
-    /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much
-    /// looser blocks have become since: the ratio of [`BlockBvh::looseness`] to what it was after
-    /// the build.
-    pub fn refit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> f64 {
-        assert_eq!(boxes.len(), self.n, "refit with another number of boxes");
-        self.fit(threads, boxes);
-        let looseness = self.looseness(threads);
-        if self.looseness_at_build > 0.0 { looseness / self.looseness_at_build } else { 1.0 }
+    /// Computes all levels above these leaves. Returns how much looser blocks have become since the
+    /// first time after [`BlockBvh::begin`].
+    pub fn fit(&mut self, threads: &Threads, leaves: &[Block]) -> f64 {
+        self.height = 1;
+        let mut n_below = leaves.len();
+        while n_below > 1 {
+            let level = self.height - 1;
+            if self.upper.len() == level {
+                self.upper.push(Vec::new());
+            }
+            let (below, here) = self.upper.split_at_mut(level);
+            let below = below.last().map_or(leaves, Vec::as_slice);
+            n_below = n_below.div_ceil(WIDTH);
+            here[0].resize(n_below, EMPTY);
+            threads.fill(&mut here[0], |i| {
+                let mut block = EMPTY;
+                let children = &below[i * WIDTH..((i + 1) * WIDTH).min(below.len())];
+                for (j, child) in children.iter().enumerate() {
+                    set_lane(&mut block, j, &union_of_lanes(child));
+                }
+                block
+            });
+            self.height += 1;
+        }
+        let looseness = self.looseness(threads, leaves);
+        let before = *self.looseness_at_build.get_or_insert(looseness);
+        if before > 0.0 { looseness / before } else { 1.0 }
+    }
+
+    /// Adds levels of one used lane until the tree over these leaves, at least one, is `height`
+    /// high, so that two trees can be descended in step.
+    pub fn raise(&mut self, height: usize, leaves: &[Block]) {
+        while self.height < height {
+            let level = self.height - 1;
+            let mut block = EMPTY;
+            let top = if level == 0 { &leaves[0] } else { &self.upper[level - 1][0] };
+            set_lane(&mut block, 0, &union_of_lanes(top));
+            if self.upper.len() == level {
+                self.upper.push(Vec::new());
+            }
+            self.upper[level].clear();
+            self.upper[level].push(block);
+            self.height += 1;
+        }
     }
 
     /// Sum of the side lengths of all blocks of eight, relative to that of the boxes in them: what
     /// a block costs its tests.
-    fn looseness(&mut self, threads: &Threads) -> f64 {
+    fn looseness(&mut self, threads: &Threads, leaves: &[Block]) -> f64 {
         if self.height < 2 {
             return 1.0;
         }
-        let boxes = extents(threads, &self.levels[0], &mut self.sums);
-        let blocks = extents(threads, &self.levels[1], &mut self.sums);
+        let boxes = extents(threads, leaves, &mut self.sums);
+        let blocks = extents(threads, &self.upper[0], &mut self.sums);
         if boxes > 0.0 { blocks / boxes } else { 1.0 }
-    }
-
-    fn fit(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) {
-        let mut n_blocks = self.n.div_ceil(WIDTH).max(1);
-        let mut height = 0;
-        let order = &self.order;
-        loop {
-            if self.levels.len() == height {
-                self.levels.push(Vec::new());
-            }
-            let (below, here) = self.levels.split_at_mut(height);
-            here[0].resize(n_blocks, EMPTY);
-            match below.last() {
-                None => threads.fill(&mut here[0], |i| {
-                    let mut block = EMPTY;
-                    let leaves = &order[(i * WIDTH).min(order.len())..((i + 1) * WIDTH).min(order.len())];
-                    for (j, &id) in leaves.iter().enumerate() {
-                        set_lane(&mut block, j, &boxes[id as usize]);
-                    }
-                    block
-                }),
-                Some(children) => threads.fill(&mut here[0], |i| {
-                    let mut block = EMPTY;
-                    let children = &children[i * WIDTH..((i + 1) * WIDTH).min(children.len())];
-                    for (j, child) in children.iter().enumerate() {
-                        set_lane(&mut block, j, &union_of_lanes(child));
-                    }
-                    block
-                }),
-            }
-            height += 1;
-            if n_blocks == 1 {
-                break;
-            }
-            n_blocks = n_blocks.div_ceil(WIDTH);
-        }
-        self.height = height;
-    }
-
-    /// Adds levels of one used lane until the tree is `height` high, so that two trees can be
-    /// descended in step.
-    pub fn raise(&mut self, height: usize) {
-        while self.height < height {
-            let mut block = EMPTY;
-            set_lane(&mut block, 0, &union_of_lanes(&self.levels[self.height - 1][0]));
-            if self.levels.len() == self.height {
-                self.levels.push(Vec::new());
-            }
-            self.levels[self.height].clear();
-            self.levels[self.height].push(block);
-            self.height += 1;
-        }
     }
 }
 
@@ -168,7 +142,11 @@ fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
     threads.fill(sums, |i| {
         let block = &level[i];
         let side = |k: usize, j: usize| {
-            if block.min[k].0[j] <= block.max[k].0[j] { block.max[k].0[j] as f64 - block.min[k].0[j] as f64 } else { 0.0 }
+            if block.min[k].0[j] <= block.max[k].0[j] {
+                block.max[k].0[j] as f64 - block.min[k].0[j] as f64
+            } else {
+                0.0
+            }
         };
         (0..WIDTH).map(|j| side(0, j) + side(1, j) + side(2, j)).sum()
     });
@@ -177,14 +155,10 @@ fn extents(threads: &Threads, level: &[Block], sums: &mut Vec<f64>) -> f64 {
 
 /// The items for which `f`, as bits; a lane past the last item counts as fixed.
 fn all_of<T>(items: &[T], f: impl Fn(&T) -> bool) -> u8 {
-    items.iter().enumerate().fold(0xff, |mask, (j, item)| if f(item) { mask } else { mask & !(1 << j) })
-}
-
-fn set_lane(block: &mut Block, j: usize, aabb: &Aabb<f32>) {
-    for k in 0..3 {
-        block.min[k].0[j] = aabb.min[k];
-        block.max[k].0[j] = aabb.max[k];
-    }
+    items
+        .iter()
+        .enumerate()
+        .fold(0xff, |mask, (j, item)| if f(item) { mask } else { mask & !(1 << j) })
 }
 
 fn union_of_lanes(block: &Block) -> Aabb<f32> {
@@ -198,30 +172,28 @@ fn union_of_lanes(block: &Block) -> Aabb<f32> {
     out
 }
 
-/// The ids of block `b`; lanes past the end repeat the last id.
-#[inline(always)]
-pub fn lane_ids(order: &[u32], b: usize) -> [u32; 8] {
-    match order.get(b * 8..b * 8 + 8) {
-        Some(ids) => ids.try_into().unwrap_or([0; 8]),
-        None => std::array::from_fn(|j| order[(b * 8 + j).min(order.len() - 1)]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::broad_phase::block_pairs::BlockSource;
+    use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 
-    fn check_well_formed(bvh: &BlockBvh, boxes: &[Aabb<f32>]) {
-        let mut seen: Vec<u32> = bvh.order.clone();
+    fn check_well_formed(bvh: &BlockBvh, leaves: &LeafBoxes, boxes: &[Aabb<f32>]) {
+        let mut seen: Vec<u32> = leaves.order().to_vec();
         seen.sort_unstable();
         assert!(seen.iter().copied().eq(0..boxes.len() as u32), "order is no permutation");
-        for (leaf, &id) in bvh.order.iter().enumerate() {
+        for (leaf, &id) in leaves.order().iter().enumerate() {
+            let b = &boxes[id as usize];
+            assert_eq!(leaves.get(leaf), *b, "leaf {leaf}");
             let mut at = leaf;
-            for level in &bvh.levels[..bvh.height] {
-                let (block, j) = (&level[at / WIDTH], at % WIDTH);
+            for level in 0..bvh.height {
+                let blocks = if level == 0 { leaves.blocks() } else { bvh.level(level) };
+                let (block, j) = (&blocks[at / WIDTH], at % WIDTH);
                 for k in 0..3 {
-                    let b = &boxes[id as usize];
-                    assert!(block.min[k].0[j] <= b.min[k] && block.max[k].0[j] >= b.max[k], "leaf {leaf}, axis {k}");
+                    assert!(
+                        block.min[k].0[j] <= b.min[k] && block.max[k].0[j] >= b.max[k],
+                        "leaf {leaf}, axis {k}"
+                    );
                 }
                 at /= WIDTH;
             }
@@ -232,40 +204,47 @@ mod tests {
     #[test]
     fn every_ancestor_holds_every_box() {
         let threads = Threads::new(1).unwrap();
-        let mut bvh = BlockBvh::default();
+        let mut source = BlockSource::default();
+        let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
         for n in [0usize, 1, 7, 8, 9, 64, 65, 1000, 20_000] {
             let mut x = n as u32;
             let mut unit = || {
                 x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
                 (x >> 8) as f32 / 16_777_216.0
             };
-            let mut boxes: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            bvh.build(&threads, &boxes, None);
-            check_well_formed(&bvh, &boxes);
+            let mut boxes: Vec<_> =
+                (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
+            leaves.build(&threads, &mut source, &boxes, None);
+            check_well_formed(source.tree(0), &leaves, &boxes);
             for b in &mut boxes {
                 b.max[1] += unit();
             }
-            bvh.refit(&threads, &boxes);
-            check_well_formed(&bvh, &boxes);
+            let looseness = leaves.refit(&threads, &mut source, &boxes);
+            assert!(looseness.is_finite() && looseness > 0.0, "{looseness}");
+            check_well_formed(source.tree(0), &leaves, &boxes);
         }
     }
 
     #[test]
     fn fixed_lanes_are_those_of_the_last_build() {
         let threads = Threads::new(1).unwrap();
-        let boxes: Vec<_> = (0..4096).map(|i| Aabb::of_point([i as f32, 0.0, 0.0])).collect();
+        let order: Vec<u32> = (0..4096).collect();
+        let blocks = vec![EMPTY; order.len() / WIDTH];
         let (all, none) = (|_: usize| true, |_: usize| false);
         let mut bvh = BlockBvh::default();
-        bvh.build(&threads, &boxes, Some(&all));
+        bvh.begin(&order, Some(&all));
+        bvh.fit(&threads, &blocks);
         let height = bvh.height();
         let any = |bvh: &BlockBvh| (0..height).any(|level| bvh.fixed(level, 0) != 0);
-        assert!(any(&bvh), "all boxes are fixed");
+        assert!((0..height).all(|level| bvh.fixed(level, 0) == 0xff), "all boxes are fixed");
         // Fewer boxes and fewer levels, then as many levels as before.
-        bvh.build(&threads, &boxes[..WIDTH], Some(&none));
-        bvh.raise(height);
+        bvh.begin(&order[..WIDTH], Some(&none));
+        bvh.fit(&threads, &blocks[..1]);
+        bvh.raise(height, &blocks[..1]);
+        assert_eq!(bvh.height(), height);
         assert!(!any(&bvh), "lanes of an earlier build");
-        bvh.build(&threads, &boxes, Some(&all));
-        bvh.build(&threads, &boxes, None);
+        bvh.begin(&order, Some(&all));
+        bvh.begin(&order, None);
         assert!(!any(&bvh), "lanes of an earlier build that had fixed boxes");
     }
 }

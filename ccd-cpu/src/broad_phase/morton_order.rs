@@ -30,8 +30,14 @@ impl MortonOrder {
     ) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunks, |i| {
-            (0..CHUNK / morton_key::CHUNK)
-                .fold(Aabb::EMPTY, |all, k| all.union(&morton_key::scene_bounds(i * CHUNK + k * morton_key::CHUNK, 1, boxes, boxes.len())))
+            (0..CHUNK / morton_key::CHUNK).fold(Aabb::EMPTY, |all, k| {
+                all.union(&morton_key::scene_bounds(
+                    i * CHUNK + k * morton_key::CHUNK,
+                    1,
+                    boxes,
+                    boxes.len(),
+                ))
+            })
         });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
         let grid = MortonGrid::new(&scene, BITS);

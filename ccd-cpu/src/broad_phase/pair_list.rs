@@ -58,7 +58,12 @@ pub fn order_runs(workers: &[Lister], runs: &mut Vec<Run>) {
     runs.clear();
     for (k, worker) in workers.iter().enumerate() {
         let ends = worker.segments.iter().skip(1).map(|s| s.1).chain([worker.pairs.len()]);
-        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| Run { task, worker: k, start, end }));
+        runs.extend(worker.segments.iter().zip(ends).map(|(&(task, start), end)| Run {
+            task,
+            worker: k,
+            start,
+            end,
+        }));
     }
     runs.sort_unstable_by_key(|run| run.task);
     runs.dedup_by(|next, run| {

@@ -152,7 +152,8 @@ fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], ma
     let order = unsafe { _mm_loadl_epi64(FRONT[mask as usize].as_ptr().cast()) };
     let b = _mm256_permutevar8x32_epi32(load_ids(b), _mm256_cvtepu8_epi32(order));
     let a = _mm256_set1_epi32(a as i32);
-    let (first, second) = if ORDERED { (_mm256_min_epu32(a, b), _mm256_max_epu32(a, b)) } else { (a, b) };
+    let (first, second) =
+        if ORDERED { (_mm256_min_epu32(a, b), _mm256_max_epu32(a, b)) } else { (a, b) };
     let (low, high) = (_mm256_unpacklo_epi32(first, second), _mm256_unpackhi_epi32(first, second));
     let n = mask.count_ones() as usize;
     // SAFETY: room for eight pairs was made above; the first `n` of them are written before the
@@ -171,7 +172,12 @@ fn append<const ORDERED: bool>(out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], ma
 fn quads(r0: __m256, r1: __m256, r2: __m256, r3: __m256) -> [__m256; 4] {
     let (p, q) = (_mm256_unpacklo_ps(r0, r1), _mm256_unpackhi_ps(r0, r1));
     let (s, t) = (_mm256_unpacklo_ps(r2, r3), _mm256_unpackhi_ps(r2, r3));
-    [_mm256_shuffle_ps::<0x44>(p, s), _mm256_shuffle_ps::<0xee>(p, s), _mm256_shuffle_ps::<0x44>(q, t), _mm256_shuffle_ps::<0xee>(q, t)]
+    [
+        _mm256_shuffle_ps::<0x44>(p, s),
+        _mm256_shuffle_ps::<0xee>(p, s),
+        _mm256_shuffle_ps::<0x44>(q, t),
+        _mm256_shuffle_ps::<0xee>(q, t),
+    ]
 }
 
 #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt")]

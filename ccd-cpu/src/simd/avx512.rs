@@ -13,7 +13,9 @@ impl Avx512 {
     /// `Some` if the processor has them.
     #[inline]
     pub fn new() -> Option<Self> {
-        let all = super::Avx2::new().is_some() && std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512dq");
+        let all = super::Avx2::new().is_some()
+            && std::is_x86_feature_detected!("avx512f")
+            && std::is_x86_feature_detected!("avx512dq");
         all.then_some(Self(()))
     }
 }
@@ -65,7 +67,12 @@ fn two(table: &[[f32; WIDTH]], low: u32, high: u32) -> __m512 {
 fn quads(r0: __m512, r1: __m512, r2: __m512, r3: __m512) -> [__m512; 4] {
     let (p, q) = (_mm512_unpacklo_ps(r0, r1), _mm512_unpackhi_ps(r0, r1));
     let (s, t) = (_mm512_unpacklo_ps(r2, r3), _mm512_unpackhi_ps(r2, r3));
-    [_mm512_shuffle_ps::<0x44>(p, s), _mm512_shuffle_ps::<0xee>(p, s), _mm512_shuffle_ps::<0x44>(q, t), _mm512_shuffle_ps::<0xee>(q, t)]
+    [
+        _mm512_shuffle_ps::<0x44>(p, s),
+        _mm512_shuffle_ps::<0xee>(p, s),
+        _mm512_shuffle_ps::<0x44>(q, t),
+        _mm512_shuffle_ps::<0xee>(q, t),
+    ]
 }
 
 #[target_feature(enable = "avx2,popcnt,bmi1,lzcnt,avx512f,avx512dq")]

@@ -44,7 +44,8 @@ pub const MAX_WIDTH: usize = 16;
 pub type Block = Aabb<F32x8>;
 
 /// Eight empty boxes.
-pub const EMPTY: Block = Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
+pub const EMPTY: Block =
+    Aabb { min: [F32x8([f32::INFINITY; WIDTH]); 3], max: [F32x8([f32::NEG_INFINITY; WIDTH]); 3] };
 
 /// Answers in eight lanes, a bit each.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +115,10 @@ pub trait RowSimd: Simd {
     fn one(self, block: &Block, i: usize) -> Aabb<Self::Lanes> {
         let (min, max) = (&block.min, &block.max);
         let all = Self::Lanes::splat;
-        Aabb { min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])], max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])] }
+        Aabb {
+            min: [all(min[0].0[i]), all(min[1].0[i]), all(min[2].0[i])],
+            max: [all(max[0].0[i]), all(max[1].0[i]), all(max[2].0[i])],
+        }
     }
 
     /// Lanes of `b` whose closed boxes overlap that of lane `i` of `a`.
@@ -167,7 +171,11 @@ macro_rules! run {
     ($work:expr) => {{
         #[cfg(target_arch = "x86_64")]
         {
-            if let Some(simd) = $crate::simd::Avx512::new() { $crate::simd::Simd::run(simd, $work) } else { $crate::simd::run_rows!($work) }
+            if let Some(simd) = $crate::simd::Avx512::new() {
+                $crate::simd::Simd::run(simd, $work)
+            } else {
+                $crate::simd::run_rows!($work)
+            }
         }
         #[cfg(not(target_arch = "x86_64"))]
         {

@@ -154,7 +154,13 @@ impl RowSimd for Portable {
     }
 
     #[inline(always)]
-    fn append<const ORDERED: bool>(self, out: &mut Vec<Pair>, a: u32, b: &[u32; WIDTH], mut mask: u32) {
+    fn append<const ORDERED: bool>(
+        self,
+        out: &mut Vec<Pair>,
+        a: u32,
+        b: &[u32; WIDTH],
+        mut mask: u32,
+    ) {
         while mask != 0 {
             let b = b[mask.trailing_zeros() as usize];
             out.push(if ORDERED { Pair::ordered(a, b) } else { Pair { a, b } });

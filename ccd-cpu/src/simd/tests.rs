@@ -6,8 +6,22 @@ use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::separating_direction::{axis_separated, beside};
 
 /// A few distinct numbers, so that comparisons are often equal, and all that is special.
-const VALUES: [f32; 14] =
-    [0.0, -0.0, 1.0, 1.5, -1.0, 2.0, -0.75, 1e-38, -3e-39, 1e20, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
+const VALUES: [f32; 14] = [
+    0.0,
+    -0.0,
+    1.0,
+    1.5,
+    -1.0,
+    2.0,
+    -0.75,
+    1e-38,
+    -3e-39,
+    1e20,
+    f32::MAX,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+];
 /// The first of them are ordinary.
 const N_ORDINARY: usize = 7;
 
@@ -25,7 +39,9 @@ impl Random {
         match self.below(8) {
             0 => VALUES[self.below(VALUES.len())],
             1..4 => VALUES[self.below(N_ORDINARY)],
-            _ => (self.below(65_536) as f32 + self.below(65_536) as f32 / 65_536.0) / 32_768.0 - 1.0,
+            _ => {
+                (self.below(65_536) as f32 + self.below(65_536) as f32 / 65_536.0) / 32_768.0 - 1.0
+            }
         }
     }
 
@@ -89,7 +105,8 @@ impl<S: Simd> Work<S> for Filters {
         let (mut random, mut out) = (Random(5), Vec::new());
         for _ in 0..600 {
             let table: Vec<[f32; WIDTH]> = (0..64).map(|_| random.lanes().0).collect();
-            let ids: [[u32; MAX_WIDTH]; 4] = std::array::from_fn(|_| std::array::from_fn(|_| random.below(64) as u32));
+            let ids: [[u32; MAX_WIDTH]; 4] =
+                std::array::from_fn(|_| std::array::from_fn(|_| random.below(64) as u32));
             // Answers per pair, so that their order does not depend on the width.
             let mut bits = [[0u32; 3]; MAX_WIDTH];
             let mut numbers = [[0f32; MAX_WIDTH]; 10];
@@ -119,7 +136,11 @@ impl<S: Simd> Work<S> for Filters {
                         bits[first + j][k] = (plane >> j & 1) << 1 | side >> j & 1;
                     }
                 }
-                assert_eq!(S::Lanes::splat(f32::NAN).gt(p).bits(), 0, "NaN is greater than nothing");
+                assert_eq!(
+                    S::Lanes::splat(f32::NAN).gt(p).bits(),
+                    0,
+                    "NaN is greater than nothing"
+                );
             }
             out.extend(numbers.iter().flatten().map(|&x| word(x)));
             out.extend(bits.iter().flatten());
@@ -137,7 +158,9 @@ fn word(x: f32) -> u32 {
 fn read<N: Copy>(lanes: N, out: &mut [f32]) {
     assert_eq!(size_of::<N>(), size_of_val(out));
     // SAFETY: lanes are as many numbers side by side, as the sizes say.
-    out.copy_from_slice(unsafe { std::slice::from_raw_parts((&raw const lanes).cast::<f32>(), out.len()) });
+    out.copy_from_slice(unsafe {
+        std::slice::from_raw_parts((&raw const lanes).cast::<f32>(), out.len())
+    });
 }
 
 /// Compares answers with those of the portable set.

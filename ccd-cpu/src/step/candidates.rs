@@ -2,11 +2,11 @@
 //! go, pairs of bodies that nobody wants, and pairs that overlap only because boxes were rounded.
 //! What is left are candidates; whoever takes them does the rest.
 
-use crate::broad_phase::block_bvh::{BlockBvh, lane_ids};
-use crate::broad_phase::pair_descent::{Rows, keep};
+use crate::broad_phase::keep;
 use crate::broad_phase::pair_list::Lister;
-use crate::simd::{Bits, Block, EMPTY, Mask, RowSimd, WIDTH, Work};
-use crate::threads::Threads;
+use crate::broad_phase::pair_source::PairSink;
+use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
+use crate::step::leaves::Leaves;
 use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
@@ -26,8 +26,8 @@ pub struct Scene<'a> {
     pub mesh: &'a Mesh,
     pub bodies: Option<&'a Bodies>,
     pub given: Given<'a>,
-    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in the
-    /// origin and the unit of a [`ccd_core::model::quantization::Table`].
+    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in
+    /// the origin and the unit of a [`ccd_core::model::quantization::Table`].
     pub table: &'a [[f32; WIDTH]],
     pub table_error: f32,
     /// The minimum distance in that unit, rounded up.
@@ -65,66 +65,6 @@ fn boxes_overlap<T: Real>(x: [&[[T; 3]]; 2], min_distance: f64, a: &[u32], b: &[
     of(a).overlaps(&of(b))
 }
 
-/// The features of one tree in leaf order, eight side by side.
-#[derive(Debug, Default)]
-pub struct Leaves<const N: usize> {
-    /// Vertices of the features.
-    pub vertices: Vec<[[u32; WIDTH]; N]>,
-    /// Boxes of the features at the start and at the end, of the positions in the table.
-    pub ends: Vec<[Block; 2]>,
-}
-
-impl<const N: usize> Leaves<N> {
-    /// Vertices, from those of every feature and the order of leaves.
-    pub fn order(&mut self, threads: &Threads, order: &[u32], features: impl Fn(u32) -> [u32; N] + Sync) {
-        self.vertices.resize(order.len().div_ceil(WIDTH), [[0; WIDTH]; N]);
-        threads.fill(&mut self.vertices, |i| {
-            let of = lane_ids(order, i).map(&features);
-            std::array::from_fn(|k| of.map(|vertices| vertices[k]))
-        });
-    }
-
-    /// Boxes at both ends, from the table of positions.
-    pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
-        let vertices = &self.vertices;
-        self.ends.resize(vertices.len(), [EMPTY; 2]);
-        threads.fill(&mut self.ends, |i| crate::simd::run_rows!(Place { table, vertices: &vertices[i] }));
-    }
-}
-
-/// The boxes of eight features at both ends.
-struct Place<'a, const N: usize> {
-    table: &'a [[f32; WIDTH]],
-    vertices: &'a [[u32; WIDTH]; N],
-}
-
-impl<S: RowSimd, const N: usize> Work<S> for Place<'_, N> {
-    type Out = [Block; 2];
-
-    #[inline(always)]
-    fn call(self, simd: S) -> [Block; 2] {
-        let first = simd.gather(self.table, &self.vertices[0]);
-        let (mut min, mut max) = (first, first);
-        for ids in &self.vertices[1..] {
-            let next = simd.gather(self.table, ids);
-            for k in 0..WIDTH {
-                min[k] = min[k].min(next[k]);
-                max[k] = max[k].max(next[k]);
-            }
-        }
-        [block(simd, &min, &max, 0), block(simd, &min, &max, 4)]
-    }
-}
-
-/// The boxes whose bounds begin at component `k`.
-#[inline(always)]
-fn block<S: RowSimd>(simd: S, min: &[S::Lanes; WIDTH], max: &[S::Lanes; WIDTH], k: usize) -> Block {
-    Block {
-        min: [simd.store(min[k]), simd.store(min[k + 1]), simd.store(min[k + 2])],
-        max: [simd.store(max[k]), simd.store(max[k + 1]), simd.store(max[k + 2])],
-    }
-}
-
 /// Takes candidates.
 pub trait Take: Send {
     /// Whether pairs that an axis separates throughout may be left out after they were counted.
@@ -132,7 +72,15 @@ pub trait Take: Send {
     /// Counts candidates.
     fn count(&mut self, n: u64);
     /// Takes the pairs of `id` with the lanes `mask` of `ids`.
-    fn take<S: RowSimd>(&mut self, simd: S, scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32);
+    fn take<S: RowSimd>(
+        &mut self,
+        simd: S,
+        scene: &Scene,
+        kind: Kind,
+        id: u32,
+        ids: &[u32; WIDTH],
+        mask: u32,
+    );
     /// A task begins.
     fn begin(&mut self, task: usize);
     /// No further candidate comes.
@@ -146,7 +94,15 @@ impl Take for Lister {
     fn count(&mut self, _n: u64) {}
 
     #[inline(always)]
-    fn take<S: RowSimd>(&mut self, simd: S, _scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+    fn take<S: RowSimd>(
+        &mut self,
+        simd: S,
+        _scene: &Scene,
+        kind: Kind,
+        id: u32,
+        ids: &[u32; WIDTH],
+        mask: u32,
+    ) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
             Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
@@ -160,50 +116,65 @@ impl Take for Lister {
     fn finish(&mut self, _scene: &Scene, _kind: Kind) {}
 }
 
-/// Edges against edges of one tree.
-pub struct EdgeRows<'a, W> {
+/// Edges against edges.
+pub struct EdgePairs<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub edges: &'a BlockBvh,
-    pub leaves: &'a Leaves<2>,
+    pub edges: &'a Leaves<2>,
     pub worker: PhantomData<fn(W)>,
 }
 
-/// Vertices of one tree against faces of another.
-pub struct FaceRows<'a, W> {
+/// Vertices against faces.
+pub struct FacePairs<'a, W> {
     pub scene: &'a Scene<'a>,
-    pub vertices: &'a BlockBvh,
-    pub faces: &'a BlockBvh,
-    pub vertex_leaves: &'a Leaves<1>,
-    pub face_leaves: &'a Leaves<3>,
+    pub vertices: &'a Leaves<1>,
+    pub faces: &'a Leaves<3>,
     pub worker: PhantomData<fn(W)>,
 }
 
-impl<W: Take> Rows for EdgeRows<'_, W> {
+impl<W: Take> PairSink for EdgePairs<'_, W> {
     type Worker = W;
 
     #[inline(always)]
-    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
+    fn row<S: RowSimd>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        a: usize,
+        lane: usize,
+        b: usize,
+        mut mask: u32,
+    ) {
         // Two numbers and not an array: one that a call refers to would live in memory.
-        let (a0, a1) = (self.leaves.vertices[a][0][lane], self.leaves.vertices[a][1][lane]);
-        let ends_b = &self.leaves.vertices[b];
+        let (a0, a1) = (self.edges.vertices[a][0][lane], self.edges.vertices[a][1][lane]);
+        let ends_b = &self.edges.vertices[b];
         let b01 = [Row { simd, ids: &ends_b[0] }, Row { simd, ids: &ends_b[1] }];
         mask &= !share_vertex([a0, a1], b01).bits();
         if let Some(bodies) = self.scene.bodies {
             mask = keep(mask, |j| bodies.wants(a0, ends_b[0][j]));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_surely(&self.edges.level(0)[a], lane, &self.edges.level(0)[b], slack);
+            let blocks = self.edges.boxes.blocks();
+            let sure = simd.overlaps_surely(&blocks[a], lane, &blocks[b], slack);
             let unsure = mask & !sure;
             if unsure != 0 {
-                mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]]));
+                mask = mask & sure
+                    | keep(unsure, |j| {
+                        self.scene.boxes_overlap([a0, a1], [ends_b[0][j], ends_b[1][j]])
+                    });
             }
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.leaves.ends[a], lane, &self.leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(
+                simd,
+                &self.edges.ends[a],
+                lane,
+                &self.edges.ends[b],
+                self.scene.needed_gap(),
+            );
         }
         if mask != 0 {
-            let (id, ids) = (self.edges.order()[a * WIDTH + lane], lane_ids(self.edges.order(), b));
+            let (id, ids) = (self.edges.boxes.order()[a * WIDTH + lane], self.edges.boxes.ids(b));
             worker.take(simd, self.scene, Kind::EdgeEdge, id, &ids, mask);
         }
     }
@@ -217,13 +188,21 @@ impl<W: Take> Rows for EdgeRows<'_, W> {
     }
 }
 
-impl<W: Take> Rows for FaceRows<'_, W> {
+impl<W: Take> PairSink for FacePairs<'_, W> {
     type Worker = W;
 
     #[inline(always)]
-    fn row<S: RowSimd>(&self, worker: &mut W, simd: S, a: usize, lane: usize, b: usize, mut mask: u32) {
-        let vertex = self.vertex_leaves.vertices[a][0][lane];
-        let corners = &self.face_leaves.vertices[b];
+    fn row<S: RowSimd>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        a: usize,
+        lane: usize,
+        b: usize,
+        mut mask: u32,
+    ) {
+        let vertex = self.vertices.vertices[a][0][lane];
+        let corners = &self.faces.vertices[b];
         let [f0, f1, f2] = corners;
         let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
         mask &= !is_corner(vertex, face).bits();
@@ -231,7 +210,12 @@ impl<W: Take> Rows for FaceRows<'_, W> {
             mask = keep(mask, |j| bodies.wants(vertex, corners[0][j]));
         }
         if let Some(slack) = self.scene.slack {
-            let sure = simd.overlaps_surely(&self.vertices.level(0)[a], lane, &self.faces.level(0)[b], slack);
+            let sure = simd.overlaps_surely(
+                &self.vertices.boxes.blocks()[a],
+                lane,
+                &self.faces.boxes.blocks()[b],
+                slack,
+            );
             let unsure = mask & !sure;
             if unsure != 0 {
                 let of = |j: usize| [corners[0][j], corners[1][j], corners[2][j]];
@@ -240,10 +224,16 @@ impl<W: Take> Rows for FaceRows<'_, W> {
         }
         worker.count(mask.count_ones() as u64);
         if W::FILTERED {
-            mask &= !separated(simd, &self.vertex_leaves.ends[a], lane, &self.face_leaves.ends[b], self.scene.needed_gap());
+            mask &= !separated(
+                simd,
+                &self.vertices.ends[a],
+                lane,
+                &self.faces.ends[b],
+                self.scene.needed_gap(),
+            );
         }
         if mask != 0 {
-            worker.take(simd, self.scene, Kind::VertexFace, vertex, &lane_ids(self.faces.order(), b), mask);
+            worker.take(simd, self.scene, Kind::VertexFace, vertex, &self.faces.boxes.ids(b), mask);
         }
     }
 

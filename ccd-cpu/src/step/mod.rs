@@ -2,5 +2,6 @@
 //! them.
 
 pub mod candidates;
+pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;

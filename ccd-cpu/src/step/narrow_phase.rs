@@ -88,7 +88,15 @@ impl Take for Worker {
     }
 
     #[inline(always)]
-    fn take<S: RowSimd>(&mut self, simd: S, scene: &Scene, kind: Kind, id: u32, ids: &[u32; WIDTH], mask: u32) {
+    fn take<S: RowSimd>(
+        &mut self,
+        simd: S,
+        scene: &Scene,
+        kind: Kind,
+        id: u32,
+        ids: &[u32; WIDTH],
+        mask: u32,
+    ) {
         match kind {
             Kind::VertexFace => simd.append::<false>(&mut self.queue, id, ids, mask),
             Kind::EdgeEdge => simd.append::<true>(&mut self.queue, id, ids, mask),
@@ -167,7 +175,13 @@ fn all(n_lanes: usize) -> u32 {
 
 /// The motion of as many pairs as there are lanes, or fewer; lanes past the last repeat it.
 #[inline(always)]
-fn load<S: Simd>(simd: S, scene: &Scene, kind: Kind, patch: Patch, pairs: &[Pair]) -> Motion<S::Lanes> {
+fn load<S: Simd>(
+    simd: S,
+    scene: &Scene,
+    kind: Kind,
+    patch: Patch,
+    pairs: &[Pair],
+) -> Motion<S::Lanes> {
     let mut v = [[0u32; MAX_WIDTH]; 4];
     for j in 0..S::LANES {
         let four = scene.mesh.vertices_of(kind, pairs[j.min(pairs.len() - 1)]);

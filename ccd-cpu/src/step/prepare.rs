@@ -1,9 +1,12 @@
 //! What a step prepares before anything is compared: checked coordinates, boxes, trees, the table
 //! that filters read.
 
-use crate::broad_phase::block_bvh::BlockBvh;
+use crate::broad_phase::leaf_boxes::Set;
+use crate::broad_phase::method::Method;
+use crate::broad_phase::pair_source::Fixed;
 use crate::simd::WIDTH;
-use crate::step::candidates::{Given, Leaves, Scene};
+use crate::step::candidates::{Given, Scene};
+use crate::step::leaves::Leaves;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
@@ -60,8 +63,8 @@ impl<T: Real> Ends<'_, T> {
     }
 }
 
-/// Boxes, trees and tables of a mesh; buffers are kept between steps.
-#[derive(Debug, Default)]
+/// Boxes, leaves and tables of a mesh; buffers are kept between steps.
+#[derive(Debug)]
 pub struct Prepared {
     built: bool,
     scans: Vec<Scan>,
@@ -73,17 +76,59 @@ pub struct Prepared {
     pub faces: Feature<3>,
 }
 
-/// Boxes and tree of one kind of feature with `N` vertices.
-#[derive(Debug, Default)]
+/// Boxes and leaves of one kind of feature with `N` vertices.
+#[derive(Debug)]
 pub struct Feature<const N: usize> {
     boxes: Vec<Aabb<f32>>,
-    pub bvh: BlockBvh,
     pub leaves: Leaves<N>,
+}
+
+impl<const N: usize> Feature<N> {
+    fn new(index: usize, searched: bool) -> Self {
+        Self { boxes: Vec::new(), leaves: Leaves::new(Set { index, searched }) }
+    }
+
+    fn build(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        fixed: Option<Fixed>,
+        features: impl Fn(u32) -> [u32; N] + Sync,
+    ) {
+        self.leaves.boxes.build(threads, method, &self.boxes, fixed);
+        self.leaves.order(threads, features);
+    }
+
+    fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
+        self.leaves.boxes.refit(threads, method, &self.boxes)
+    }
+}
+
+impl Default for Prepared {
+    fn default() -> Self {
+        Self {
+            built: false,
+            scans: Vec::new(),
+            scan: Scan::default(),
+            table: Vec::new(),
+            units: Table::default(),
+            // Vertices are only sought in faces.
+            vertices: Feature::new(0, false),
+            edges: Feature::new(1, true),
+            faces: Feature::new(2, true),
+        }
+    }
 }
 
 impl Prepared {
     /// Checks coordinates, fills the table and sweeps all boxes.
-    pub fn boxes(&mut self, threads: &Threads, mesh: &Mesh, options: &Options, x: &Positions) -> Result<(), Error> {
+    pub fn boxes(
+        &mut self,
+        threads: &Threads,
+        mesh: &Mesh,
+        options: &Options,
+        x: &Positions,
+    ) -> Result<(), Error> {
         let until = x.until;
         match x.given {
             Precision::F32([x0, x1]) => self.vertices(threads, options, &Ends { x0, x1, until }),
@@ -98,7 +143,12 @@ impl Prepared {
     }
 
     /// Checks coordinates, fills the table and sweeps the boxes of vertices.
-    fn vertices<T: Real>(&mut self, threads: &Threads, options: &Options, x: &Ends<T>) -> Result<(), Error> {
+    fn vertices<T: Real>(
+        &mut self,
+        threads: &Threads,
+        options: &Options,
+        x: &Ends<T>,
+    ) -> Result<(), Error> {
         self.scan = self.scan(threads, x)?;
         self.units = self.fill_table(threads, x);
         self.sweep(threads, x, ccd_core::model::quantization::margin(options.min_distance));
@@ -106,7 +156,13 @@ impl Prepared {
     }
 
     /// What workers read of a step whose boxes and trees are there.
-    pub fn scene<'a>(&'a self, mesh: &'a Mesh, options: &'a Options, x: &Positions<'a>, keep_contacts: bool) -> Scene<'a> {
+    pub fn scene<'a>(
+        &'a self,
+        mesh: &'a Mesh,
+        options: &'a Options,
+        x: &Positions<'a>,
+        keep_contacts: bool,
+    ) -> Scene<'a> {
         let rounds_boxes = match x.given {
             Precision::F32(_) => self.scan.rounds_boxes::<f32>(options.min_distance),
             Precision::F64(_) => self.scan.rounds_boxes::<f64>(options.min_distance),
@@ -163,40 +219,49 @@ impl Prepared {
         } else {
             threads.fill(boxes, |i| {
                 let (p, q) = (x.x0[i].map(T::to_f64), x.end(i));
-                let largest = ccd_core::math::vec3::max_abs(p).max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
-                swept_box::swept(p, q).inflated(margin.to_f64() + swept_box::end_error(largest)).round_out()
+                let largest = ccd_core::math::vec3::max_abs(p)
+                    .max(ccd_core::math::vec3::max_abs(x.x1[i].map(T::to_f64)));
+                swept_box::swept(p, q)
+                    .inflated(margin.to_f64() + swept_box::end_error(largest))
+                    .round_out()
             });
         }
     }
 
-    /// Refits all trees, or builds them if they never were or if one has become too loose. Returns
-    /// whether they were built. Boxes of less than the `whole` step say nothing about looseness and
-    /// only refit.
-    pub fn trees(&mut self, threads: &Threads, mesh: &Mesh, bodies: Option<&Bodies>, whole: bool) -> bool {
+    /// Has the method take the boxes: in the order that it has, or in a new one if it has none yet
+    /// or has become too loose. Returns whether the order is new. Boxes of less than the `whole`
+    /// step say nothing about looseness and never bring a new order.
+    pub fn leaves(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        mesh: &Mesh,
+        bodies: Option<&Bodies>,
+        whole: bool,
+    ) -> bool {
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built;
         if self.built {
-            let v = vertices.bvh.refit(threads, &vertices.boxes);
-            let e = edges.bvh.refit(threads, &edges.boxes);
-            let f = faces.bvh.refit(threads, &faces.boxes);
-            loose = whole && v.max(e).max(f) > MAX_LOOSENESS;
+            let looseness = [
+                vertices.refit(threads, method),
+                edges.refit(threads, method),
+                faces.refit(threads, method),
+            ];
+            loose = whole && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
             self.built = true;
             let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
             let any = bodies.is_some_and(Bodies::any_fixed);
-            let (of_vertex, of_edge, of_face) =
-                (|i: usize| fixed(i as u32), |i: usize| fixed(mesh.edges()[i][0]), |i: usize| fixed(mesh.faces()[i][0]));
-            vertices.bvh.build(threads, &vertices.boxes, any.then_some(&of_vertex));
-            edges.bvh.build(threads, &edges.boxes, any.then_some(&of_edge));
-            faces.bvh.build(threads, &faces.boxes, any.then_some(&of_face));
-            vertices.leaves.order(threads, vertices.bvh.order(), |v| [v]);
-            edges.leaves.order(threads, edges.bvh.order(), |e| mesh.edges()[e as usize]);
-            faces.leaves.order(threads, faces.bvh.order(), |f| mesh.faces()[f as usize]);
+            let (of_vertex, of_edge, of_face) = (
+                |i: usize| fixed(i as u32),
+                |i: usize| fixed(mesh.edges()[i][0]),
+                |i: usize| fixed(mesh.faces()[i][0]),
+            );
+            vertices.build(threads, method, any.then_some(&of_vertex), |v| [v]);
+            edges.build(threads, method, any.then_some(&of_edge), |e| mesh.edges()[e as usize]);
+            faces.build(threads, method, any.then_some(&of_face), |f| mesh.faces()[f as usize]);
         }
-        let height = vertices.bvh.height().max(faces.bvh.height());
-        vertices.bvh.raise(height);
-        faces.bvh.raise(height);
         vertices.leaves.place(threads, table);
         edges.leaves.place(threads, table);
         faces.leaves.place(threads, table);

@@ -51,6 +51,9 @@ impl BroadPhase {
     /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by
     /// blocks.
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
+        if !matches!(method, BroadPhaseMethod::Blocks | BroadPhaseMethod::Tree) {
+            return Err(ccd_core::Error::Method { name: method.row().name, backend: "gpu" }.into());
+        }
         Ok(Self {
             method,
             bench: Bench::new(device)?,

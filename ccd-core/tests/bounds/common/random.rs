@@ -26,7 +26,7 @@ impl Random {
     }
 
     pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() >> 32) as usize * n >> 32
+        ((self.bits() >> 32) as usize * n) >> 32
     }
 
     pub fn sign(&mut self) -> f64 {

@@ -1,0 +1,134 @@
+//! Runs a tree of pairs on threads: cut into tasks breadth first, which workers take from a shared
+//! counter and finish depth first, each with a stack of its own.
+//!
+//! It knows nothing of boxes, so that a scheduler is written once for all trees.
+
+use crate::broad_phase::pair_source::PairSink;
+use crate::broad_phase::pair_tree::PairTree;
+use crate::simd::{RowSimd, Work};
+use crate::threads::{Own, Threads};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Tasks wanted: enough that the largest is a small part of the whole.
+pub const MIN_TASKS: usize = 1024;
+
+/// The tasks of a traversal and the stack of each worker, kept between calls.
+#[derive(Debug, Default)]
+pub struct Scheduler<P> {
+    tasks: Vec<P>,
+    next: Vec<P>,
+    stacks: Vec<Own<Vec<P>>>,
+}
+
+impl<P: Copy + Send + Sync> Scheduler<P> {
+    /// Hands the rows of all leaf pairs of `tree` to the sink. `part`: only every so many-th task
+    /// (1: all).
+    pub fn run<T: PairTree<Pair = P>, K: PairSink>(
+        &mut self,
+        threads: &Threads,
+        tree: T,
+        part: usize,
+        sink: &K,
+        workers: &mut [K::Worker],
+    ) {
+        self.split(tree);
+        self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
+        let tasks = &self.tasks;
+        share(
+            threads,
+            tasks.len(),
+            part,
+            sink,
+            workers,
+            &mut self.stacks,
+            &|k, worker, Own(stack)| {
+                stack.clear();
+                stack.push(tasks[k]);
+                crate::simd::run_rows!(Descent { tree, stack, sink, worker });
+            },
+        );
+    }
+
+    /// Cuts the traversal into tasks.
+    fn split<T: PairTree<Pair = P>>(&mut self, tree: T) {
+        self.tasks.clear();
+        tree.roots(&mut self.tasks);
+        while self.tasks.len() < MIN_TASKS && self.tasks.iter().any(|&task| !tree.is_leaf(task)) {
+            self.next.clear();
+            let (tasks, out) = (&self.tasks, &mut self.next);
+            crate::simd::run_rows!(Split { tree, tasks, out });
+            std::mem::swap(&mut self.tasks, &mut self.next);
+        }
+    }
+}
+
+/// Has workers take the tasks `0`, `part`, `2 part` .. below `n` from a shared counter; `run` does
+/// one, with what the worker gathers and what it needs for itself.
+pub fn share<K: PairSink, X: Send>(
+    threads: &Threads,
+    n: usize,
+    part: usize,
+    sink: &K,
+    workers: &mut [K::Worker],
+    scratch: &mut [X],
+    run: &(dyn Fn(usize, &mut K::Worker, &mut X) + Sync),
+) {
+    let counter = AtomicUsize::new(0);
+    threads.each_with(workers, scratch, &|worker, scratch| {
+        loop {
+            let k = counter.fetch_add(part, Ordering::Relaxed);
+            if k >= n {
+                sink.end(worker);
+                break;
+            }
+            sink.begin(worker, k);
+            run(k, worker, scratch);
+        }
+    });
+}
+
+/// The children of all `tasks`, and the leaf pairs among them, appended to `out`.
+struct Split<'a, T: PairTree> {
+    tree: T,
+    tasks: &'a [T::Pair],
+    out: &'a mut Vec<T::Pair>,
+}
+
+impl<S: RowSimd, T: PairTree> Work<S> for Split<'_, T> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self, simd: S) {
+        for &task in self.tasks {
+            if self.tree.is_leaf(task) {
+                self.out.push(task);
+            } else {
+                self.tree.expand(simd, task, self.out);
+            }
+        }
+    }
+}
+
+/// What is on the stack, down to the rows of leaves.
+struct Descent<'a, T: PairTree, K: PairSink> {
+    tree: T,
+    stack: &'a mut Vec<T::Pair>,
+    sink: &'a K,
+    worker: &'a mut K::Worker,
+}
+
+impl<S: RowSimd, T: PairTree, K: PairSink> Work<S> for Descent<'_, T, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self, simd: S) {
+        let Descent { tree, stack, sink, worker } = self;
+        while let Some(pair) = stack.pop() {
+            if tree.is_leaf(pair) {
+                tree.rows(simd, pair, sink, worker);
+            } else {
+                tree.expand(simd, pair, stack);
+            }
+        }
+    }
+}
