@@ -15,7 +15,7 @@ const REFERENCES: &str = "docs/REFERENCES.md";
 /// The only files with `unsafe`: plain-data records, indices without a check in shaders,
 /// instruction sets, compiled shaders and the features that take them, atomics and workgroup
 /// memory, a counting allocator.
-const UNSAFE_FILES: [&str; 11] = [
+const UNSAFE_FILES: [&str; 12] = [
     "ccd-core/src/math/aabb.rs",
     "ccd-core/src/kernel/memory.rs",
     "ccd-cpu/src/simd/avx2.rs",
@@ -24,6 +24,7 @@ const UNSAFE_FILES: [&str; 11] = [
     "ccd-cpu/src/simd/neon.rs",
     "ccd-cpu/src/simd/tests.rs",
     "ccd-gpu/src/device.rs",
+    "ccd-gpu/src/pipeline.rs",
     "ccd-shaders/src/workgroup.rs",
     "examples/engine.rs",
     "tests/allocations.rs",
