@@ -1,4 +1,4 @@
-//! Which adapter, and how it is used: what may be asked for, what there is, what every kernel needs.
+//! Which adapter, and how it is used: what is asked for, what is there, what every kernel needs.
 
 use crate::error::Error;
 use std::fmt;
