@@ -30,7 +30,7 @@ pub struct Report {
     pub candidates: PerKind,
     /// Candidates that the filters in `f32` could not reject.
     pub filtered: PerKind,
-    /// Contacts in [`State::Undecided`].
+    /// Contacts in [`State::Undecided`](super::contact::State::Undecided).
     pub undecided: u64,
     /// Whether trees were built anew rather than refitted.
     pub rebuilt: bool,
