@@ -103,7 +103,8 @@ fn write(dir: &Path, name: &str, content: &[u8]) -> PathBuf {
     path
 }
 
-const ASCII: &str = "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty double x\nproperty float y\nproperty float z\n\
+const ASCII: &str = "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\n\
+    property double x\nproperty float y\nproperty float z\n\
     property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
     0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0.1 1\n4 0 1 2 3\n";
 

@@ -13,6 +13,7 @@
 //! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
 //! | [`layout`] | records that cross between CPU and GPU |
 #![no_std]
+#![deny(unsafe_code)]
 #[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 #[cfg(test)]

@@ -9,23 +9,27 @@
 //! | file | idea |
 //! |---|---|
 //! | `session.rs`, `broad_phase/mod.rs` | what callers have: a mesh over many steps; boxes alone |
-//! | `device.rs`, `error.rs` | adapters, paths for shaders, pipelines, failures |
-//! | `bind.rs`, `shaders.rs` | from the kernel table: buffers by name, compiled shaders |
+//! | `adapter.rs`, `device.rs`, `error.rs` | which GPU and how it is used, failures |
+//! | `bind.rs`, `shaders.rs`, `pipeline.rs` | from the kernel table: buffers by name, pipelines |
 //! | `recorder.rs` | dispatches, bind groups, times |
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
 //! | `broad_phase/` | block trees and where their nodes are; the binary radix tree |
-//! | `step/` | buffers, dispatches, positions in, contacts in order, the CPU's part |
+//! | `step/` | buffers, dispatches, a frame, positions in, contacts in order, the CPU's part |
 //! | `harness.rs` | one kernel by itself, for tests |
 //!
 //! With `RUST_LOG` and a logger, wgpu says what it does. The environment variable `CCD_ADAPTER`
 //! chooses an adapter by a part of its name.
+#![deny(unsafe_code)]
+
+mod adapter;
 pub mod bind;
 mod broad_phase;
 mod device;
 mod error;
 mod growable_list;
 pub mod harness;
+mod pipeline;
 mod readback;
 mod recorder;
 mod session;
@@ -33,8 +37,9 @@ mod shaders;
 mod sort;
 mod step;
 
+pub use adapter::{DeviceOptions, Info, Path};
 pub use broad_phase::BroadPhase;
-pub use device::{Device, DeviceOptions, Info, Path};
+pub use device::Device;
 pub use error::Error;
 pub use growable_list::List;
 pub use recorder::Timing;

@@ -5,6 +5,7 @@
 //! barriers, atomics. Every barrier is reached by all threads of a workgroup: loops around one are
 //! bounded by values that are the same for all of them.
 #![no_std]
+#![deny(unsafe_code)]
 
 pub mod broad_phase;
 pub mod probe;

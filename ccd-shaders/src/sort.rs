@@ -132,8 +132,10 @@ pub fn sort_scatter(
             // keys a thread between barriers.
             let mut ranks = [0u32; KEYS as usize];
             $(
-                let (there, next_there) = (tile * TILE + place(lane, $k) < n_keys, tile * TILE + place(lane, $second) < n_keys);
-                let (first, second) = (run + digit(sorted[$k], shift), run + digit(sorted[$second], shift));
+                let there = tile * TILE + place(lane, $k) < n_keys;
+                let next_there = tile * TILE + place(lane, $second) < n_keys;
+                let first = run + digit(sorted[$k], shift);
+                let second = run + digit(sorted[$second], shift);
                 if there {
                     or_shared(masks, first, 1 << (lane % 32));
                 }
@@ -144,7 +146,8 @@ pub fn sort_scatter(
                 let (mask, next_mask) = (get(masks, first), get(masks, 1024 + second));
                 let (earlier, next_earlier) = (before(mask, lane), before(next_mask, lane));
                 ranks[$k] = get(counts, first) + earlier;
-                ranks[$second] = get(counts, second) + get(masks, second).count_ones() + next_earlier;
+                ranks[$second] =
+                    get(counts, second) + get(masks, second).count_ones() + next_earlier;
                 barrier();
                 if there && earlier == 0 {
                     add_shared(counts, first, mask.count_ones());
@@ -164,7 +167,11 @@ pub fn sort_scatter(
             let mut start = scan(lane, 7, 1024, both, masks) - both;
             for half in 0..2 {
                 let d = 2 * lane + half;
-                let in_tiles = if tile < params.own.n_tiles { at(table, (d * params.own.n_tiles + tile) as usize) } else { 0 };
+                let in_tiles = if tile < params.own.n_tiles {
+                    at(table, (d * params.own.n_tiles + tile) as usize)
+                } else {
+                    0
+                };
                 let mut next = start + in_tiles;
                 for r in 0..4 {
                     let word = r * DIGITS + d;

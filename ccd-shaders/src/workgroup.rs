@@ -1,4 +1,5 @@
 //! Threads and what they share: numbers of threads and workgroups, atomics, lists.
+#![allow(unsafe_code, reason = "atomics and indices without a check have no safe form")]
 
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{LIST_HEADER, Pair};

@@ -28,7 +28,8 @@ pub struct Bench {
     #[arg(long, conflicts_with_all = ["size", "large"])]
     small: bool,
     /// Runs after one to warm up; the median time is reported
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 5)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     /// Print one JSON object instead of text
     #[arg(long)]

@@ -27,7 +27,8 @@ pub struct Boxes {
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
     /// Runs; the median time is reported
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 5)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     runs: u32,
     /// Print one JSON object instead of text
     #[arg(long)]

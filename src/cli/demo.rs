@@ -10,7 +10,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 pub struct Demo {
     /// Frames to simulate, 60 to a second
-    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 90)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=10_000))]
     frames: u32,
     /// Folder for the picture of the last frame and the plots; made if it is not there
     #[arg(long, value_name = "DIR", default_value = "ccd-demo")]

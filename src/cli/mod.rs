@@ -35,33 +35,31 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     /// Contacts between two frames of a mesh
-    #[command(
-        after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png"
-    )]
+    #[command(after_help = "EXAMPLES:\n  ccd check before.ply after.ply\n  \
+        ccd check before.ply after.ply --json --contacts contacts.csv --picture contacts.png")]
     Check(check::Check),
     /// Contacts over many frames of a mesh, one step from each frame to the next
     #[command(after_help = "EXAMPLES:\n  ccd sequence frames/*.ply --picture times.png")]
     Sequence(sequence::Sequence),
     /// Elemental queries from files, compared with the answers in them
-    #[command(
-        after_help = "A file holds eight rows a query: four points at t0, four at t1 (v f0 f1 f2, or ea0 ea1 eb0 eb1), each as\n\
-        x numerator, x denominator, y .., z .., answer (0 or 1). Its path must name vertex-face (vf) or edge-edge (ee)."
-    )]
+    #[command(after_help = "A file holds eight rows a query: four points at t0, four at t1 \
+        (v f0 f1 f2, or ea0 ea1 eb0 eb1), each as\n\
+        x numerator, x denominator, y .., z .., answer (0 or 1). \
+        Its path must name vertex-face (vf) or edge-edge (ee).")]
     Queries(queries::Queries),
     /// Overlapping pairs of boxes: the broad phase alone
-    #[command(
-        after_help = "A file holds raw little-endian f32 numbers, six a box: min x y z, max x y z. Boxes that touch overlap.\n\
-        With one file, pairs within it; with two, pairs of a box of the first with one of the second."
-    )]
+    #[command(after_help = "A file holds raw little-endian f32 numbers, six a box: \
+        min x y z, max x y z. Boxes that touch overlap.\n\
+        With one file, pairs within it; \
+        with two, pairs of a box of the first with one of the second.")]
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
     /// The GPU that would be used, how, and which others there are
     Info(info::InfoCommand),
     /// Times of built-in scenes; needs no file
-    #[command(
-        after_help = "EXAMPLES:\n  ccd bench --backend cpu\n  ccd bench --backend gpu --large\n  ccd bench --size 0.5 --size 2"
-    )]
+    #[command(after_help = "EXAMPLES:\n  ccd bench --backend cpu\n  \
+        ccd bench --backend gpu --large\n  ccd bench --size 0.5 --size 2")]
     Bench(bench::Bench),
 }
 

@@ -1,19 +1,16 @@
-//! The kernels that make boxes, order them and fit blocks, each by itself against a plain twin:
-//! generated scenes, and poison: NaN, denormals, huge numbers, thresholds.
+//! The kernels that make boxes and fit blocks, each by itself against a plain twin: generated
+//! scenes, and poison: NaN, denormals, huge numbers, thresholds.
 
 use crate::support::{bytes, check_boxes, not_run, paths, read, run, same, swept, twin, zeros};
 use crate::twin::union;
 use ccd::Aabb;
 use ccd::gpu::bind::{
-    ContactKeys, FitLeaves, FitLevel, Morton, OrderContacts, PlaceVertices, SceneBounds, Shorten,
-    SortCount, SortScan, SortScatter, SweepEdges, SweepFaces, SweepVertices,
+    FitLeaves, FitLevel, Morton, PlaceVertices, SceneBounds, Shorten, SweepEdges, SweepFaces,
+    SweepVertices,
 };
-use ccd::gpu::{Device, Sorter, harness};
+use ccd::gpu::{Device, harness};
 use ccd_core::broad_phase::{candidate, morton_key};
-use ccd_core::kernel::sort;
-use ccd_core::layout::{
-    Blocks, ContactSort, Dispatch, Frame, Leaf, Params, Path, Plain, SortPass, Touch, split,
-};
+use ccd_core::layout::{Blocks, Dispatch, Frame, Leaf, Params, Path, split};
 use ccd_core::narrow_phase::decide;
 use ccd_testkit::compare;
 use ccd_testkit::generate::{Random, triangle_soup};
@@ -23,11 +20,8 @@ pub const TESTS: crate::Tests = &[
     ("sweep", check_sweep),
     ("shorten", check_shorten),
     ("bounds_and_codes", check_bounds),
-    ("sort", check_sort),
-    ("order_of_contacts", check_order),
     ("fit", check_fit),
     ("folded_grid", check_folded),
-    ("largest_grid", check_largest_grid),
 ];
 
 /// Parameters of a kernel that needs to know no more than the frame.
@@ -223,114 +217,6 @@ fn check_bounds(device: &Device) {
     assert!(read::<u32>(&done.order).into_iter().eq(0..n));
 }
 
-fn check_sort(device: &Device) {
-    let mut random = Random::new(3);
-    for n in [1u32, 31, 2047, 2048, 2049, 100_003] {
-        for few in [false, true] {
-            let keys: Vec<u32> = (0..n)
-                .map(|_| if few { random.below(3) * 0x0100_0001 } else { random.bits() })
-                .collect();
-            let values: Vec<u32> = (0..n).collect();
-            let (got_keys, got_values) =
-                Sorter::new(device, n).unwrap().sort(&keys, &values).unwrap();
-            let mut want: Vec<(u32, u32)> = keys.iter().copied().zip(values).collect();
-            want.sort();
-            assert!(
-                want.into_iter().eq(got_keys.into_iter().zip(got_values)),
-                "{n} keys, few different: {few}"
-            );
-        }
-    }
-    // The three kernels by themselves.
-    let n = 10_000u32;
-    let keys: Vec<u32> = (0..n).map(|_| random.bits()).collect();
-    let n_tiles = n.div_ceil(sort::TILE);
-    let p = sort_pass(n, SortPass { shift: 8, n_tiles });
-    let kernel =
-        SortCount { keys: bytes(&keys), table: zeros::<u32>((n_tiles as usize + 1) * 256) };
-    let SortCount { table, .. } = run(device, kernel, &p, n_tiles);
-    let mut want = vec![0u32; 256 * (n_tiles as usize + 1)];
-    keys.iter().enumerate().for_each(|(i, k)| {
-        want[(k >> 8 & 255) as usize * n_tiles as usize + i / sort::TILE as usize] += 1
-    });
-    assert_eq!(read::<u32>(&table), want);
-    let done = run(device, SortScan { table }, &p, 256);
-    for d in 0..256 {
-        let row = &mut want[d * n_tiles as usize..(d + 1) * n_tiles as usize];
-        let total = row.iter_mut().fold(0, |sum, count| {
-            let before = sum;
-            let next = sum + *count;
-            *count = before;
-            next
-        });
-        want[256 * n_tiles as usize + d] = total;
-    }
-    assert_eq!(read::<u32>(&done.table), want);
-    let (table, values) = (done.table, (0..n).collect::<Vec<u32>>());
-    let (keys_out, values_out) = (zeros::<u32>(n as usize), zeros::<u32>(n as usize));
-    let kernel =
-        SortScatter { table, keys: bytes(&keys), values: bytes(&values), keys_out, values_out };
-    let done = run(device, kernel, &p, n_tiles);
-    let mut want: Vec<(u32, u32)> = keys.into_iter().zip(values).collect();
-    want.sort_by_key(|(key, _)| key >> 8 & 255);
-    assert!(
-        want.into_iter().eq(read(&done.keys_out).into_iter().zip(read(&done.values_out))),
-        "one pass"
-    );
-}
-
-fn sort_pass(n: u32, own: SortPass) -> Params<SortPass> {
-    Params { frame: Frame::default(), dispatch: Dispatch { n, ..Dispatch::default() }, own }
-}
-
-/// Contacts of a list are sorted by kind, `a`, `b`; what is not a contact stays behind them.
-fn check_order(device: &Device) {
-    let mut random = Random::new(5);
-    let count = [300, 500, 200];
-    for (n, room) in [(0, 40), (1, 40), (5000, 6000), (6000, 6000)] {
-        let touches: Vec<Touch> = (0..n)
-            .map(|i| {
-                let kind = random.below(2);
-                let (a, b) =
-                    (random.below(count[kind as usize]), random.below([200, 500][kind as usize]));
-                Touch { kind, state: i % 2, a, b, toi: [i, !i] }
-            })
-            .collect();
-        let mut list = bytes(&[n, 0, 0, 0]);
-        list.extend(bytes(&touches));
-        // What stands behind the last contact is left from another frame.
-        list.resize(16 + room as usize * 24, 0x11);
-        let mut want = touches.clone();
-        want.sort_by_key(|t| (t.kind, t.a, t.b));
-        let frame = Frame { count, ..Frame::default() };
-        let dispatch = Dispatch { n: room, room_in: room, ..Dispatch::default() };
-        let groups = room.div_ceil(256);
-        let mut order: Vec<u32> = vec![0; room as usize];
-        for pass in [0, 1] {
-            let p = Params { frame, dispatch, own: ContactSort { pass } };
-            let (contacts, keys) = (list.clone(), zeros::<u32>(room as usize));
-            let done =
-                run(device, ContactKeys { contacts, keys, order: bytes(&order) }, &p, groups);
-            (_, order) = Sorter::new(device, room)
-                .unwrap()
-                .sort(&read(&done.keys), &read(&done.order))
-                .unwrap();
-        }
-        let p = Params { frame, dispatch, own: Plain::default() };
-        let kernel = OrderContacts {
-            contacts: list,
-            order: bytes(&order),
-            ordered: zeros::<Touch>(room as usize),
-        };
-        let ordered: Vec<Touch> = read(&run(device, kernel, &p, groups).ordered);
-        assert!(ordered[..n as usize] == want, "{n} contacts");
-        assert!(
-            ordered[n as usize..].iter().all(|t| *t == Touch::default()),
-            "written behind the last contact"
-        );
-    }
-}
-
 fn check_fit(device: &Device) {
     let (twin, step) = twin(40, 2);
     let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own: twin.tree };
@@ -364,28 +250,6 @@ fn check_folded(device: &Device) {
         let mut kernel = SweepVertices { paths: bytes(&paths), boxes: zeros::<Aabb>(want.len()) };
         harness::run(device, &mut kernel, &p, n.div_ceil(256), fold).unwrap();
         check_boxes("vertex", &want, &read(&kernel.boxes));
-    }
-}
-
-/// More workgroups than one row of a grid may have, so that it is folded without being asked to:
-/// each writes where no other does.
-fn check_largest_grid(device: &Device) {
-    let n_tiles = 65_536 + 300;
-    let keys: Vec<u32> = (0..5000).collect();
-    let p = sort_pass(keys.len() as u32, SortPass { shift: 0, n_tiles });
-    let kernel = SortCount { keys: bytes(&keys), table: vec![0xee; (n_tiles as usize + 1) * 1024] };
-    let table: Vec<u32> = read(&run(device, kernel, &p, n_tiles).table);
-    for digit in 0..256 {
-        let row = &table[digit * n_tiles as usize..(digit + 1) * n_tiles as usize];
-        assert_eq!(
-            row[..3].iter().sum::<u32>(),
-            keys.iter().filter(|&&k| k as usize % 256 == digit).count() as u32,
-            "digit {digit}"
-        );
-        assert!(
-            row[3..].iter().all(|&count| count == 0),
-            "digit {digit}: a workgroup beyond the first row did not write, or elsewhere"
-        );
     }
 }
 

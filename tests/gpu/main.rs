@@ -9,8 +9,10 @@ mod grazing;
 mod kernels;
 mod pairs;
 mod poison;
+mod queries;
 mod scalars;
 mod scenes;
+mod sorts;
 mod support;
 mod tangential;
 mod twin;
@@ -76,6 +78,7 @@ fn main() {
     for (path, device) in each {
         let tests = [
             kernels::TESTS,
+            sorts::TESTS,
             pairs::TESTS,
             poison::TESTS,
             scalars::TESTS,
@@ -87,7 +90,8 @@ fn main() {
         for (name, test) in tests.into_iter().flatten() {
             add(&mut trials, format!("{path}_{name}"), Ok(Box::new(test)), device.clone());
         }
-        for (name, test) in scenes::tests_of_data(&data) {
+        let of_data = scenes::tests_of_data(&data).into_iter();
+        for (name, test) in of_data.chain([queries::test_of_data(&data)]) {
             add(&mut trials, format!("{path}_{name}"), test, device.clone());
         }
     }

@@ -4,7 +4,7 @@
 //! `f64` on the CPU, and exact arithmetic where that is not certain.
 
 use crate::pairs::filtered;
-use crate::scenes::{Ends, decide};
+use crate::queries::{Ends, decide};
 use crate::support::{entries, read};
 use crate::twin::Twin;
 use ccd::gpu::Device;

@@ -98,7 +98,13 @@ fn difference(name: &str, input: [u32; 2], want: u32, got: u32, exact: bool) -> 
             || (got as f64 - want as f64).abs()
                 <= units * f32::EPSILON as f64 / 2.0 * want.abs() as f64
     };
-    (!fine).then(|| format!("{name} of {a:e} ({:#x}) and {b:e} ({:#x}): {want:#x} on the CPU, {got:#x} on the device", input[0], input[1]))
+    let [a_bits, b_bits] = [input[0], input[1]];
+    (!fine).then(|| {
+        format!(
+            "{name} of {a:e} ({a_bits:#x}) and {b:e} ({b_bits:#x}): \
+             {want:#x} on the CPU, {got:#x} on the device"
+        )
+    })
 }
 
 fn compare(inputs: &[[u32; 2]], got: &[[u32; 24]], exact: bool) -> Vec<String> {

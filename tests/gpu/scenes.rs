@@ -1,25 +1,17 @@
-//! Whole steps and all published queries on a device, against the CPU and against exact answers.
+//! Whole steps on a device, against the CPU and against exact answers: scenes that are read, scenes
+//! that are made.
 
-use crate::support::{bytes, entries, list, room, run};
-use ccd::gpu::bind::{DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide};
 use ccd::gpu::{Device, Path as ShaderPath, Session};
-use ccd::io::{Queries, Query, read_queries};
-use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State, Verdict};
-use ccd_core::layout::{
-    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join,
-    split,
-};
-use ccd_core::model::quantization::{Scan, Table};
-use ccd_testkit::data::{self, SCENES, Scene};
+use ccd::{Bodies, Contact, Kind, Options, Pair, Report, State};
+use ccd_testkit::data::{SCENES, Scene};
 use ccd_testkit::{compare, generate, oracle};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-type Test = Box<dyn FnOnce(&Device) + Send>;
+/// What is done on a device.
+pub type Test = Box<dyn FnOnce(&Device) + Send>;
 /// A test, or why it cannot run here.
 pub type Runnable = Result<Test, String>;
-/// Four vertices at both ends.
-pub type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
 
 /// Tests of generated scenes.
 pub const TESTS: crate::Tests = &[
@@ -30,7 +22,7 @@ pub const TESTS: crate::Tests = &[
     ("many_contacts", check_many_contacts),
 ];
 
-/// Names and tests of scenes and queries in a folder, which may not be there.
+/// Names and tests of scenes in a folder, which may not be there.
 pub fn tests_of_data(dir: &Result<PathBuf, String>) -> Vec<(String, Runnable)> {
     let mut out: Vec<(String, Runnable)> = Vec::new();
     for scene in &SCENES {
@@ -39,9 +31,6 @@ pub fn tests_of_data(dir: &Result<PathBuf, String>) -> Vec<(String, Runnable)> {
             .map(|dir| -> Test { Box::new(move |device| check_scene(device, scene, &dir)) });
         out.push((format!("scene_{}", scene.name), test));
     }
-    let queries =
-        dir.clone().map(|dir| -> Test { Box::new(move |device| check_queries(device, &dir)) });
-    out.push(("queries".into(), queries));
     out
 }
 
@@ -143,140 +132,6 @@ pub fn check_pairs(what: &str, mut want: Vec<Pair>, mut got: Vec<Pair>) {
     assert!(got == want, "{what}: other pairs");
 }
 
-/// All published queries through the kernels that decide, and what they leave open through the CPU.
-fn check_queries(device: &Device, dir: &Path) {
-    let wide = device.info().wide;
-    let (mut n, mut n_hits, mut n_undecided, mut n_open, mut n_misses) = (0, 0, 0, 0, 0);
-    for (path, name) in data::query_files(dir) {
-        let Queries { queries, .. } = read_queries(&path).unwrap();
-        let times = data::read_times(&dir.join("toi").join(&name));
-        let is_vf = matches!(queries[0], Query::VertexFace(_));
-        let ends: Vec<Ends> = queries
-            .iter()
-            .map(|q| match q {
-                Query::VertexFace(q) => (q.t0, q.t1),
-                Query::EdgeEdge(q) => (q.t0, q.t1),
-            })
-            .collect();
-        let verdicts = decide(device, is_vf, &ends);
-        for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
-            let mut verdict = *verdict;
-            if !wide && matches!(verdict, Verdict::Undecided { .. }) {
-                n_open += 1;
-                verdict = match &queries[i] {
-                    Query::VertexFace(q) => ccd::vertex_face(q, 0.0),
-                    Query::EdgeEdge(q) => ccd::edge_edge(q, 0.0),
-                };
-            }
-            let (hit, certain) = compare::verdict(verdict, time, &format!("{name} query {i}"));
-            n += 1;
-            n_hits += hit as usize;
-            n_misses += !hit as usize;
-            n_undecided += (hit && !certain) as usize;
-        }
-    }
-    println!(
-        "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; {n_open} left open by f32"
-    );
-    assert_eq!(n, 7279);
-}
-
-/// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges
-/// `2 i` and `2 i + 1`.
-pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
-    let n = ends.len();
-    let mut verdicts = vec![Verdict::Miss; n];
-    let mut scan = Scan::NONE;
-    ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
-    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) =
-        ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
-    let table = scan.table(true);
-    let place = |p: [f64; 3]| {
-        let p = table.place(p);
-        [p[0], p[1], p[2], 0.0]
-    };
-    let paths: Vec<Paths> =
-        x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
-    let count = n as u32;
-    let (elements, pairs): (Vec<u32>, Vec<Pair>) = if is_vf {
-        let faces = (0..count).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]);
-        (faces.collect(), (0..count).map(|i| Pair { a: 4 * i, b: i }).collect())
-    } else {
-        let edges = (0..2 * count).flat_map(|i| [2 * i, 2 * i + 1]);
-        (edges.collect(), (0..count).map(|i| Pair { a: 2 * i, b: 2 * i + 1 }).collect())
-    };
-    let exact = if table == Table::AS_GIVEN { Frame::FLAG_EXACT } else { 0 };
-    let frame = Frame {
-        count: [4 * count, 0, 0],
-        flags: Frame::FLAG_KEEP | exact,
-        path_error: table.error,
-        distance_bits: split(0.0),
-        ..Frame::default()
-    };
-    let dispatch = Dispatch { room_in: count, room_out: count, ..Dispatch::default() };
-    let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
-    let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
-    let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
-    if device.info().wide {
-        let positions = bytes(&[x0, x1].concat());
-        let p = Params { frame, dispatch, own: Plain::default() };
-        let contacts = if is_vf {
-            let faces = elements;
-            run(
-                device,
-                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
-        } else {
-            let edges = elements;
-            run(
-                device,
-                DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest },
-                &p,
-                3,
-            )
-            .contacts
-        };
-        for touch in touches(&contacts) {
-            let toi = join(touch.toi);
-            verdicts[of_pair(touch.a)] =
-                if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
-        }
-    } else {
-        let undecided = room(count);
-        let p = Params { frame, dispatch, own: Decision { room_open: count } };
-        let (contacts, undecided) = if is_vf {
-            let faces = elements;
-            let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
-            let done = run(device, kernel, &p, 3);
-            (done.contacts, done.undecided)
-        } else {
-            let edges = elements;
-            let done = run(
-                device,
-                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
-                &p,
-                3,
-            );
-            (done.contacts, done.undecided)
-        };
-        touches(&contacts)
-            .iter()
-            .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
-        entries(&undecided)
-            .iter()
-            .for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
-    }
-    verdicts
-}
-
-fn touches(bytes: &[u8]) -> Vec<Touch> {
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
-    bytemuck::pod_collect_to_vec(&words[LIST_HEADER..LIST_HEADER + 6 * words[0] as usize])
-}
-
 /// Bodies, fixed ones among them, on the device as on the CPU.
 fn check_bodies(device: &Device) {
     let step = generate::triangle_soup(300, 0.2, 5);
@@ -367,7 +222,8 @@ fn check_degenerate(device: &Device) {
             n_open += (answer == oracle::Answer::Degenerate) as usize;
         }
         println!(
-            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, {n_open} of them not decided exactly",
+            "degenerate, {unit}: {} contacts, {n_missing} only on the CPU, \
+             {n_open} of them not decided exactly",
             cpu.contacts.len()
         );
         assert!(cpu.undecided > 100, "nothing degenerate");

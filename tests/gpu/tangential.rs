@@ -4,7 +4,7 @@
 use crate::grazing::exact::{Contact, contact};
 use crate::grazing::random::Random;
 use crate::grazing::{tangential, widen};
-use crate::scenes::{Ends, decide};
+use crate::queries::{Ends, decide};
 use ccd::gpu::Device;
 use ccd::{Real, Verdict};
 use ccd_core::narrow_phase::relative_motion::Patch;

@@ -55,12 +55,17 @@ fn check_oracle(verdict: Verdict<f64>, answer: &Answer) {
     }
 }
 
+fn config(cases: u32, seed: u64) -> ProptestConfig {
+    let rng_seed = proptest::test_runner::RngSeed::Fixed(seed);
+    ProptestConfig { cases, rng_seed, ..ProptestConfig::default() }
+}
+
 fn map(x: Points, f: impl Fn([f64; 3]) -> [f64; 3]) -> Points {
     x.map(f)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, rng_seed: proptest::test_runner::RngSeed::Fixed(1), ..ProptestConfig::default() })]
+    #![proptest_config(config(4000, 1))]
 
     #[test]
     fn swapping_edges_and_ends_changes_nothing(t0 in points(), t1 in points()) {
@@ -80,14 +85,19 @@ proptest! {
 
     #[test]
     fn mirroring_and_turning_axes_changes_nothing(t0 in points(), t1 in points()) {
-        for f in [|p: [f64; 3]| [-p[0], p[1], p[2]], |p: [f64; 3]| [p[0], -p[1], -p[2]], |p: [f64; 3]| [p[1], p[2], p[0]]] {
+        let mirror = |p: [f64; 3]| [-p[0], p[1], p[2]];
+        let half_turn = |p: [f64; 3]| [p[0], -p[1], -p[2]];
+        let next_axes = |p: [f64; 3]| [p[1], p[2], p[0]];
+        for f in [mirror, half_turn, next_axes] {
             check_consistent(vf(t0, t1), vf(map(t0, f), map(t1, f)));
             check_consistent(ee(t0, t1), ee(map(t0, f), map(t1, f)));
         }
     }
 
     #[test]
-    fn scaling_by_a_power_of_two_changes_no_bit(t0 in points(), t1 in points(), exponent in -40i32..40) {
+    fn scaling_by_a_power_of_two_changes_no_bit(
+        t0 in points(), t1 in points(), exponent in -40i32..40
+    ) {
         let f = |p: [f64; 3]| p.map(|c| c * 2f64.powi(exponent));
         prop_assert_eq!(vf(t0, t1), vf(map(t0, f), map(t1, f)));
         prop_assert_eq!(ee(t0, t1), ee(map(t0, f), map(t1, f)));
@@ -111,7 +121,10 @@ proptest! {
 
     #[test]
     fn reversing_time_keeps_the_answer(t0 in points(), t1 in points()) {
-        let check = |a: Verdict<f64>, b: Verdict<f64>| assert!(!matches!((a, b), (Verdict::Hit { .. }, Verdict::Miss) | (Verdict::Miss, Verdict::Hit { .. })));
+        use Verdict::{Hit, Miss};
+        let check = |a: Verdict<f64>, b: Verdict<f64>| {
+            assert!(!matches!((a, b), (Hit { .. }, Miss) | (Miss, Hit { .. })))
+        };
         check(vf(t0, t1), vf(t1, t0));
         check(ee(t0, t1), ee(t1, t0));
     }
@@ -131,7 +144,10 @@ proptest! {
     #[test]
     fn a_minimum_distance_is_kept(t0 in points(), t1 in points(), distance in 0.001..0.5f64) {
         let times: Vec<f64> = (0..=64).map(|i| i as f64 / 64.0).collect();
-        let at = |t: f64| -> Points { std::array::from_fn(|i| std::array::from_fn(|k| t0[i][k] + t * (t1[i][k] - t0[i][k]))) };
+        let at = |t: f64| -> Points {
+            let coordinate = |i: usize, k: usize| t0[i][k] + t * (t1[i][k] - t0[i][k]);
+            std::array::from_fn(|i| std::array::from_fn(|k| coordinate(i, k)))
+        };
         let verdict = ccd::vertex_face(&VertexFace { t0, t1 }, distance);
         for &t in &times {
             // Dense samples of the face bound the distance from above.
@@ -140,23 +156,28 @@ proptest! {
             for i in 0..=16 {
                 for j in 0..=16 - i {
                     let (s, r) = (i as f64 / 16.0, j as f64 / 16.0);
-                    let d2: f64 = (0..3).map(|k| (p[k] - a[k] - s * (b[k] - a[k]) - r * (c[k] - a[k])).powi(2)).sum();
+                    let apart = |k: usize| p[k] - a[k] - s * (b[k] - a[k]) - r * (c[k] - a[k]);
+                    let d2: f64 = (0..3).map(|k| apart(k).powi(2)).sum();
                     least = least.min(d2.sqrt());
                 }
             }
             if least < distance * (1.0 - 1e-12) {
-                prop_assert!(verdict.toi().is_some_and(|toi| toi <= t), "distance {} at {}, but {:?}", least, t, verdict);
+                prop_assert!(
+                    verdict.toi().is_some_and(|toi| toi <= t),
+                    "distance {} at {}, but {:?}", least, t, verdict
+                );
             }
         }
         // Contact itself is no later at a distance than at none.
         if let Verdict::Hit { toi } = vf(t0, t1) {
-            prop_assert!(verdict.toi().is_some_and(|at_distance| at_distance <= toi + TOI_TOLERANCE));
+            let in_time = |at_distance: f64| at_distance <= toi + TOI_TOLERANCE;
+            prop_assert!(verdict.toi().is_some_and(in_time));
         }
     }
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, rng_seed: proptest::test_runner::RngSeed::Fixed(2), ..ProptestConfig::default() })]
+    #![proptest_config(config(400, 2))]
 
     #[test]
     fn queries_agree_with_exact_arithmetic(t0 in points(), t1 in points()) {

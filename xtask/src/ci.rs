@@ -29,7 +29,8 @@ fn bare_metal(root: &Path) -> Result<(), String> {
         .is_ok_and(|s| s.success());
     if !installed {
         println!(
-            "SKIPPED: the target {BARE_METAL} cannot be installed here, so ccd-core was not shown to be no_std"
+            "SKIPPED: the target {BARE_METAL} cannot be installed here, \
+             so ccd-core was not shown to be no_std"
         );
         return Ok(());
     }

@@ -81,7 +81,8 @@ fn dependent(root: &Path, folder: &Path) -> Result<Spent, String> {
     let root_text = root.display().to_string();
     let manifest = format!(
         "[package]\nname = \"dependent\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
-         [dependencies]\nccd = {{ path = {root_text:?}, default-features = false }}\n\n[workspace]\n"
+         [dependencies]\nccd = {{ path = {root_text:?}, default-features = false }}\n\n\
+         [workspace]\n"
     );
     write(&program.join("Cargo.toml"), &manifest)?;
     // The same versions as ours; what is not used is dropped from it.

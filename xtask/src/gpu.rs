@@ -36,9 +36,12 @@ type Stages = Vec<(&'static str, f64)>;
 pub fn run(runs: usize, out: &Path) -> Result<(), String> {
     let dir = data_dir()?;
     let mut text = String::from(
-        "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. Device: all kernels together, by its timestamps; stages: ",
+        "# GPU: measured times\n\n`cargo xtask report --gpu`. Milliseconds, medians. \
+         Device: all kernels together, by its timestamps; \
+         stages: each by itself, so that none overlaps another. \
+         Wall: with upload, waiting and reading back. \
+         Floor: bytes that must move, at 4.3 TB/s.\n",
     );
-    text.push_str("each by itself, so that none overlaps another. Wall: with upload, waiting and reading back. Floor: bytes that must move, at 4.3 TB/s.\n");
     // What was measured before a failure is kept.
     let write = |text: &str| {
         std::fs::write(out, crate::markdown::wrap(text))
@@ -142,7 +145,8 @@ fn row(text: &mut String, title: &str, m: &Measured, bytes: f64, peer: &str, not
     let peer = if peer.is_empty() { String::new() } else { format!(" ({peer})") };
     let _ = writeln!(
         text,
-        "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. Stages: {}.",
+        "- {title}: **device {device:.3}**{peer}, wall {wall:.2}, floor {floor:.3}; {note}. \
+         Stages: {}.",
         parts.join(", ")
     );
 }
@@ -292,7 +296,9 @@ fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), 
 fn measure_sort(device: &Device, runs: usize, text: &mut String) -> Result<(), ccd::gpu::Error> {
     let _ = writeln!(
         text,
-        "\n### Sort of 32-bit keys with 32-bit values\n\n| pairs | ms | Gpairs/s | count, scan, scatter | bytes alone, ms at 4.3 TB/s |\n|---|---|---|---|---|"
+        "\n### Sort of 32-bit keys with 32-bit values\n\n\
+         | pairs | ms | Gpairs/s | count, scan, scatter | bytes alone, ms at 4.3 TB/s |\n\
+         |---|---|---|---|---|"
     );
     for n in [100_000u32, 1_000_000, 10_000_000] {
         let keys: Vec<u32> = (0..n).map(pcg).collect();

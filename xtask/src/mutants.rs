@@ -114,7 +114,8 @@ fn prepare(root: &Path, copy: &Path) -> Result<(), String> {
     let (from, to) =
         shared.ok_or("Cargo.toml has no [workspace.package] before [profile.release]")?;
     // Fast to compile, fast enough to run.
-    let profile = "[profile.test]\nopt-level = 1\ndebug = false\n[profile.test.package.\"*\"]\nopt-level = 2\n";
+    let profile = "[profile.test]\nopt-level = 1\ndebug = false\n\
+        [profile.test.package.\"*\"]\nopt-level = 2\n";
     let text = format!(
         "[workspace]\nresolver = \"3\"\nmembers = [\"ccd-core\"]\n{}{profile}",
         &manifest[from..to]

@@ -117,7 +117,8 @@ fn measure_ours(input: &Input, threads: usize, runs: usize) -> Result<Ours, Stri
     let (step_kept, n_contacts) =
         median(runs, || kept.step(x0, x1).map_or(0, |r| r.n_contacts().total()));
     println!(
-        "  ours, {threads} threads: candidates {candidates_fresh:.1} ms, earliest toi {toi_fresh:.1} ms, step {step_kept:.1} ms"
+        "  ours, {threads} threads: candidates {candidates_fresh:.1} ms, \
+         earliest toi {toi_fresh:.1} ms, step {step_kept:.1} ms"
     );
     Ok(Ours {
         candidates_fresh,
@@ -235,7 +236,8 @@ fn measure_parry(input: &Input, threads: usize, runs: usize) -> Parry {
         Digest::of(0, pairs.iter().map(pair))
     };
     println!(
-        "  parry3d: edges {edges:.1} ms, faces {faces:.1} ms, vertices x faces {vertices_faces:.1} ms"
+        "  parry3d: edges {edges:.1} ms, faces {faces:.1} ms, \
+         vertices x faces {vertices_faces:.1} ms"
     );
     Parry {
         edges,
@@ -262,10 +264,14 @@ fn header(root: &Path, runs: usize) -> Result<String, String> {
         " with uncommitted changes"
     };
     Ok(format!(
-        "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}, commit {}{changed}, {cpu}, {cores} cores, {}.\n\n\
-         Milliseconds, medians of {runs} runs in one go; compare ratios, not times. \"Fresh\" pays for every buffer anew, as the other libraries do; \
-         \"kept\" keeps them from the run before. Candidates: checks, boxes, trees, and all pairs without a shared vertex listed. \
-         parry3d: the same boxes, build and traversal together; it has no parallel traversal of two trees.\n",
+        "# Results\n\nWritten by `cargo xtask report --runs {runs}` on {}, commit {}{changed}, \
+         {cpu}, {cores} cores, {}.\n\n\
+         Milliseconds, medians of {runs} runs in one go; compare ratios, not times. \
+         \"Fresh\" pays for every buffer anew, as the other libraries do; \
+         \"kept\" keeps them from the run before. \
+         Candidates: checks, boxes, trees, and all pairs without a shared vertex listed. \
+         parry3d: the same boxes, build and traversal together; \
+         it has no parallel traversal of two trees.\n",
         shell(&["date", "-u", "+%Y-%m-%d"]),
         shell(&["git", "rev-parse", "--short", "HEAD"]),
         shell(&["rustc", "--version"]),
@@ -316,7 +322,8 @@ fn section(
     let kind = if threads == 1 { "thread" } else { "threads" };
     let _ = writeln!(
         out,
-        "\n## {name}, {threads} {kind}\n\n| what | ccd | beside | its time | ratio |\n|---|---|---|---|---|"
+        "\n## {name}, {threads} {kind}\n\n\
+         | what | ccd | beside | its time | ratio |\n|---|---|---|---|---|"
     );
     for (what, ours, peer, theirs) in rows {
         let _ =
@@ -325,7 +332,9 @@ fn section(
     let same = if ours.digests == parry.digests { "the same pairs" } else { "OTHER PAIRS" };
     let _ = writeln!(
         out,
-        "\nAnswers: {} contacts, earliest {:?}; ipctk {}: {:?} (Tight-Inclusion), {:?} (ACCD); parry3d finds {same} ({}, {}, {}).",
+        "\nAnswers: {} contacts, earliest {:?}; \
+         ipctk {}: {:?} (Tight-Inclusion), {:?} (ACCD); \
+         parry3d finds {same} ({}, {}, {}).",
         ours.n_contacts,
         ours.toi,
         ipctk["version"].as_str().unwrap_or("?"),
@@ -351,7 +360,8 @@ fn scaling(out: &mut String, ours: &[Ours]) {
     let [one, two] = ours else { return };
     let _ = writeln!(
         out,
-        "\nTwo threads against one: candidates (kept) {:.2} times as fast, earliest toi {:.2}, all contacts {:.2}.",
+        "\nTwo threads against one: candidates (kept) {:.2} times as fast, \
+         earliest toi {:.2}, all contacts {:.2}.",
         one.candidates_kept / two.candidates_kept,
         one.toi_kept / two.toi_kept,
         one.step_kept / two.step_kept

@@ -114,7 +114,8 @@ mod build {
         let dawn = root.join("target/tint/node_modules/webgpu");
         if !dawn.is_dir() {
             println!(
-                "skipped: Tint did not read the WGSL, it is not here (npm install --prefix target/tint webgpu)"
+                "skipped: Tint did not read the WGSL, it is not here \
+                 (npm install --prefix target/tint webgpu)"
             );
             return Ok(());
         }
@@ -234,7 +235,8 @@ mod build {
             Ok(())
         } else {
             Err(format!(
-                "{name} has {found} barriers, its source {written}: a compiler copied or dropped one"
+                "{name} has {found} barriers, its source {written}: \
+                 a compiler copied or dropped one"
             ))
         }
     }
@@ -259,8 +261,15 @@ mod build {
         }
         let wide =
             module.types.iter().any(|(_, ty)| ty.inner.scalar().is_some_and(|s| s.width == 8));
-        json!({ "name": name, "entry": entry.name, "workgroup": entry.workgroup_size[0], "bindings": bindings.into_values().collect::<Vec<_>>(),
-            "shared_bytes": shared, "wide": wide, "barriers": count_barriers(spirv) })
+        json!({
+            "name": name,
+            "entry": entry.name,
+            "workgroup": entry.workgroup_size[0],
+            "bindings": bindings.into_values().collect::<Vec<_>>(),
+            "shared_bytes": shared,
+            "wide": wide,
+            "barriers": count_barriers(spirv),
+        })
     }
 
     fn count_barriers(spirv: &[u8]) -> usize {
@@ -307,7 +316,8 @@ mod build {
             return Ok(());
         }
         Err(format!(
-            "{} of {PRODUCTS} differ from what the sources give ({MANIFEST}): run `cargo xtask shaders`",
+            "{} of {PRODUCTS} differ from what the sources give ({MANIFEST}): \
+             run `cargo xtask shaders`",
             different.join(", ")
         ))
     }

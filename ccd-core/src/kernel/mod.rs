@@ -137,7 +137,8 @@ macro_rules! kernels {
                 { paths: Read, edges: Read, input: Read,
                   contacts: Write, undecided: Write, earliest: Write }
             /// Verdicts of vertices and faces in `f64`.
-            DecideVertexFaceWide = decide_vertex_face_wide(64 threads, 3 barriers, f64, Params<Plain>)
+            DecideVertexFaceWide
+                = decide_vertex_face_wide(64 threads, 3 barriers, f64, Params<Plain>)
                 { paths: Read, positions: Read, faces: Read, input: Read,
                   contacts: Write, earliest: Write }
             /// Verdicts of edges in `f64`.

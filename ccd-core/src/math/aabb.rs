@@ -19,14 +19,17 @@ pub struct Aabb<T = f32> {
     pub max: [T; 3],
 }
 
-// SAFETY: six numbers of one type, `repr(C)`: no padding, every bit pattern valid.
-unsafe impl Zeroable for Aabb<f32> {}
-// SAFETY: as above.
-unsafe impl Pod for Aabb<f32> {}
-// SAFETY: as above.
-unsafe impl Zeroable for Aabb<f64> {}
-// SAFETY: as above.
-unsafe impl Pod for Aabb<f64> {}
+#[allow(unsafe_code, reason = "bytemuck derives `Pod` for no `repr(C)` type with a parameter")]
+const _: () = {
+    // SAFETY: six numbers of one type, `repr(C)`: no padding, every bit pattern valid.
+    unsafe impl Zeroable for Aabb<f32> {}
+    // SAFETY: as above.
+    unsafe impl Pod for Aabb<f32> {}
+    // SAFETY: as above.
+    unsafe impl Zeroable for Aabb<f64> {}
+    // SAFETY: as above.
+    unsafe impl Pod for Aabb<f64> {}
+};
 
 const _: () = assert!(size_of::<Aabb<f32>>() == 24 && size_of::<Aabb<f64>>() == 48);
 

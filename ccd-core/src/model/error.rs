@@ -106,7 +106,8 @@ impl core::fmt::Display for Error {
             Error::Coordinate { time, vertex, axis, value } => {
                 write!(
                     f,
-                    "vertex {vertex} at t{time} has {} = {value}; coordinates must be finite and at most {:e}",
+                    "vertex {vertex} at t{time} has {} = {value}; \
+                     coordinates must be finite and at most {:e}",
                     axis_name(axis),
                     Self::MAX_COORDINATE
                 )
@@ -114,7 +115,8 @@ impl core::fmt::Display for Error {
             Error::Index { element, at, vertex, n_vertices } => {
                 write!(
                     f,
-                    "{element} {at} refers to vertex {vertex}, but there are {n_vertices} vertices (0 to {})",
+                    "{element} {at} refers to vertex {vertex}, \
+                     but there are {n_vertices} vertices (0 to {})",
                     n_vertices.saturating_sub(1)
                 )
             }

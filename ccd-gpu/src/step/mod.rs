@@ -4,6 +4,7 @@
 pub mod buffers;
 pub mod contact_order;
 pub mod cpu_fallback;
+pub mod frame;
 pub mod lists;
 mod passes;
 mod upload;

@@ -216,7 +216,10 @@ pub fn node_pairs(
 }
 
 macro_rules! leaf_entry {
-    ($(#[$doc:meta])* $name:ident, $kind:ident, $may_touch:ident, [$($paths:ident)?], $input:literal, $output:literal) => {
+    (
+        $(#[$doc:meta])* $name:ident, $kind:ident, $may_touch:ident, [$($paths:ident)?],
+        $input:literal, $output:literal
+    ) => {
         $(#[$doc])*
         #[spirv(compute(threads(128)))]
         pub fn $name(
@@ -245,7 +248,10 @@ macro_rules! leaf_entry {
             for round in 0..rounds(params, there, own, groups) {
                 let (pair, some) = team_pair(params, input, there, own, groups, round, team);
                 clear(lane, counters);
-                let (first_a, first_b) = (slot(&params.own, 0, set_a, pair.a * WIDTH) as u32, slot(&params.own, 0, set_b, pair.b * WIDTH) as u32);
+                let (first_a, first_b) = (
+                    slot(&params.own, 0, set_a, pair.a * WIDTH) as u32,
+                    slot(&params.own, 0, set_b, pair.b * WIDTH) as u32,
+                );
                 if i == 0 {
                     set(firsts, 2 * team, first_a);
                     set(firsts, 2 * team + 1, first_b);
@@ -262,7 +268,15 @@ macro_rules! leaf_entry {
                     // Not filtered, which is allowed: filters only save work.
                     let (p, q) = ((first_a + i) as usize, (first_b + j) as usize);
                     let (a, b) = (at(leaves, p), at(leaves, q));
-                    if wanted(&params.frame, kind, &a, &b, [&at(nodes, p), &at(nodes, q)], bodies, keys) {
+                    if wanted(
+                        &params.frame,
+                        kind,
+                        &a,
+                        &b,
+                        [&at(nodes, p), &at(nodes, q)],
+                        bodies,
+                        keys,
+                    ) {
                         append(output, params.dispatch.room_out, ids(set_a == set_b, a.id, b.id));
                         count(output, 1, 1);
                     }
@@ -276,9 +290,20 @@ macro_rules! leaf_entry {
                     }
                     let hit = get(hits, h);
                     let [t, i, j] = unpack(hit);
-                    let (p, q) = ((get(firsts, 2 * t) + i) as usize, (get(firsts, 2 * t + 1) + j) as usize);
+                    let (p, q) = (
+                        (get(firsts, 2 * t) + i) as usize,
+                        (get(firsts, 2 * t + 1) + j) as usize,
+                    );
                     let (a, b) = (at(leaves, p), at(leaves, q));
-                    if wanted(&params.frame, kind, &a, &b, [&at(nodes, p), &at(nodes, q)], bodies, keys) {
+                    if wanted(
+                        &params.frame,
+                        kind,
+                        &a,
+                        &b,
+                        [&at(nodes, p), &at(nodes, q)],
+                        bodies,
+                        keys,
+                    ) {
                         add_shared(counters, WANTED, 1);
                         if $may_touch(&a, &b, &params.frame, $($paths)?) {
                             let to = add_shared(counters, KEPT, 1);
@@ -304,8 +329,16 @@ macro_rules! leaf_entry {
                     let to = kept(hit);
                     if to != NOT_KEPT {
                         let [t, i, j] = unpack(hit);
-                        let (a, b) = (at(leaves, (get(firsts, 2 * t) + i) as usize), at(leaves, (get(firsts, 2 * t + 1) + j) as usize));
-                        write_pair(output, params.dispatch.room_out, base + to, ids(set_a == set_b, a.id, b.id));
+                        let (a, b) = (
+                            at(leaves, (get(firsts, 2 * t) + i) as usize),
+                            at(leaves, (get(firsts, 2 * t + 1) + j) as usize),
+                        );
+                        write_pair(
+                            output,
+                            params.dispatch.room_out,
+                            base + to,
+                            ids(set_a == set_b, a.id, b.id),
+                        );
                     }
                 }
                 barrier();

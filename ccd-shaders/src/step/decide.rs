@@ -73,7 +73,8 @@ macro_rules! decide_wide_entry {
                 let mut found = false;
                 if i < there {
                     let pair = read_pair(input, i);
-                    let Verdicts { touches, undecided, toi } = $body(pair, &params.frame, paths, positions, elements);
+                    let Verdicts { touches, undecided, toi } =
+                        $body(pair, &params.frame, paths, positions, elements);
                     found = touches;
                     touch.a = pair.a;
                     touch.b = pair.b;
@@ -154,7 +155,12 @@ macro_rules! decide_entry {
                 // Counted also beyond the room, so that the host sees how many there are.
                 let to = place(lane, open, counters, undecided);
                 if open {
-                    write_pair(undecided, params.own.room_open, to, Pair { a: touch.a, b: touch.b });
+                    write_pair(
+                        undecided,
+                        params.own.room_open,
+                        to,
+                        Pair { a: touch.a, b: touch.b },
+                    );
                 }
             }
         }

@@ -1,0 +1,144 @@
+//! Which adapter, and how it is used: what is asked for, what is there, what every kernel needs.
+
+use crate::error::Error;
+use std::fmt;
+
+/// How shaders reach the driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Path {
+    /// SPIR-V as compiled, with contraction forbidden: Vulkan only.
+    Passthrough,
+    /// WGSL, through naga: every backend.
+    Wgsl,
+}
+
+/// What is wanted of a device.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DeviceOptions {
+    /// A part of the adapter's name, in any case; `None`: the one that wgpu prefers, and the
+    /// environment variable `CCD_ADAPTER` if it is set.
+    pub adapter: Option<String>,
+    /// The path for shaders; `None`: passthrough where there is Vulkan, else WGSL.
+    pub path: Option<Path>,
+    /// Leave `f64` unused even where the device has it: what `f32` cannot decide is then decided on
+    /// the CPU.
+    pub narrow: bool,
+}
+
+/// What a device is and how it is used.
+#[derive(Clone, Debug)]
+pub struct Info {
+    /// Adapter, backend, driver.
+    pub adapter: wgpu::AdapterInfo,
+    /// Limits in force.
+    pub limits: wgpu::Limits,
+    /// The path for shaders.
+    pub path: Path,
+    /// Why that path.
+    pub why: &'static str,
+    /// Whether `f64` is used on the device.
+    pub wide: bool,
+    /// Whether there are timestamps, so that stages can be timed.
+    pub timestamps: bool,
+}
+
+impl fmt::Display for Info {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let a = &self.adapter;
+        let path = match self.path {
+            Path::Passthrough => "SPIR-V passthrough",
+            Path::Wgsl => "WGSL through naga",
+        };
+        writeln!(f, "adapter     {} ({:?})", a.name, a.device_type)?;
+        writeln!(f, "backend     {}, driver {} {}", a.backend, a.driver, a.driver_info)?;
+        writeln!(f, "shaders     {path}: {}", self.why)?;
+        writeln!(
+            f,
+            "f64         {}",
+            if self.wide { "on the device" } else { "on the CPU, for what f32 cannot decide" }
+        )?;
+        writeln!(f, "timestamps  {}", if self.timestamps { "yes" } else { "no" })?;
+        let l = &self.limits;
+        writeln!(
+            f,
+            "limits      {} MiB a binding, {} MiB a buffer",
+            l.max_storage_buffer_binding_size >> 20,
+            l.max_buffer_size >> 20
+        )?;
+        write!(
+            f,
+            "            {} storage buffers a kernel, {} bytes of workgroup memory, \
+             {} threads a workgroup, {} workgroups a dimension",
+            l.max_storage_buffers_per_shader_stage,
+            l.max_compute_workgroup_storage_size,
+            l.max_compute_invocations_per_workgroup,
+            l.max_compute_workgroups_per_dimension
+        )
+    }
+}
+
+/// Features that are used where they are there.
+pub fn wanted_features(options: &DeviceOptions) -> wgpu::Features {
+    let mut wanted = wgpu::Features::TIMESTAMP_QUERY;
+    if options.path != Some(Path::Wgsl) {
+        wanted |= wgpu::Features::PASSTHROUGH_SHADERS;
+    }
+    if !options.narrow {
+        wanted |= wgpu::Features::SHADER_F64 | wgpu::Features::SHADER_INT64;
+    }
+    wanted
+}
+
+/// What every kernel needs; all of it is within the limits that WebGPU guarantees.
+pub fn check_limits(adapter: &wgpu::AdapterInfo, limits: &wgpu::Limits) -> Result<(), Error> {
+    let needs = [
+        ("storage buffers a kernel", limits.max_storage_buffers_per_shader_stage as u64, 8),
+        ("bytes of workgroup memory", limits.max_compute_workgroup_storage_size as u64, 16_384),
+        ("threads a workgroup", limits.max_compute_invocations_per_workgroup as u64, 256),
+        (
+            "dynamic storage buffers",
+            limits.max_dynamic_storage_buffers_per_pipeline_layout as u64,
+            1,
+        ),
+    ];
+    match needs.iter().find(|(_, has, needed)| has < needed) {
+        Some((what, has, needed)) => Err(Error::Unavailable {
+            why: format!("{} has {has} {what}, {needed} are needed", adapter.name),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// The entry to wgpu.
+pub fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+    // Arguments of indirect dispatches, if there were any, would be our own: checking them costs a
+    // dispatch each.
+    descriptor.flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
+    wgpu::Instance::new(descriptor)
+}
+
+/// The adapter that is asked for.
+pub async fn choose(
+    instance: &wgpu::Instance,
+    options: &DeviceOptions,
+) -> Result<wgpu::Adapter, Error> {
+    let wanted = options.adapter.clone().or_else(|| std::env::var("CCD_ADAPTER").ok());
+    let Some(wanted) = wanted else {
+        let request = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        return instance
+            .request_adapter(&request)
+            .await
+            .map_err(|e| Error::Unavailable { why: e.to_string() });
+    };
+    let all = instance.enumerate_adapters(wgpu::Backends::all()).await;
+    let names: Vec<String> = all.iter().map(|a| a.get_info().name).collect();
+    let found =
+        all.into_iter().find(|a| a.get_info().name.to_lowercase().contains(&wanted.to_lowercase()));
+    found.ok_or_else(|| Error::Unavailable {
+        why: format!("no adapter is named like \"{wanted}\"; there are: {}", names.join(", ")),
+    })
+}

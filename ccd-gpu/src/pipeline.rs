@@ -1,0 +1,90 @@
+//! Compiled kernels: from a row of the kernel table and its module to a pipeline.
+
+use crate::adapter::Path;
+use crate::shaders::module;
+use ccd_core::kernel::{Access, Id};
+
+/// A compiled kernel.
+pub struct Pipeline {
+    pub pipeline: wgpu::ComputePipeline,
+    pub layout: wgpu::BindGroupLayout,
+}
+
+impl Pipeline {
+    /// Compiles a kernel, through one of the paths for shaders.
+    pub fn compile(device: &wgpu::Device, path: Path, id: Id) -> Self {
+        let row = id.row();
+        let module = module(id);
+        let shader = match path {
+            Path::Wgsl => {
+                let source = wgpu::ShaderSource::Wgsl(module.wgsl.into());
+                device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                    label: Some(row.name),
+                    source,
+                })
+            }
+            Path::Passthrough => {
+                let words: Vec<u32> = module
+                    .spirv
+                    .chunks_exact(4)
+                    .map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+                    .collect();
+                let entry = wgpu::PassthroughShaderEntryPoint {
+                    name: row.name.into(),
+                    workgroup_size: (row.threads, 1, 1),
+                };
+                let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
+                    label: Some(row.name),
+                    entry_points: vec![entry].into(),
+                    spirv: Some(words.into()),
+                    ..Default::default()
+                };
+                // SAFETY: the module passed the validator, its bindings are those of the table
+                // (both are tested), and it indexes only what the parameters say is there.
+                #[allow(unsafe_code, reason = "wgpu does not check SPIR-V that it passes through")]
+                unsafe {
+                    device.create_shader_module_passthrough(descriptor)
+                }
+            }
+        };
+        let entries: Vec<_> = (0..)
+            .zip(row.bindings())
+            .map(|(i, access)| layout_entry(i, access, row.params.is_some() && i == 0))
+            .collect();
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some(row.name),
+            entries: &entries,
+        });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(row.name),
+            bind_group_layouts: &[Some(&layout)],
+            ..Default::default()
+        });
+        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(row.name),
+            layout: Some(&pipeline_layout),
+            module: &shader,
+            entry_point: Some(row.name),
+            // Kernels set what they read.
+            compilation_options: wgpu::PipelineCompilationOptions {
+                zero_initialize_workgroup_memory: false,
+                ..Default::default()
+            },
+            cache: None,
+        });
+        Self { pipeline, layout }
+    }
+}
+
+fn layout_entry(binding: u32, access: Access, is_params: bool) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Storage { read_only: access != Access::Write },
+            has_dynamic_offset: is_params,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}

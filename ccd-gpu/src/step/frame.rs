@@ -1,0 +1,302 @@
+//! Frames of a session on its device: one submission each, what is read with it, lists that grow
+//! when they were too short.
+
+use super::buffers::Buffers;
+use super::contact_order::{self, ContactOrder};
+use super::{Goal, SAMPLE, cpu_fallback};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::{HEADER_BYTES, read_header, read_pairs};
+use crate::readback::{Plan, Readback, word};
+use crate::recorder::{Bench, submit};
+use ccd_core::layout::{Pair, Touch};
+use ccd_core::model::contact::{Contact, PerKind};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::precision::Given;
+
+/// What frames run on, and what one learns from the frame before.
+pub struct Frames {
+    pub buffers: Buffers,
+    pub bench: Bench,
+    readback: Readback,
+    /// Milliseconds on the device in the last frame.
+    pub stages: Vec<(&'static str, f64)>,
+    /// How often a list was too short, so that a frame ran again.
+    pub grown: u32,
+    /// Contacts that the device found in the last step: about as many are read with the results of
+    /// the next.
+    expected: u32,
+    /// Calls for which the earliest time is looked for at once, because a sample did not pay the
+    /// last time.
+    at_once: u32,
+}
+
+/// What a frame gave.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    pub earliest: u32,
+    /// Candidates of the sample.
+    pub sampled: u64,
+    pub candidates: PerKind,
+    pub filtered: PerKind,
+    pub open: [Vec<Pair>; 2],
+    /// Whether contacts are in their order already.
+    pub in_order: bool,
+}
+
+impl Frames {
+    pub fn new(device: &Device, mesh: &Mesh, options: &Options) -> Result<Self, Error> {
+        Ok(Self {
+            buffers: Buffers::new(device, mesh, options)?,
+            bench: Bench::new(device)?,
+            readback: Readback::default(),
+            stages: Vec::new(),
+            grown: 0,
+            expected: 0,
+            at_once: 0,
+        })
+    }
+
+    /// Goes on with another device.
+    pub fn move_to(
+        &mut self,
+        device: &Device,
+        mesh: &Mesh,
+        options: &Options,
+    ) -> Result<(), Error> {
+        self.buffers = Buffers::new(device, mesh, options)?;
+        self.bench = Bench::new(device)?;
+        self.readback = Readback::default();
+        Ok(())
+    }
+
+    /// Makes room for so many entries in every list.
+    pub fn reserve(&mut self, device: &Device, entries: u32) -> Result<(), Error> {
+        for list in self.buffers.lists_mut().into_vec() {
+            *list = list.resized(device, entries)?;
+        }
+        self.bench.forget();
+        Ok(())
+    }
+
+    /// How the earliest time is looked for in the next frame.
+    pub fn goal_of_earliest(&mut self) -> Goal {
+        let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
+        self.at_once = self.at_once.saturating_sub(1);
+        goal
+    }
+
+    /// Positions of the next frame.
+    pub fn upload(&mut self, device: &Device, given: Given, distance: f64) -> Result<(), Error> {
+        let Buffers { positions, tree, .. } = &mut self.buffers;
+        if positions.upload(device, given, distance, &tree.boxes)? {
+            self.bench.forget();
+        }
+        Ok(())
+    }
+
+    /// Records a frame that starts from paths on the device; nothing is read.
+    pub fn record(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<&Buffers, Error> {
+        self.buffers.positions.take_paths();
+        self.buffers.to_order = 0;
+        let (bench, buffers) = (&mut self.bench, &self.buffers);
+        let frame = buffers.describe(options);
+        device.guarded("a frame", 0, || -> Result<(), Error> {
+            let mut recorder = bench.record(encoder);
+            buffers.record(&mut recorder, &frame, Goal::Contacts, device.info().wide);
+            recorder.finish().map(|_| ())
+        })??;
+        Ok(buffers)
+    }
+
+    /// Runs frames until every list was long enough. Contacts of the device go to `contacts`.
+    pub fn run(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        goal: Goal,
+        contacts: &mut Vec<Contact>,
+    ) -> Result<Found, Error> {
+        loop {
+            match self.attempt(device, options, goal, contacts)? {
+                Some(found) => return Ok(found),
+                None => self.grown += 1,
+            }
+        }
+    }
+
+    /// Reads the candidates of a frame: pairs of vertices and faces, pairs of edges.
+    pub fn read_candidates(
+        &mut self,
+        device: &Device,
+        count: PerKind,
+    ) -> Result<[Vec<Pair>; 2], Error> {
+        let Self { buffers, bench, readback, .. } = self;
+        let PerKind { vf, ee } = count;
+        let mut plan = Plan::default();
+        let [of_vf, of_ee] = &buffers.candidates;
+        let (part_vf, part_ee) =
+            (plan.part(of_vf.bytes(vf as u32)), plan.part(of_ee.bytes(ee as u32)));
+        let reading = readback.prepare(device, plan)?;
+        submit(device, bench, |recorder| {
+            recorder.read(&reading, part_vf, of_vf.buffer(), 0);
+            recorder.read(&reading, part_ee, of_ee.buffer(), 0);
+        })?;
+        reading.with(device, |bytes| [part_vf, part_ee].map(|part| read_pairs(part.of(bytes))))
+    }
+
+    /// Makes room for the order of as many contacts as are expected, if they are many. Returns how
+    /// many are to be read at once.
+    fn plan_contacts(&mut self, device: &Device, goal: Goal) -> Result<u32, Error> {
+        let Self { buffers, bench, expected, .. } = self;
+        let n = if goal == Goal::Contacts {
+            (*expected + *expected / 4 + 256).min(buffers.contacts.room())
+        } else {
+            0
+        };
+        buffers.to_order = if *expected >= contact_order::FEWEST { n } else { 0 };
+        if buffers.order.as_ref().map_or(0, ContactOrder::room) < buffers.to_order {
+            buffers.order = None;
+            bench.forget();
+            // As for lists: some more, or else just enough; where there is no memory even for that,
+            // the host sorts.
+            let with_some_more = ContactOrder::new(device, n + n / 4);
+            match with_some_more.or_else(|_| ContactOrder::new(device, n)) {
+                Ok(order) => buffers.order = Some(order),
+                Err(Error::TooLarge { .. } | Error::OutOfMemory { .. }) => buffers.to_order = 0,
+                Err(e) => return Err(e),
+            }
+        }
+        Ok(n)
+    }
+
+    /// Runs a frame; `None` if a list was too short and has been replaced.
+    fn attempt(
+        &mut self,
+        device: &Device,
+        options: &Options,
+        goal: Goal,
+        contacts: &mut Vec<Contact>,
+    ) -> Result<Option<Found>, Error> {
+        let guess = self.plan_contacts(device, goal)?;
+        let Self { buffers, bench, readback, .. } = self;
+        let frame = buffers.describe(options);
+        let mut plan = Plan::default();
+        let of_earliest = [plan.part(4), plan.part(4)];
+        let of_sample = plan.part(8);
+        let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
+        let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
+        let reading = readback.prepare(device, plan)?;
+        let wide = device.info().wide;
+        let stages = submit(device, bench, |recorder| {
+            buffers.record(recorder, &frame, goal, wide);
+            recorder.end_of_work();
+            for (part, earliest) in of_earliest.iter().zip(&buffers.earliest) {
+                recorder.read(&reading, *part, earliest, 0);
+            }
+            recorder.read(&reading, of_sample, &buffers.sample, 0);
+            let lists = buffers.lists().zip(of_lists.clone());
+            lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            match &buffers.order {
+                Some(order) if buffers.to_order > 0 => {
+                    recorder.read(&reading, of_contacts, &order.ordered, 0)
+                }
+                _ => recorder.read(&reading, of_contacts, buffers.contacts.buffer(), HEADER_BYTES),
+            }
+        })?;
+        let mut found = Found::default();
+        let headers = reading.with(device, |bytes| {
+            let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
+            found.earliest = vf.min(ee);
+            found.sampled =
+                word(of_sample.of(bytes), 0) as u64 + word(of_sample.of(bytes), 1) as u64;
+            let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
+            let n = headers.contacts.wanted.min(guess) as usize;
+            cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
+            Ok::<_, Error>(headers)
+        })??;
+        self.stages = bench.times(&stages)?;
+        let mut grown = false;
+        let lists = buffers.lists_mut().zip(headers.each_ref());
+        // Kernels look at the room of every list, so what cannot grow is an error and nothing
+        // worse.
+        let all_grew = lists.try_map(|(list, header)| {
+            grown |= list.grow(device, header.wanted)?;
+            Ok::<_, Error>(())
+        });
+        if grown {
+            bench.forget();
+            contacts.clear();
+        }
+        all_grew?;
+        if grown {
+            return Ok(None);
+        }
+        let [vf, ee] = &headers.survivors;
+        found.filtered = PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 };
+        found.candidates = if goal == Goal::Candidates {
+            let [vf, ee] = &headers.candidates;
+            PerKind { vf: vf.wanted as u64, ee: ee.wanted as u64 }
+        } else {
+            PerKind { vf: vf.looked_at as u64, ee: ee.looked_at as u64 }
+        };
+        if goal == Goal::Earliest && found.candidates.total() > found.sampled * SAMPLE as u64 / 4 {
+            self.at_once = AT_ONCE;
+        }
+        let n_contacts = headers.contacts.wanted;
+        let n_open = headers.undecided.map(|header| header.wanted);
+        let beyond = goal == Goal::Contacts && n_contacts > guess;
+        if goal == Goal::Contacts {
+            self.expected = n_contacts;
+        }
+        found.in_order = !beyond && buffers.to_order > 0;
+        if beyond || !wide && n_open != [0, 0] {
+            let n_contacts = if beyond { n_contacts } else { 0 };
+            found.open = self.read_rest(device, n_contacts, n_open, contacts)?;
+        }
+        Ok(Some(found))
+    }
+
+    /// Reads what the frame's own reading left: all contacts, if they were more than expected, and
+    /// pairs that are left open.
+    fn read_rest(
+        &mut self,
+        device: &Device,
+        n_contacts: u32,
+        n_open: [u32; 2],
+        contacts: &mut Vec<Contact>,
+    ) -> Result<[Vec<Pair>; 2], Error> {
+        let Self { buffers, bench, readback, .. } = self;
+        let Buffers { contacts: list, undecided: [vf, ee], .. } = buffers;
+        let mut plan = Plan::default();
+        let of_contacts = plan.part(list.bytes(n_contacts));
+        let (of_vf, of_ee) = (plan.part(vf.bytes(n_open[0])), plan.part(ee.bytes(n_open[1])));
+        let reading = readback.prepare(device, plan)?;
+        submit(device, bench, |recorder| {
+            for (part, list) in [(of_contacts, &*list), (of_vf, vf), (of_ee, ee)] {
+                recorder.read(&reading, part, list.buffer(), 0);
+            }
+        })?;
+        reading.with(device, |bytes| {
+            if n_contacts > 0 {
+                contacts.clear();
+                cpu_fallback::take_touches(
+                    &of_contacts.of(bytes)[HEADER_BYTES as usize..],
+                    contacts,
+                );
+            }
+            [read_pairs(of_vf.of(bytes)), read_pairs(of_ee.of(bytes))]
+        })
+    }
+}
+
+/// If more than a quarter of the candidates is left after paths were cut, so many of the next calls
+/// do without: what is cut takes less time than the sample, the cut and the second fit only where
+/// most candidates go.
+const AT_ONCE: u32 = 63;

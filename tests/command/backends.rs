@@ -1,0 +1,166 @@
+//! Backends: the GPU against the CPU, which of them is used, and what is said of a GPU.
+
+use crate::{ccd, check_refused, json, text};
+use serde_json::Value;
+use std::path::Path;
+use std::process::Command;
+
+pub fn the_gpu_finds_what_the_cpu_finds() {
+    let dir = tempfile::tempdir().unwrap();
+    let [a, b] = crumpled_sheet(dir.path(), 20);
+    let csv = dir.path().join("out.csv");
+    let csv = csv.to_str().unwrap();
+    let rows = |args: &[&str]| -> (Value, String) {
+        let value = json(&ccd(&[args, &["--json", "--contacts", csv]].concat()));
+        (value, std::fs::read_to_string(csv).unwrap())
+    };
+    for precision in ["f32", "f64"] {
+        for command in [&["check", &a, &b][..], &["sequence", &a, &b, &a]] {
+            let args = [command, &["--precision", precision]].concat();
+            let (cpu, want) = rows(&[&args[..], &["--backend", "cpu"]].concat());
+            assert!(want.lines().count() > 20, "{want}");
+            assert_eq!((&cpu["backend"], &cpu["adapter"]), (&"cpu".into(), &Value::Null));
+            for shaders in [&[][..], &["--shaders", "wgsl"]] {
+                let (gpu, found) = rows(&[&args[..], &["--backend", "gpu"], shaders].concat());
+                let wgsl =
+                    json(&ccd(&[&["info", "--json"], shaders].concat()))["shaders"] == "wgsl";
+                check_same_contacts(&found, &want, wgsl, &format!("{args:?} {shaders:?}"));
+                assert_eq!((&gpu["backend"], &gpu["threads"]), (&"gpu".into(), &Value::Null));
+                assert!(!gpu["adapter"].as_str().unwrap().is_empty());
+                for key in ["contacts", "candidates", "undecided"] {
+                    assert_eq!(gpu[key], cpu[key], "{key}");
+                }
+            }
+        }
+    }
+    // A refusal of the input is the same refusal, with the file's name.
+    let text = std::fs::read_to_string(&b).unwrap();
+    let (first, rest) = text.split_once('\n').unwrap();
+    let words: Vec<&str> = first.split(' ').collect();
+    let far = dir.path().join("far.obj");
+    std::fs::write(&far, format!("v 1e200 {} {}\n{rest}", words[2], words[3])).unwrap();
+    check_refused(
+        &["check", &a, far.to_str().unwrap(), "--backend", "gpu"],
+        "far.obj: vertex 0 at t1 has x = 10",
+    );
+    let [a, b] = [1.0f32, 2.5].map(|x| {
+        let path = dir.path().join(format!("{x}.bin"));
+        let boxes: Vec<u8> = (0..300)
+            .flat_map(|i| [x * i as f32, 0.0, 0.0, x * i as f32 + 3.0, 1.0, 1.0])
+            .flat_map(f32::to_le_bytes)
+            .collect();
+        std::fs::write(&path, boxes).unwrap();
+        path.to_str().unwrap().to_owned()
+    });
+    for files in [&[a.as_str()][..], &[&a, &b]] {
+        let pairs = |backend: &str| {
+            json(&ccd(&[&["boxes", "--json", "--runs", "2", "--backend", backend], files].concat()))
+                ["pairs"]
+                .as_u64()
+        };
+        assert_eq!(pairs("gpu"), pairs("cpu"));
+        assert!(pairs("gpu") > Some(100));
+    }
+}
+
+pub fn auto_goes_on_with_the_cpu() {
+    let dir = tempfile::tempdir().unwrap();
+    let [a, b] = crumpled_sheet(dir.path(), 12);
+    let args = ["check", &a, &b, "--backend", "auto", "--adapter", "no such adapter"];
+    let output = ccd(&args);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(
+        message.contains("no such adapter") && message.contains("going on with the CPU"),
+        "{message}"
+    );
+    assert_eq!(json(&ccd(&[&args[..], &["--json"]].concat()))["backend"], "cpu");
+    // Where nothing is asked for, a small mesh is no work for a GPU, and that is no news.
+    let output = ccd(&["check", &a, &b, "--json"]);
+    assert_eq!((&json(&output)["backend"], text(&output.stderr).as_str()), (&"cpu".into(), ""));
+}
+
+/// OpenGL accepts every kernel and finds nothing, at least in one driver: a missed contact is the
+/// worst that can happen, so it is refused.
+pub fn opengl_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let [a, b] = crumpled_sheet(dir.path(), 90);
+    let run = |backend: &str| {
+        let args = ["check", &a, &b, "--json", "--backend", backend];
+        Command::new(env!("CARGO_BIN_EXE_ccd"))
+            .args(args)
+            .env("WGPU_BACKEND", "gl")
+            .output()
+            .unwrap()
+    };
+    let refused = run("gpu");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("no GPU"), "{}", text(&refused.stderr));
+    assert_eq!(json(&run("auto"))["backend"], "cpu");
+}
+
+pub fn info_says_what_there_is() {
+    let said = text(&ccd(&["info"]).stdout);
+    for word in ["adapter", "backend", "shaders", "timestamps", "there are"] {
+        assert!(said.contains(word), "{word}: {said}");
+    }
+    let value = json(&ccd(&["info", "--json", "--shaders", "wgsl"]));
+    let name = value["adapter"]["name"].as_str().unwrap();
+    assert_eq!(value["shaders"], "wgsl");
+    assert!(value["adapters"].as_array().unwrap().iter().any(|a| a["name"] == name), "{value}");
+    assert!(json(&ccd(&["info", "--json", "--adapter", name]))["adapter"]["name"] == name);
+}
+
+/// Two frames of a crumpled grid of `n x n` vertices: contacts everywhere, none of them degenerate.
+fn crumpled_sheet(dir: &Path, n: usize) -> [String; 2] {
+    let mut random = ccd_testkit::generate::Random::new(7);
+    let mut frame = |name: &str| {
+        let mut text = String::new();
+        for i in 0..n * n {
+            let mut jitter = || (random.unit() - 0.5) * 1.5 / n as f64;
+            let (u, v) = ((i % n) as f64 / n as f64, (i / n) as f64 / n as f64);
+            text += &format!("v {} {} {}\n", u + jitter(), jitter(), v + jitter());
+        }
+        for i in (0..n * (n - 1)).filter(|i| i % n != n - 1) {
+            text += &format!(
+                "f {} {} {}\nf {} {} {}\n",
+                i + 1,
+                i + n + 1,
+                i + 2,
+                i + 2,
+                i + n + 1,
+                i + n + 2
+            );
+        }
+        let path = dir.join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    [frame("sheet0.obj"), frame("sheet1.obj")]
+}
+
+/// The same contacts in files of contacts. A driver may fuse products and sums of WGSL, so with
+/// `wgsl` times may differ, within their tolerance.
+fn check_same_contacts(found: &str, want: &str, wgsl: bool, input: &str) {
+    if !wgsl {
+        assert!(found == want, "{input}: found\n{found}want\n{want}");
+        return;
+    }
+    let rows = |text: &str| -> Vec<(String, f64)> {
+        // The column of the time, in either kind of file, is the last but one.
+        let split = |line: &str| line.rsplit(',').map(str::to_owned).collect::<Vec<_>>();
+        text.lines()
+            .skip(1)
+            .map(split)
+            .map(|c| (format!("{:?}", (&c[0], &c[2..])), c[1].parse().unwrap()))
+            .collect()
+    };
+    let (found, want) = (rows(found), rows(want));
+    assert_eq!(found.len(), want.len(), "{input}");
+    for (f, w) in found.iter().zip(&want) {
+        assert!(
+            f.0 == w.0 && (f.1 - w.1).abs() <= ccd::TOI_TOLERANCE,
+            "{input}: {f:?}, want {w:?}"
+        );
+    }
+}

@@ -1,0 +1,162 @@
+//! All published queries through the kernels that decide, against exact answers.
+
+use crate::scenes::{Runnable, Test};
+use crate::support::{bytes, entries, list, room, run};
+use ccd::gpu::Device;
+use ccd::gpu::bind::{DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide};
+use ccd::io::{Queries, Query, read_queries};
+use ccd::{Pair, Verdict};
+use ccd_core::layout::{
+    Decision, Dispatch, Frame, LIST_HEADER, Params, Path as Paths, Plain, TOUCH_WORDS, Touch, join,
+    split,
+};
+use ccd_core::model::quantization::{Scan, Table};
+use ccd_testkit::{compare, data};
+use std::path::{Path, PathBuf};
+
+/// Four vertices at both ends.
+pub type Ends = ([[f64; 3]; 4], [[f64; 3]; 4]);
+
+/// The name and the test of the queries in a folder, which may not be there.
+pub fn test_of_data(dir: &Result<PathBuf, String>) -> (String, Runnable) {
+    let test =
+        dir.clone().map(|dir| -> Test { Box::new(move |device| check_queries(device, &dir)) });
+    ("queries".into(), test)
+}
+
+/// All published queries through the kernels that decide, and what they leave open through the CPU.
+fn check_queries(device: &Device, dir: &Path) {
+    let wide = device.info().wide;
+    let (mut n, mut n_hits, mut n_undecided, mut n_open, mut n_misses) = (0, 0, 0, 0, 0);
+    for (path, name) in data::query_files(dir) {
+        let Queries { queries, .. } = read_queries(&path).unwrap();
+        let times = data::read_times(&dir.join("toi").join(&name));
+        let is_vf = matches!(queries[0], Query::VertexFace(_));
+        let ends: Vec<Ends> = queries
+            .iter()
+            .map(|q| match q {
+                Query::VertexFace(q) => (q.t0, q.t1),
+                Query::EdgeEdge(q) => (q.t0, q.t1),
+            })
+            .collect();
+        let verdicts = decide(device, is_vf, &ends);
+        for (i, (verdict, time)) in verdicts.iter().zip(&times).enumerate() {
+            let mut verdict = *verdict;
+            if !wide && matches!(verdict, Verdict::Undecided { .. }) {
+                n_open += 1;
+                verdict = match &queries[i] {
+                    Query::VertexFace(q) => ccd::vertex_face(q, 0.0),
+                    Query::EdgeEdge(q) => ccd::edge_edge(q, 0.0),
+                };
+            }
+            let (hit, certain) = compare::verdict(verdict, time, &format!("{name} query {i}"));
+            n += 1;
+            n_hits += hit as usize;
+            n_misses += !hit as usize;
+            n_undecided += (hit && !certain) as usize;
+        }
+    }
+    println!(
+        "{n} queries: {n_hits} hits ({n_undecided} undecided), {n_misses} misses; \
+         {n_open} left open by f32"
+    );
+    assert_eq!(n, 7279);
+}
+
+/// Verdicts of the device for queries of four vertices each: vertex `4 i` and face `i`, or edges
+/// `2 i` and `2 i + 1`.
+pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> {
+    let n = ends.len();
+    let mut verdicts = vec![Verdict::Miss; n];
+    let mut scan = Scan::NONE;
+    ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
+    let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) =
+        ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
+    // Exact numbers as they are, also where a session would bring them to another unit: kernels
+    // meet every number.
+    let table = if scan.exact { Table::AS_GIVEN } else { scan.table(true) };
+    let place = |p: [f64; 3]| {
+        let p = table.place(p);
+        [p[0], p[1], p[2], 0.0]
+    };
+    let paths: Vec<Paths> =
+        x0.iter().zip(&x1).map(|(p, q)| Paths { t0: place(*p), t1: place(*q) }).collect();
+    let count = n as u32;
+    let (elements, pairs): (Vec<u32>, Vec<Pair>) = if is_vf {
+        let faces = (0..count).flat_map(|i| [4 * i + 1, 4 * i + 2, 4 * i + 3]);
+        (faces.collect(), (0..count).map(|i| Pair { a: 4 * i, b: i }).collect())
+    } else {
+        let edges = (0..2 * count).flat_map(|i| [2 * i, 2 * i + 1]);
+        (edges.collect(), (0..count).map(|i| Pair { a: 2 * i, b: 2 * i + 1 }).collect())
+    };
+    let exact = if table == Table::AS_GIVEN { Frame::FLAG_EXACT } else { 0 };
+    let frame = Frame {
+        count: [4 * count, 0, 0],
+        flags: Frame::FLAG_KEEP | exact,
+        path_error: table.error,
+        distance_bits: split(0.0),
+        ..Frame::default()
+    };
+    let dispatch = Dispatch { room_in: count, room_out: count, ..Dispatch::default() };
+    let (paths, elements, input) = (bytes(&paths), bytes(&elements), list(&pairs));
+    let (contacts, earliest) = (vec![0u8; 4 * (LIST_HEADER + TOUCH_WORDS * n)], vec![0xff; 16]);
+    let of_pair = |a: u32| if is_vf { a / 4 } else { a / 2 } as usize;
+    if device.info().wide {
+        let positions = bytes(&[x0, x1].concat());
+        let p = Params { frame, dispatch, own: Plain::default() };
+        let contacts = if is_vf {
+            let faces = elements;
+            run(
+                device,
+                DecideVertexFaceWide { paths, positions, faces, input, contacts, earliest },
+                &p,
+                3,
+            )
+            .contacts
+        } else {
+            let edges = elements;
+            run(
+                device,
+                DecideEdgeEdgeWide { paths, positions, edges, input, contacts, earliest },
+                &p,
+                3,
+            )
+            .contacts
+        };
+        for touch in touches(&contacts) {
+            let toi = join(touch.toi);
+            verdicts[of_pair(touch.a)] =
+                if touch.state == 0 { Verdict::Hit { toi } } else { Verdict::Undecided { toi } };
+        }
+    } else {
+        let undecided = room(count);
+        let p = Params { frame, dispatch, own: Decision { room_open: count } };
+        let (contacts, undecided) = if is_vf {
+            let faces = elements;
+            let kernel = DecideVertexFace { paths, faces, input, contacts, undecided, earliest };
+            let done = run(device, kernel, &p, 3);
+            (done.contacts, done.undecided)
+        } else {
+            let edges = elements;
+            let done = run(
+                device,
+                DecideEdgeEdge { paths, edges, input, contacts, undecided, earliest },
+                &p,
+                3,
+            );
+            (done.contacts, done.undecided)
+        };
+        touches(&contacts)
+            .iter()
+            .for_each(|t| verdicts[of_pair(t.a)] = Verdict::Hit { toi: join(t.toi) });
+        entries(&undecided)
+            .iter()
+            .for_each(|p| verdicts[of_pair(p.a)] = Verdict::Undecided { toi: 0.0 });
+    }
+    verdicts
+}
+
+fn touches(bytes: &[u8]) -> Vec<Touch> {
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
+    bytemuck::pod_collect_to_vec(&words[LIST_HEADER..LIST_HEADER + 6 * words[0] as usize])
+}
