@@ -1,4 +1,5 @@
-//! The default tree: boxes in Morton order, in blocks of eight, in blocks of eight blocks, and so on.
+//! The default tree: boxes in Morton order, in blocks of eight, in blocks of eight blocks, and so
+//! on.
 //!
 //! Every node is one [`Block`], eight boxes side by side; node `i` of a level has the nodes `8 i ..
 //! 8 i + 8` of the level below as children, so there are no pointers, and refitting is one pass

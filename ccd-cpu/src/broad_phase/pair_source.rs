@@ -11,8 +11,8 @@ use ccd_core::Aabb;
 /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
 pub type Fixed<'a> = &'a (dyn Fn(usize) -> bool + Sync);
 
-/// Finds overlapping boxes of a few sets, whose boxes and leaf order are in [`LeafBoxes`]; keeps its
-/// own buffers between calls.
+/// Finds overlapping boxes of a few sets, whose boxes and leaf order are in [`LeafBoxes`]; keeps
+/// its own buffers between calls.
 pub trait PairSource {
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
     fn sort(&mut self, threads: &Threads, set: Set, boxes: &[Aabb<f32>], fixed: Option<Fixed>, order: &mut Vec<u32>);

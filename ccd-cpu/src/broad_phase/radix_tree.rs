@@ -42,8 +42,8 @@ struct RadixTree {
 const CHUNK: usize = 128;
 
 impl PairSource for RadixSource {
-    /// Fixed boxes stay where they are: whole subtrees of them could be left out, but codes must be
-    /// in order for the tree.
+    /// Fixed boxes are not told apart: the tree needs codes in order, so that no subtrees of them
+    /// arise that could be left out; the sink's rule takes their pairs away.
     fn sort(&mut self, threads: &Threads, set: Set, boxes: &[Aabb<f32>], _fixed: Option<Fixed>, order: &mut Vec<u32>) {
         if self.trees.len() <= set.index {
             self.trees.resize_with(set.index + 1, RadixTree::default);
@@ -144,8 +144,8 @@ impl RadixTree {
         threads.fill(&mut vec![(); n_internal], |i| radix_tree::link(i, &self.branches[i], &parents));
     }
 
-    /// Boxes of all nodes, from those of the leaves. Returns how much looser inner nodes have become
-    /// since the first time after [`RadixTree::link`].
+    /// Boxes of all nodes, from those of the leaves. Returns how much looser inner nodes have
+    /// become since the first time after [`RadixTree::link`].
     fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         let (n, n_internal) = (leaves.len(), self.branches.len());
         self.visits.iter_mut().for_each(|visit| *visit.get_mut() = 0);
@@ -176,7 +176,8 @@ impl RadixTree {
         if leaves > 0.0 { inner / leaves } else { 1.0 }
     }
 
-    /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`, ascending.
+    /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`,
+    /// ascending.
     fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) {
         if self.branches.is_empty() {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));

@@ -26,8 +26,8 @@ pub struct Scene<'a> {
     pub mesh: &'a Mesh,
     pub bodies: Option<&'a Bodies>,
     pub given: Given<'a>,
-    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in the
-    /// origin and the unit of a [`ccd_core::model::quantization::Table`].
+    /// Per vertex `x y z _` at both ends in `f32`, each within `table_error` of the true one, in
+    /// the origin and the unit of a [`ccd_core::model::quantization::Table`].
     pub table: &'a [[f32; WIDTH]],
     pub table_error: f32,
     /// The minimum distance in that unit, rounded up.
