@@ -1,7 +1,7 @@
 //! A warm session allocates nothing.
 #![deny(unsafe_code)]
 
-use ccd::{Options, Session};
+use ccd::{BroadPhaseMethod, METHODS, Options, Session};
 use ccd_testkit::generate::crumpled_sheet;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -33,9 +33,10 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// Allocations of each of 40 steps after 12 to warm up.
-fn count(threads: usize) -> Vec<usize> {
+fn count(threads: usize, broad_phase: BroadPhaseMethod) -> Vec<usize> {
     let step = crumpled_sheet(60, 1);
-    let mut session = Session::new(step.mesh, Options { threads, ..Options::default() }).unwrap();
+    let mut session =
+        Session::new(step.mesh, Options { threads, broad_phase, ..Options::default() }).unwrap();
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);
         // Forwards and backwards in turn; every third time only the earliest time.
@@ -56,12 +57,14 @@ fn count(threads: usize) -> Vec<usize> {
 
 #[test]
 fn warm_sessions_allocate_nothing() {
-    let alone = count(1);
-    assert!(alone.iter().all(|&n| n == 0), "one thread: {alone:?}");
-    // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and each
-    // worker's own queue may grow once.
-    let shared = count(2);
-    assert!(shared.iter().sum::<usize>() <= 4, "two threads: {shared:?}");
+    for row in METHODS.iter().filter(|row| row.backends.contains(&"cpu")) {
+        let alone = count(1, row.method);
+        assert!(alone.iter().all(|&n| n == 0), "{}, one thread: {alone:?}", row.name);
+        // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and
+        // each worker's own queue may grow once.
+        let shared = count(2, row.method);
+        assert!(shared.iter().sum::<usize>() <= 4, "{}, two threads: {shared:?}", row.name);
+    }
     // The counter counts.
     let before = CALLS.load(Ordering::Relaxed);
     drop(std::hint::black_box(vec![1u8; 100]));

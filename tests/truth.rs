@@ -6,12 +6,16 @@
 use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
     BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report,
-    Session, State, Verdict, VertexFace,
+    Session, State, TOI_TOLERANCE, Verdict, VertexFace,
 };
 use ccd_testkit::data::{self, QUERY_SETS, SCENES, Scene};
 use ccd_testkit::{brute, compare};
+use first::{First, first_within, point_triangle, segment_segment};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::path::Path;
+
+#[path = "../ccd-core/tests/bounds/common/distance.rs"]
+mod first;
 
 fn main() {
     let data = data::data_dir();
@@ -30,6 +34,10 @@ fn main() {
         add(format!("{}_sizes", scene.name), Box::new(|data| check_sizes(data, scene)));
         add(format!("{}_broad_phase", scene.name), Box::new(|data| check_broad_phase(data, scene)));
         add(format!("{}_step", scene.name), Box::new(|data| check_step(data, scene)));
+        add(
+            format!("{}_min_distance", scene.name),
+            Box::new(|data| check_min_distance(data, scene)),
+        );
         if scene.truth.is_some() {
             add(
                 format!("{}_contacts_f64", scene.name),
@@ -93,6 +101,52 @@ fn check_broad_phase(data: &Path, scene: &Scene) {
         assert_eq!(vf, Digest::of(0, brute::pairs(&exact[0], &exact[2]).into_iter()));
         assert_eq!(ee, Digest::of(1, brute::self_pairs(&exact[1]).into_iter()));
     }
+}
+
+/// At a thousandth of the scene's size nothing is undecided after the start of the step, and times
+/// are those of an independent computation.
+fn check_min_distance(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let mesh = t0.mesh().unwrap();
+    let (x0, x1) = (&t0.positions, &t1.positions);
+    let bounds =
+        x0.iter().fold(ccd::Aabb::of_point(x0[0]), |b, &p| b.union(&ccd::Aabb::of_point(p)));
+    let diagonal = (0..3).map(|k| (bounds.max[k] - bounds.min[k]).powi(2)).sum::<f64>().sqrt();
+    let d = 1e-3 * diagonal;
+    let mut session =
+        Session::new(mesh, Options { min_distance: d, ..Options::default() }).unwrap();
+    let report = session.step(x0, x1).unwrap().clone();
+    let mesh = session.mesh();
+    let open = report.contacts.iter().filter(|c| c.state == State::Undecided && c.toi > 0.0);
+    assert_eq!(open.count(), 0, "{}: undecided contacts after the start", scene.name);
+    let late: Vec<&Contact> = report.contacts.iter().filter(|c| c.toi > 0.0).collect();
+    let (mut n, mut n_unclear) = (0, 0);
+    for contact in late.iter().step_by(late.len() / 2000 + 1) {
+        let ids = mesh.vertices_of(contact.kind, Pair { a: contact.a, b: contact.b });
+        let at = |x: &[[f64; 3]]| ids.map(|i| x[i as usize]);
+        let first = match contact.kind {
+            Kind::VertexFace => first_within(point_triangle, 1, &at(x0), &at(x1), d),
+            Kind::EdgeEdge => first_within(segment_segment, 2, &at(x0), &at(x1), d),
+        };
+        match first {
+            First::At(t) => {
+                let right = contact.toi <= t + 1e-8 && contact.toi >= t - TOI_TOLERANCE - 1e-8;
+                assert!(right, "{contact:?}, but the first time is {t}");
+                n += 1;
+            }
+            First::Never => panic!("{contact:?}, but the distance stays above {d}"),
+            First::Unclear => n_unclear += 1,
+        }
+    }
+    println!(
+        "{}: {} contacts, {n} checked, {n_unclear} unclear",
+        scene.name,
+        report.contacts.len()
+    );
+    assert!(
+        n >= 4 * n_unclear && n + n_unclear > 0,
+        "{n} times show nothing ({n_unclear} unclear)"
+    );
 }
 
 /// No exact pair is missing among those of rounded boxes, and none of those comes twice.

@@ -72,7 +72,9 @@ pub fn decide(device: &Device, is_vf: bool, ends: &[Ends]) -> Vec<Verdict<f64>> 
     ends.iter().flat_map(|(a, b)| a.iter().chain(b)).for_each(|p| scan.take(*p));
     let (x0, x1): (Vec<[f64; 3]>, Vec<[f64; 3]>) =
         ends.iter().flat_map(|(a, b)| (0..4).map(|k| (a[k], b[k]))).unzip();
-    let table = scan.table(true);
+    // Exact numbers as they are, also where a session would bring them to another unit: kernels
+    // meet every number.
+    let table = if scan.exact { Table::AS_GIVEN } else { scan.table(true) };
     let place = |p: [f64; 3]| {
         let p = table.place(p);
         [p[0], p[1], p[2], 0.0]

@@ -1,5 +1,5 @@
-//! The blocks as a source of pairs: two block bvhs, or one with itself, are descended at once,
-//! block against block, eight boxes a test.
+//! Block bvhs as a source of pairs: two of them, or one with itself, are descended at once, block
+//! against block, eight boxes a test.
 
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};

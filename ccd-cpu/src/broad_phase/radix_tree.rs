@@ -42,8 +42,8 @@ struct RadixTree {
 const CHUNK: usize = 128;
 
 impl PairSource for RadixSource {
-    /// Fixed boxes stay where they are: whole subtrees of them could be left out, but codes must be
-    /// in order for the tree.
+    /// Fixed boxes are not told apart: the tree needs codes in order, so that no subtrees of them
+    /// arise that could be left out; the sink's rule takes their pairs away.
     fn sort(
         &mut self,
         threads: &Threads,
