@@ -36,7 +36,7 @@ impl Pair {
 pub struct Node {
     /// Smallest corner of the node's box.
     pub min: [f32; 3],
-    /// Left child; in a leaf, the id of its box.
+    /// Left child; in a leaf, what a traversal finds: the id of its box, or its place among leaves.
     pub left: u32,
     /// Greatest corner of the node's box.
     pub max: [f32; 3],

@@ -1,6 +1,17 @@
 //! Continuous collision detection on the CPU, over rayon.
+//!
+//! | room | idea |
+//! |---|---|
+//! | `session.rs` | a mesh stepped frame by frame |
+//! | `step/` | boxes and tables, candidates, the narrow phase |
+//! | `broad_phase/` | sources of pairs: blocks, the binary tree; boxes alone |
+//! | `simd/` | lanes of each instruction set |
+//! | `sort.rs`, `threads.rs` | the radix sort; where work runs |
+#![deny(unsafe_code)]
+
 mod broad_phase;
 mod session;
+#[allow(unsafe_code, reason = "intrinsics, after asking the processor; a write within capacity")]
 mod simd;
 mod sort;
 mod step;

@@ -19,7 +19,7 @@ pub struct Walk {
     pub goes_on: bool,
 }
 
-/// Leaves that a step found: the ids of their boxes, [`NONE`] where there is none.
+/// Leaves that a step found: what their nodes hold in `left`, [`NONE`] where there is none.
 pub type Found = [u32; 2];
 
 /// In [`Found`]: no leaf.
