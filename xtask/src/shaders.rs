@@ -376,7 +376,7 @@ mod tests {
         }
         let same = hash_of_inputs(copy.path()).unwrap();
         assert_eq!(same, hash_of_inputs(root()).unwrap());
-        let changed = copy.path().join("ccd-core/src/cubic.rs");
+        let changed = copy.path().join("ccd-core/src/lib.rs");
         let text = std::fs::read_to_string(&changed).unwrap();
         std::fs::write(&changed, text + " ").unwrap();
         assert_ne!(same, hash_of_inputs(copy.path()).unwrap());
