@@ -141,83 +141,83 @@ var<storage, read_write> earliest: type_41;
 var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(param: f32) -> array<u32, 2> {
-    var phi_8633_: array<u32, 2>;
-    var phi_8634_: array<u32, 2>;
-    var phi_8635_: bool;
-    var phi_8639_: array<u32, 2>;
+    var phi_8717_: array<u32, 2>;
+    var phi_8718_: array<u32, 2>;
+    var phi_8719_: bool;
+    var phi_8723_: array<u32, 2>;
 
     let _e13 = bitcast<u32>(param);
     if (_e13 < 8388608u) {
-        phi_8634_ = array<u32, 2>();
-        phi_8635_ = true;
+        phi_8718_ = array<u32, 2>();
+        phi_8719_ = true;
     } else {
         let _e17 = ((_e13 >> bitcast<u32>(31i)) == 1u);
         if _e17 {
-            phi_8633_ = array<u32, 2>();
+            phi_8717_ = array<u32, 2>();
         } else {
-            phi_8633_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
+            phi_8717_ = array<u32, 2>((_e13 << bitcast<u32>(29i)), ((((_e13 >> bitcast<u32>(23i)) + 896u) << bitcast<u32>(20i)) | ((_e13 & 8388607u) >> bitcast<u32>(3i))));
         }
-        let _e31 = phi_8633_;
-        phi_8634_ = _e31;
-        phi_8635_ = _e17;
+        let _e31 = phi_8717_;
+        phi_8718_ = _e31;
+        phi_8719_ = _e17;
     }
-    let _e33 = phi_8634_;
-    let _e35 = phi_8635_;
+    let _e33 = phi_8718_;
+    let _e35 = phi_8719_;
     if _e35 {
-        phi_8639_ = array<u32, 2>(0u, 0u);
+        phi_8723_ = array<u32, 2>(0u, 0u);
     } else {
-        phi_8639_ = _e33;
+        phi_8723_ = _e33;
     }
-    let _e37 = phi_8639_;
+    let _e37 = phi_8723_;
     return _e37;
 }
 
 fn function_1(param_1: array<f32, 3>, param_2: array<f32, 3>) -> array<f32, 3> {
-    var phi_8612_: array<f32, 3>;
+    var phi_8696_: array<f32, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_8612_ = param_2;
+        phi_8696_ = param_2;
     } else {
-        phi_8612_ = param_1;
+        phi_8696_ = param_1;
     }
-    let _e26 = phi_8612_;
+    let _e26 = phi_8696_;
     return _e26;
 }
 
 fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32, 3>, param_6: u32) -> array<f32, 3> {
-    var phi_8204_: bool;
-    var phi_8205_: bool;
-    var phi_8206_: bool;
-    var phi_8207_: bool;
-    var phi_8211_: bool;
-    var phi_8184_: bool;
-    var phi_8185_: bool;
-    var phi_8186_: bool;
-    var phi_8187_: bool;
-    var phi_8188_: bool;
-    var phi_8189_: bool;
-    var phi_8193_: bool;
-    var phi_8212_: bool;
-    var phi_8242_: array<f32, 3>;
-    var phi_8243_: bool;
-    var phi_8244_: array<f32, 3>;
-    var phi_8245_: bool;
-    var phi_8472_: f32;
-    var phi_8473_: f32;
-    var phi_8512_: f32;
-    var phi_8513_: f32;
-    var phi_8558_: f32;
-    var phi_8559_: f32;
-    var phi_8293_: f32;
-    var phi_8294_: f32;
-    var phi_8339_: f32;
-    var phi_8340_: f32;
-    var phi_8382_: f32;
-    var phi_8383_: f32;
-    var phi_8431_: f32;
-    var phi_8432_: f32;
-    var phi_8574_: array<array<f32, 3>, 4>;
-    var phi_8582_: array<f32, 3>;
+    var phi_8288_: bool;
+    var phi_8289_: bool;
+    var phi_8290_: bool;
+    var phi_8291_: bool;
+    var phi_8295_: bool;
+    var phi_8268_: bool;
+    var phi_8269_: bool;
+    var phi_8270_: bool;
+    var phi_8271_: bool;
+    var phi_8272_: bool;
+    var phi_8273_: bool;
+    var phi_8277_: bool;
+    var phi_8296_: bool;
+    var phi_8326_: array<f32, 3>;
+    var phi_8327_: bool;
+    var phi_8328_: array<f32, 3>;
+    var phi_8329_: bool;
+    var phi_8556_: f32;
+    var phi_8557_: f32;
+    var phi_8596_: f32;
+    var phi_8597_: f32;
+    var phi_8642_: f32;
+    var phi_8643_: f32;
+    var phi_8377_: f32;
+    var phi_8378_: f32;
+    var phi_8423_: f32;
+    var phi_8424_: f32;
+    var phi_8466_: f32;
+    var phi_8467_: f32;
+    var phi_8515_: f32;
+    var phi_8516_: f32;
+    var phi_8658_: array<array<f32, 3>, 4>;
+    var phi_8666_: array<f32, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -231,83 +231,83 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
                 if (_e72 <= 1f) {
-                    phi_8184_ = (_e76 <= 1f);
-                    phi_8185_ = false;
+                    phi_8268_ = (_e76 <= 1f);
+                    phi_8269_ = false;
                 } else {
-                    phi_8184_ = bool();
-                    phi_8185_ = true;
+                    phi_8268_ = bool();
+                    phi_8269_ = true;
                 }
-                let _e97 = phi_8184_;
-                let _e99 = phi_8185_;
-                phi_8186_ = _e97;
-                phi_8187_ = _e99;
+                let _e97 = phi_8268_;
+                let _e99 = phi_8269_;
+                phi_8270_ = _e97;
+                phi_8271_ = _e99;
             } else {
-                phi_8186_ = bool();
-                phi_8187_ = true;
+                phi_8270_ = bool();
+                phi_8271_ = true;
             }
-            let _e101 = phi_8186_;
-            let _e103 = phi_8187_;
-            phi_8188_ = _e101;
-            phi_8189_ = _e103;
+            let _e101 = phi_8270_;
+            let _e103 = phi_8271_;
+            phi_8272_ = _e101;
+            phi_8273_ = _e103;
         } else {
-            phi_8188_ = bool();
-            phi_8189_ = true;
+            phi_8272_ = bool();
+            phi_8273_ = true;
         }
-        let _e105 = phi_8188_;
-        let _e107 = phi_8189_;
+        let _e105 = phi_8272_;
+        let _e107 = phi_8273_;
         if _e107 {
-            phi_8193_ = false;
+            phi_8277_ = false;
         } else {
-            phi_8193_ = _e105;
+            phi_8277_ = _e105;
         }
-        let _e109 = phi_8193_;
-        phi_8212_ = _e109;
+        let _e109 = phi_8277_;
+        phi_8296_ = _e109;
     } else {
         if (_e72 >= 0f) {
             if (_e76 >= 0f) {
-                phi_8204_ = ((_e72 + _e76) <= 1f);
-                phi_8205_ = false;
+                phi_8288_ = ((_e72 + _e76) <= 1f);
+                phi_8289_ = false;
             } else {
-                phi_8204_ = bool();
-                phi_8205_ = true;
+                phi_8288_ = bool();
+                phi_8289_ = true;
             }
-            let _e83 = phi_8204_;
-            let _e85 = phi_8205_;
-            phi_8206_ = _e83;
-            phi_8207_ = _e85;
+            let _e83 = phi_8288_;
+            let _e85 = phi_8289_;
+            phi_8290_ = _e83;
+            phi_8291_ = _e85;
         } else {
-            phi_8206_ = bool();
-            phi_8207_ = true;
+            phi_8290_ = bool();
+            phi_8291_ = true;
         }
-        let _e87 = phi_8206_;
-        let _e89 = phi_8207_;
+        let _e87 = phi_8290_;
+        let _e89 = phi_8291_;
         if _e89 {
-            phi_8211_ = false;
+            phi_8295_ = false;
         } else {
-            phi_8211_ = _e87;
+            phi_8295_ = _e87;
         }
-        let _e91 = phi_8211_;
-        phi_8212_ = _e91;
+        let _e91 = phi_8295_;
+        phi_8296_ = _e91;
     }
-    let _e111 = phi_8212_;
+    let _e111 = phi_8296_;
     if (_e68 > 0f) {
         if _e111 {
-            phi_8242_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
-            phi_8243_ = false;
+            phi_8326_ = array<f32, 3>((param_3[0] - ((param_4[0] * _e72) + (param_5[0] * _e76))), (param_3[1] - ((param_4[1] * _e72) + (param_5[1] * _e76))), (param_3[2] - ((param_4[2] * _e72) + (param_5[2] * _e76))));
+            phi_8327_ = false;
         } else {
-            phi_8242_ = array<f32, 3>();
-            phi_8243_ = true;
+            phi_8326_ = array<f32, 3>();
+            phi_8327_ = true;
         }
-        let _e136 = phi_8242_;
-        let _e138 = phi_8243_;
-        phi_8244_ = _e136;
-        phi_8245_ = _e138;
+        let _e136 = phi_8326_;
+        let _e138 = phi_8327_;
+        phi_8328_ = _e136;
+        phi_8329_ = _e138;
     } else {
-        phi_8244_ = array<f32, 3>();
-        phi_8245_ = true;
+        phi_8328_ = array<f32, 3>();
+        phi_8329_ = true;
     }
-    let _e140 = phi_8244_;
-    let _e142 = phi_8245_;
+    let _e140 = phi_8328_;
+    let _e142 = phi_8329_;
     if _e142 {
         let _e145 = (param_3[0] - param_4[0]);
         let _e148 = (param_3[1] - param_4[1]);
@@ -316,59 +316,59 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e293 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e293 > 0f) {
                 if (_e293 < 1f) {
-                    phi_8293_ = _e293;
+                    phi_8377_ = _e293;
                 } else {
-                    phi_8293_ = 1f;
+                    phi_8377_ = 1f;
                 }
-                let _e297 = phi_8293_;
-                phi_8294_ = _e297;
+                let _e297 = phi_8377_;
+                phi_8378_ = _e297;
             } else {
-                phi_8294_ = 0f;
+                phi_8378_ = 0f;
             }
-            let _e299 = phi_8294_;
+            let _e299 = phi_8378_;
             let _e335 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e335 > 0f) {
                 if (_e335 < 1f) {
-                    phi_8339_ = _e335;
+                    phi_8423_ = _e335;
                 } else {
-                    phi_8339_ = 1f;
+                    phi_8423_ = 1f;
                 }
-                let _e339 = phi_8339_;
-                phi_8340_ = _e339;
+                let _e339 = phi_8423_;
+                phi_8424_ = _e339;
             } else {
-                phi_8340_ = 0f;
+                phi_8424_ = 0f;
             }
-            let _e341 = phi_8340_;
+            let _e341 = phi_8424_;
             let _e374 = ((((_e145 * param_5[0]) + (_e148 * param_5[1])) + (_e151 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e374 > 0f) {
                 if (_e374 < 1f) {
-                    phi_8382_ = _e374;
+                    phi_8466_ = _e374;
                 } else {
-                    phi_8382_ = 1f;
+                    phi_8466_ = 1f;
                 }
-                let _e378 = phi_8382_;
-                phi_8383_ = _e378;
+                let _e378 = phi_8466_;
+                phi_8467_ = _e378;
             } else {
-                phi_8383_ = 0f;
+                phi_8467_ = 0f;
             }
-            let _e380 = phi_8383_;
+            let _e380 = phi_8467_;
             let _e393 = (param_3[0] - param_5[0]);
             let _e396 = (param_3[1] - param_5[1]);
             let _e399 = (param_3[2] - param_5[2]);
             let _e419 = ((((_e393 * param_4[0]) + (_e396 * param_4[1])) + (_e399 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e419 > 0f) {
                 if (_e419 < 1f) {
-                    phi_8431_ = _e419;
+                    phi_8515_ = _e419;
                 } else {
-                    phi_8431_ = 1f;
+                    phi_8515_ = 1f;
                 }
-                let _e423 = phi_8431_;
-                phi_8432_ = _e423;
+                let _e423 = phi_8515_;
+                phi_8516_ = _e423;
             } else {
-                phi_8432_ = 0f;
+                phi_8516_ = 0f;
             }
-            let _e425 = phi_8432_;
-            phi_8574_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
+            let _e425 = phi_8516_;
+            phi_8658_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e299)), (param_3[1] - (param_4[1] * _e299)), (param_3[2] - (param_4[2] * _e299))), array<f32, 3>((param_3[0] - (param_5[0] * _e341)), (param_3[1] - (param_5[1] * _e341)), (param_3[2] - (param_5[2] * _e341))), array<f32, 3>((_e145 - (param_5[0] * _e380)), (_e148 - (param_5[1] * _e380)), (_e151 - (param_5[2] * _e380))), array<f32, 3>((_e393 - (param_4[0] * _e425)), (_e396 - (param_4[1] * _e425)), (_e399 - (param_4[2] * _e425))));
         } else {
             let _e155 = (param_5[0] - param_4[0]);
             let _e158 = (param_5[1] - param_4[1]);
@@ -376,54 +376,54 @@ fn function_2(param_3: array<f32, 3>, param_4: array<f32, 3>, param_5: array<f32
             let _e172 = ((((_e145 * _e155) + (_e148 * _e158)) + (_e151 * _e161)) / (((_e155 * _e155) + (_e158 * _e158)) + (_e161 * _e161)));
             if (_e172 > 0f) {
                 if (_e172 < 1f) {
-                    phi_8472_ = _e172;
+                    phi_8556_ = _e172;
                 } else {
-                    phi_8472_ = 1f;
+                    phi_8556_ = 1f;
                 }
-                let _e176 = phi_8472_;
-                phi_8473_ = _e176;
+                let _e176 = phi_8556_;
+                phi_8557_ = _e176;
             } else {
-                phi_8473_ = 0f;
+                phi_8557_ = 0f;
             }
-            let _e178 = phi_8473_;
+            let _e178 = phi_8557_;
             let _e185 = array<f32, 3>((_e145 - (_e155 * _e178)), (_e148 - (_e158 * _e178)), (_e151 - (_e161 * _e178)));
             let _e208 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e208 > 0f) {
                 if (_e208 < 1f) {
-                    phi_8512_ = _e208;
+                    phi_8596_ = _e208;
                 } else {
-                    phi_8512_ = 1f;
+                    phi_8596_ = 1f;
                 }
-                let _e212 = phi_8512_;
-                phi_8513_ = _e212;
+                let _e212 = phi_8596_;
+                phi_8597_ = _e212;
             } else {
-                phi_8513_ = 0f;
+                phi_8597_ = 0f;
             }
-            let _e214 = phi_8513_;
+            let _e214 = phi_8597_;
             let _e250 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e250 > 0f) {
                 if (_e250 < 1f) {
-                    phi_8558_ = _e250;
+                    phi_8642_ = _e250;
                 } else {
-                    phi_8558_ = 1f;
+                    phi_8642_ = 1f;
                 }
-                let _e254 = phi_8558_;
-                phi_8559_ = _e254;
+                let _e254 = phi_8642_;
+                phi_8643_ = _e254;
             } else {
-                phi_8559_ = 0f;
+                phi_8643_ = 0f;
             }
-            let _e256 = phi_8559_;
-            phi_8574_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
+            let _e256 = phi_8643_;
+            phi_8658_ = array<array<f32, 3>, 4>(array<f32, 3>((param_3[0] - (param_4[0] * _e214)), (param_3[1] - (param_4[1] * _e214)), (param_3[2] - (param_4[2] * _e214))), array<f32, 3>((param_3[0] - (param_5[0] * _e256)), (param_3[1] - (param_5[1] * _e256)), (param_3[2] - (param_5[2] * _e256))), _e185, _e185);
         }
-        let _e438 = phi_8574_;
+        let _e438 = phi_8658_;
         let _e441 = function_1(_e438[0], _e438[1]);
         let _e443 = function_1(_e441, _e438[2]);
         let _e445 = function_1(_e443, _e438[3]);
-        phi_8582_ = _e445;
+        phi_8666_ = _e445;
     } else {
-        phi_8582_ = _e140;
+        phi_8666_ = _e140;
     }
-    let _e447 = phi_8582_;
+    let _e447 = phi_8666_;
     return _e447;
 }
 
@@ -545,448 +545,468 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1390_: f32;
     var phi_1395_: f32;
     var phi_1405_: f32;
-    var phi_4054_: f32;
-    var phi_4060_: f32;
-    var phi_4065_: f32;
-    var phi_4071_: f32;
-    var phi_4077_: f32;
-    var phi_4082_: f32;
-    var phi_4087_: f32;
-    var phi_4095_: bool;
-    var phi_4100_: f32;
+    var phi_4096_: f32;
+    var phi_4102_: f32;
     var phi_4107_: f32;
-    var phi_4147_: type_14;
-    var phi_4150_: f32;
-    var phi_4171_: bool;
-    var phi_4177_: type_15;
-    var phi_4148_: type_14;
-    var phi_4191_: type_15;
-    var phi_4151_: f32;
+    var phi_4113_: f32;
+    var phi_4119_: f32;
+    var phi_4124_: f32;
+    var phi_4129_: f32;
+    var phi_4137_: bool;
+    var phi_4142_: f32;
+    var phi_4149_: f32;
+    var phi_4189_: type_14;
+    var phi_4192_: f32;
+    var phi_4213_: bool;
+    var phi_4219_: type_15;
+    var phi_4190_: type_14;
+    var phi_4233_: type_15;
+    var phi_4193_: f32;
     var local_13: f32;
-    var phi_4140_: f32;
-    var phi_4204_: f32;
-    var phi_4210_: f32;
-    var phi_4235_: type_9;
-    var phi_4238_: u32;
-    var phi_4236_: type_9;
-    var phi_4261_: type_9;
-    var phi_4305_: u32;
-    var phi_4306_: u32;
-    var phi_4239_: u32;
-    var phi_4307_: u32;
-    var phi_4327_: type_9;
-    var phi_4328_: type_9;
-    var phi_4351_: type_9;
-    var phi_4403_: f32;
-    var phi_4410_: f32;
-    var phi_4421_: bool;
-    var phi_4422_: bool;
-    var phi_4423_: bool;
-    var phi_4424_: bool;
-    var phi_4428_: bool;
-    var phi_4439_: type_37;
-    var phi_4440_: type_37;
-    var phi_4441_: bool;
-    var phi_4442_: type_37;
-    var phi_4443_: bool;
-    var phi_4454_: f32;
-    var phi_4464_: type_9;
-    var phi_4467_: f32;
-    var phi_4469_: f32;
-    var phi_4471_: f32;
-    var phi_4465_: type_9;
-    var phi_4494_: type_9;
-    var phi_4519_: f32;
-    var phi_4520_: f32;
-    var phi_4546_: f32;
+    var phi_4182_: f32;
+    var phi_4246_: f32;
+    var phi_4252_: f32;
+    var phi_4277_: type_9;
+    var phi_4280_: u32;
+    var phi_4278_: type_9;
+    var phi_4303_: type_9;
+    var phi_4347_: u32;
+    var phi_4348_: u32;
+    var phi_4281_: u32;
+    var phi_4349_: u32;
+    var phi_4369_: type_9;
+    var phi_4370_: type_9;
+    var phi_4393_: type_9;
+    var phi_4445_: f32;
+    var phi_4452_: f32;
+    var phi_4463_: bool;
+    var phi_4464_: bool;
+    var phi_4465_: bool;
+    var phi_4466_: bool;
+    var phi_4470_: bool;
+    var phi_4481_: type_37;
+    var phi_4482_: type_37;
+    var phi_4483_: bool;
+    var phi_4484_: type_37;
+    var phi_4485_: bool;
+    var phi_4496_: f32;
+    var phi_4506_: type_9;
+    var phi_4509_: f32;
+    var phi_4511_: f32;
+    var phi_4513_: f32;
+    var phi_4507_: type_9;
+    var phi_4536_: type_9;
+    var phi_4561_: f32;
     var phi_4562_: f32;
-    var phi_4569_: bool;
-    var phi_4570_: bool;
-    var phi_4571_: bool;
-    var phi_4577_: f32;
-    var phi_4578_: f32;
-    var phi_4579_: bool;
-    var phi_4468_: f32;
-    var phi_4470_: f32;
-    var phi_4472_: f32;
-    var phi_4580_: f32;
-    var phi_4581_: bool;
-    var phi_4582_: bool;
+    var phi_4588_: f32;
+    var phi_4604_: f32;
+    var phi_4611_: bool;
+    var phi_4612_: bool;
+    var phi_4613_: bool;
+    var phi_4619_: f32;
+    var phi_4620_: f32;
+    var phi_4621_: bool;
+    var phi_4510_: f32;
+    var phi_4512_: f32;
+    var phi_4514_: f32;
+    var phi_4622_: f32;
+    var phi_4623_: bool;
+    var phi_4624_: bool;
     var local_14: bool;
-    var phi_4586_: f32;
-    var phi_4587_: f32;
-    var phi_4595_: f32;
-    var phi_4599_: type_9;
-    var phi_4602_: f32;
-    var phi_4600_: type_9;
-    var phi_4625_: type_9;
-    var phi_4655_: f32;
-    var phi_4656_: bool;
-    var phi_4657_: f32;
-    var phi_4658_: bool;
-    var phi_4659_: bool;
-    var phi_4660_: bool;
-    var phi_4661_: f32;
-    var phi_4603_: f32;
-    var phi_4662_: bool;
-    var phi_4663_: bool;
-    var phi_4664_: bool;
-    var phi_4665_: bool;
+    var phi_4628_: f32;
+    var phi_4629_: f32;
+    var phi_4637_: f32;
+    var phi_4641_: type_9;
+    var phi_4644_: f32;
+    var phi_4642_: type_9;
+    var phi_4667_: type_9;
+    var phi_4697_: f32;
+    var phi_4698_: bool;
+    var phi_4699_: f32;
+    var phi_4700_: bool;
+    var phi_4701_: bool;
+    var phi_4702_: bool;
+    var phi_4703_: f32;
+    var phi_4645_: f32;
+    var phi_4704_: bool;
+    var phi_4705_: bool;
+    var phi_4706_: bool;
+    var phi_4707_: bool;
     var local_15: bool;
-    var phi_4669_: bool;
-    var phi_4670_: bool;
-    var phi_4674_: bool;
-    var phi_4678_: f32;
-    var phi_4679_: f32;
-    var phi_4681_: type_37;
-    var phi_4710_: f32;
-    var phi_4717_: f32;
-    var phi_4722_: f32;
-    var phi_4729_: f32;
-    var phi_4734_: f32;
-    var phi_4747_: f32;
-    var phi_4754_: f32;
+    var phi_4711_: bool;
+    var phi_4712_: bool;
+    var phi_4716_: bool;
+    var phi_4720_: f32;
+    var phi_4721_: f32;
+    var phi_4723_: type_37;
+    var phi_4752_: f32;
     var phi_4759_: f32;
-    var phi_4766_: f32;
+    var phi_4764_: f32;
     var phi_4771_: f32;
     var phi_4776_: f32;
-    var phi_4835_: f32;
-    var phi_4841_: f32;
-    var phi_4846_: f32;
-    var phi_4852_: f32;
-    var phi_4857_: f32;
-    var phi_4869_: f32;
-    var phi_4875_: f32;
-    var phi_4880_: f32;
-    var phi_4886_: f32;
-    var phi_4891_: f32;
+    var phi_4789_: f32;
+    var phi_4796_: f32;
+    var phi_4801_: f32;
+    var phi_4808_: f32;
+    var phi_4813_: f32;
+    var phi_4818_: f32;
+    var phi_4877_: f32;
+    var phi_4883_: f32;
+    var phi_4888_: f32;
+    var phi_4894_: f32;
+    var phi_4899_: f32;
+    var phi_4911_: f32;
     var phi_4917_: f32;
-    var phi_4924_: f32;
-    var phi_4929_: f32;
-    var phi_4936_: f32;
-    var phi_4941_: f32;
-    var phi_4954_: f32;
-    var phi_4961_: f32;
+    var phi_4922_: f32;
+    var phi_4928_: f32;
+    var phi_4933_: f32;
+    var phi_4959_: f32;
     var phi_4966_: f32;
-    var phi_4973_: f32;
+    var phi_4971_: f32;
     var phi_4978_: f32;
     var phi_4983_: f32;
-    var phi_5042_: f32;
-    var phi_5048_: f32;
-    var phi_5053_: f32;
-    var phi_5059_: f32;
-    var phi_5064_: f32;
-    var phi_5076_: f32;
-    var phi_5082_: f32;
-    var phi_5087_: f32;
-    var phi_5093_: f32;
-    var phi_5098_: f32;
+    var phi_4996_: f32;
+    var phi_5003_: f32;
+    var phi_5008_: f32;
+    var phi_5015_: f32;
+    var phi_5020_: f32;
+    var phi_5025_: f32;
+    var phi_5084_: f32;
+    var phi_5090_: f32;
+    var phi_5095_: f32;
+    var phi_5101_: f32;
+    var phi_5106_: f32;
+    var phi_5118_: f32;
     var phi_5124_: f32;
-    var phi_5131_: f32;
-    var phi_5136_: f32;
-    var phi_5143_: f32;
-    var phi_5148_: f32;
-    var phi_5161_: f32;
-    var phi_5168_: f32;
+    var phi_5129_: f32;
+    var phi_5135_: f32;
+    var phi_5140_: f32;
+    var phi_5166_: f32;
     var phi_5173_: f32;
-    var phi_5180_: f32;
+    var phi_5178_: f32;
     var phi_5185_: f32;
     var phi_5190_: f32;
-    var phi_5249_: f32;
-    var phi_5255_: f32;
-    var phi_5260_: f32;
-    var phi_5266_: f32;
-    var phi_5271_: f32;
-    var phi_5283_: f32;
-    var phi_5289_: f32;
-    var phi_5294_: f32;
-    var phi_5300_: f32;
-    var phi_5305_: f32;
-    var phi_5354_: f32;
-    var phi_5360_: f32;
-    var phi_5388_: f32;
-    var phi_5394_: f32;
-    var phi_5399_: u32;
-    var phi_5400_: u32;
-    var phi_5370_: f32;
-    var phi_5376_: f32;
-    var phi_5381_: u32;
-    var phi_5382_: u32;
-    var phi_5401_: u32;
-    var phi_5402_: u32;
-    var phi_5471_: f32;
-    var phi_5480_: f32;
-    var phi_5615_: f32;
-    var phi_5621_: f32;
-    var phi_5628_: f32;
-    var phi_5671_: type_9;
-    var phi_5674_: bool;
-    var phi_5672_: type_9;
-    var phi_5697_: type_9;
-    var phi_5724_: bool;
-    var phi_5725_: bool;
-    var phi_5675_: bool;
-    var phi_5726_: bool;
-    var phi_5727_: bool;
-    var local_16: bool;
-    var phi_5731_: bool;
-    var local_17: bool;
-    var phi_5738_: u32;
-    var phi_5739_: u32;
-    var phi_5740_: bool;
-    var phi_5741_: u32;
-    var phi_5742_: u32;
-    var phi_5743_: bool;
-    var phi_5747_: u32;
+    var phi_5203_: f32;
+    var phi_5210_: f32;
+    var phi_5215_: f32;
+    var phi_5222_: f32;
+    var phi_5227_: f32;
+    var phi_5232_: f32;
+    var phi_5291_: f32;
+    var phi_5297_: f32;
+    var phi_5302_: f32;
+    var phi_5308_: f32;
+    var phi_5313_: f32;
+    var phi_5325_: f32;
+    var phi_5331_: f32;
+    var phi_5336_: f32;
+    var phi_5342_: f32;
+    var phi_5347_: f32;
+    var phi_5396_: f32;
+    var phi_5402_: f32;
+    var phi_5430_: f32;
+    var phi_5436_: f32;
+    var phi_5441_: u32;
+    var phi_5442_: u32;
+    var phi_5412_: f32;
+    var phi_5418_: f32;
+    var phi_5423_: u32;
+    var phi_5424_: u32;
+    var phi_5443_: u32;
+    var phi_5444_: u32;
+    var phi_5513_: f32;
+    var phi_5522_: f32;
+    var phi_5657_: f32;
+    var phi_5663_: f32;
+    var phi_5670_: f32;
+    var phi_5713_: type_9;
+    var phi_5716_: bool;
+    var phi_5714_: type_9;
+    var phi_5739_: type_9;
+    var phi_5766_: bool;
     var phi_5767_: bool;
+    var phi_5717_: bool;
     var phi_5768_: bool;
     var phi_5769_: bool;
-    var phi_5917_: f32;
-    var phi_5924_: f32;
-    var phi_5929_: f32;
-    var phi_5936_: f32;
-    var phi_5941_: f32;
-    var phi_5954_: f32;
-    var phi_5961_: f32;
+    var local_16: bool;
+    var phi_5773_: bool;
+    var local_17: bool;
+    var phi_5780_: u32;
+    var phi_5781_: u32;
+    var phi_5782_: bool;
+    var phi_5783_: u32;
+    var phi_5784_: u32;
+    var phi_5785_: bool;
+    var phi_5789_: u32;
+    var phi_5809_: bool;
+    var phi_5810_: bool;
+    var phi_5811_: bool;
+    var phi_5959_: f32;
     var phi_5966_: f32;
-    var phi_5973_: f32;
+    var phi_5971_: f32;
     var phi_5978_: f32;
     var phi_5983_: f32;
-    var phi_6000_: f32;
-    var phi_6007_: f32;
-    var phi_6012_: f32;
-    var phi_6019_: f32;
-    var phi_6024_: f32;
-    var phi_6038_: f32;
-    var phi_6045_: f32;
-    var phi_6050_: f32;
-    var phi_6057_: f32;
-    var phi_6062_: f32;
-    var phi_6067_: f32;
-    var phi_6084_: f32;
-    var phi_6091_: f32;
-    var phi_6096_: f32;
-    var phi_6103_: f32;
-    var phi_6108_: f32;
-    var phi_6122_: f32;
-    var phi_6129_: f32;
-    var phi_6134_: f32;
-    var phi_6141_: f32;
-    var phi_6146_: f32;
-    var phi_6151_: f32;
-    var phi_6190_: type_9;
+    var phi_5996_: f32;
+    var phi_6003_: f32;
+    var phi_6008_: f32;
+    var phi_6015_: f32;
+    var phi_6020_: f32;
+    var phi_6025_: f32;
+    var phi_6042_: f32;
+    var phi_6049_: f32;
+    var phi_6054_: f32;
+    var phi_6061_: f32;
+    var phi_6066_: f32;
+    var phi_6080_: f32;
+    var phi_6087_: f32;
+    var phi_6092_: f32;
+    var phi_6099_: f32;
+    var phi_6104_: f32;
+    var phi_6109_: f32;
+    var phi_6126_: f32;
+    var phi_6133_: f32;
+    var phi_6138_: f32;
+    var phi_6145_: f32;
+    var phi_6150_: f32;
+    var phi_6164_: f32;
+    var phi_6171_: f32;
+    var phi_6176_: f32;
+    var phi_6183_: f32;
+    var phi_6188_: f32;
     var phi_6193_: f32;
-    var phi_6195_: f32;
-    var phi_6197_: f32;
-    var phi_6191_: type_9;
-    var phi_6220_: type_9;
-    var phi_6332_: f32;
-    var phi_6339_: f32;
-    var phi_6347_: f32;
-    var phi_6391_: type_14;
-    var phi_6394_: f32;
-    var phi_6415_: bool;
-    var phi_6421_: type_15;
-    var phi_6392_: type_14;
-    var phi_6435_: type_15;
-    var phi_6395_: f32;
+    var phi_6232_: type_9;
+    var phi_6235_: f32;
+    var phi_6237_: f32;
+    var phi_6239_: f32;
+    var phi_6241_: bool;
+    var phi_6243_: u32;
+    var phi_6233_: type_9;
+    var phi_6266_: type_9;
+    var phi_6380_: f32;
+    var phi_6386_: f32;
+    var phi_6392_: f32;
+    var phi_6394_: array<f32, 3>;
+    var phi_6401_: f32;
+    var phi_6408_: f32;
+    var phi_6416_: f32;
+    var phi_6460_: type_14;
+    var phi_6463_: f32;
+    var phi_6484_: bool;
+    var phi_6490_: type_15;
+    var phi_6461_: type_14;
+    var phi_6504_: type_15;
+    var phi_6464_: f32;
     var local_18: f32;
-    var phi_6384_: f32;
-    var phi_6448_: f32;
-    var phi_6514_: f32;
-    var phi_6520_: f32;
-    var phi_6529_: f32;
-    var phi_6535_: f32;
-    var phi_6544_: f32;
-    var phi_6550_: f32;
-    var phi_6559_: f32;
-    var phi_6565_: f32;
-    var phi_6571_: type_30;
-    var phi_6572_: bool;
-    var phi_6573_: type_30;
-    var phi_6574_: bool;
-    var phi_6582_: type_30;
-    var phi_6752_: bool;
-    var phi_6753_: bool;
-    var phi_6754_: bool;
-    var phi_6755_: bool;
-    var phi_6756_: bool;
-    var phi_6757_: bool;
-    var phi_6761_: bool;
-    var phi_7058_: bool;
-    var phi_7059_: bool;
-    var phi_7060_: bool;
-    var phi_7061_: bool;
-    var phi_7062_: bool;
-    var phi_7063_: bool;
-    var phi_7067_: bool;
-    var phi_7071_: bool;
-    var phi_7083_: bool;
-    var phi_7084_: bool;
-    var phi_7158_: bool;
-    var phi_7159_: bool;
-    var phi_7179_: f32;
-    var phi_7180_: bool;
-    var phi_7181_: f32;
-    var phi_7182_: bool;
-    var phi_7183_: f32;
-    var phi_7184_: bool;
-    var phi_7185_: bool;
-    var phi_7189_: f32;
-    var phi_7190_: bool;
-    var phi_7194_: f32;
-    var phi_7226_: bool;
+    var phi_6453_: f32;
+    var phi_6517_: f32;
+    var phi_6583_: f32;
+    var phi_6589_: f32;
+    var phi_6598_: f32;
+    var phi_6604_: f32;
+    var phi_6613_: f32;
+    var phi_6619_: f32;
+    var phi_6628_: f32;
+    var phi_6634_: f32;
+    var phi_6640_: type_30;
+    var phi_6641_: bool;
+    var phi_6642_: type_30;
+    var phi_6643_: bool;
+    var phi_6651_: type_30;
+    var phi_6822_: bool;
+    var phi_6823_: bool;
+    var phi_6824_: bool;
+    var phi_6825_: bool;
+    var phi_6826_: bool;
+    var phi_6827_: bool;
+    var phi_6831_: bool;
+    var phi_7128_: bool;
+    var phi_7129_: bool;
+    var phi_7130_: bool;
+    var phi_7131_: bool;
+    var phi_7132_: bool;
+    var phi_7133_: bool;
+    var phi_7137_: bool;
+    var phi_7141_: bool;
+    var phi_7152_: bool;
+    var phi_7153_: bool;
     var phi_7227_: bool;
-    var phi_7247_: f32;
-    var phi_7248_: bool;
-    var phi_7249_: f32;
-    var phi_7250_: bool;
-    var phi_7251_: f32;
-    var phi_7252_: bool;
+    var phi_7228_: bool;
+    var phi_7248_: f32;
+    var phi_7249_: bool;
+    var phi_7250_: f32;
+    var phi_7251_: bool;
+    var phi_7252_: f32;
     var phi_7253_: bool;
-    var phi_7257_: f32;
-    var phi_7258_: bool;
-    var phi_7262_: f32;
-    var phi_7267_: f32;
-    var phi_7299_: bool;
-    var phi_7300_: bool;
+    var phi_7254_: bool;
+    var phi_7258_: f32;
+    var phi_7259_: bool;
+    var phi_7263_: f32;
+    var phi_7295_: bool;
+    var phi_7296_: bool;
+    var phi_7316_: f32;
+    var phi_7317_: bool;
+    var phi_7318_: f32;
+    var phi_7319_: bool;
     var phi_7320_: f32;
     var phi_7321_: bool;
-    var phi_7322_: f32;
-    var phi_7323_: bool;
-    var phi_7324_: f32;
-    var phi_7325_: bool;
-    var phi_7326_: bool;
-    var phi_7330_: f32;
-    var phi_7331_: bool;
-    var phi_7335_: f32;
-    var phi_7367_: bool;
+    var phi_7322_: bool;
+    var phi_7326_: f32;
+    var phi_7327_: bool;
+    var phi_7331_: f32;
+    var phi_7336_: f32;
     var phi_7368_: bool;
-    var phi_7388_: f32;
-    var phi_7389_: bool;
-    var phi_7390_: f32;
-    var phi_7391_: bool;
-    var phi_7392_: f32;
-    var phi_7393_: bool;
+    var phi_7369_: bool;
+    var phi_7389_: f32;
+    var phi_7390_: bool;
+    var phi_7391_: f32;
+    var phi_7392_: bool;
+    var phi_7393_: f32;
     var phi_7394_: bool;
-    var phi_7398_: f32;
-    var phi_7399_: bool;
-    var phi_7403_: f32;
-    var phi_7408_: f32;
-    var phi_7413_: f32;
-    var phi_7418_: f32;
-    var phi_7429_: f32;
-    var phi_7430_: f32;
-    var phi_7431_: bool;
-    var phi_7432_: f32;
-    var phi_7433_: f32;
-    var phi_7434_: bool;
-    var phi_7435_: bool;
+    var phi_7395_: bool;
+    var phi_7399_: f32;
+    var phi_7400_: bool;
+    var phi_7404_: f32;
     var phi_7436_: bool;
-    var phi_7437_: f32;
-    var phi_7438_: f32;
-    var phi_7439_: bool;
-    var phi_7440_: bool;
-    var phi_7441_: bool;
-    var phi_7442_: bool;
-    var phi_7443_: f32;
-    var phi_7444_: f32;
-    var phi_7445_: bool;
-    var phi_7446_: bool;
-    var phi_7447_: bool;
-    var phi_7448_: bool;
-    var phi_7528_: f32;
-    var phi_7601_: f32;
-    var phi_7606_: f32;
-    var phi_7679_: f32;
-    var phi_7752_: f32;
-    var phi_7757_: f32;
-    var phi_7773_: f32;
-    var phi_7774_: f32;
-    var phi_7775_: f32;
-    var phi_7777_: f32;
-    var phi_7778_: bool;
-    var phi_7779_: f32;
-    var phi_7780_: f32;
-    var phi_7781_: f32;
-    var phi_7782_: bool;
-    var phi_7783_: bool;
-    var phi_7784_: bool;
-    var phi_7785_: bool;
-    var phi_7794_: f32;
-    var phi_7799_: f32;
-    var phi_7809_: bool;
-    var phi_7813_: bool;
-    var phi_7814_: f32;
-    var phi_7815_: bool;
-    var phi_7816_: bool;
-    var phi_7817_: bool;
-    var phi_7818_: bool;
-    var phi_7819_: bool;
-    var phi_6194_: f32;
-    var phi_6196_: f32;
-    var phi_6198_: f32;
-    var phi_7820_: f32;
-    var phi_7821_: bool;
-    var phi_7822_: bool;
-    var phi_7823_: bool;
-    var phi_7824_: bool;
-    var phi_7825_: bool;
-    var phi_7826_: bool;
-    var local_19: bool;
-    var phi_7830_: f32;
-    var phi_7831_: bool;
-    var phi_7832_: bool;
-    var phi_7833_: bool;
-    var phi_7834_: bool;
-    var phi_7839_: type_35;
-    var phi_7840_: bool;
-    var phi_7841_: bool;
-    var phi_7842_: bool;
-    var local_20: f32;
-    var phi_7847_: type_35;
-    var phi_7848_: bool;
-    var phi_7849_: bool;
-    var phi_7854_: type_35;
+    var phi_7437_: bool;
+    var phi_7457_: f32;
+    var phi_7458_: bool;
+    var phi_7459_: f32;
+    var phi_7460_: bool;
+    var phi_7461_: f32;
+    var phi_7462_: bool;
+    var phi_7463_: bool;
+    var phi_7467_: f32;
+    var phi_7468_: bool;
+    var phi_7472_: f32;
+    var phi_7477_: f32;
+    var phi_7482_: f32;
+    var phi_7487_: f32;
+    var phi_7497_: f32;
+    var phi_7498_: f32;
+    var phi_7499_: bool;
+    var phi_7500_: f32;
+    var phi_7501_: f32;
+    var phi_7502_: bool;
+    var phi_7503_: bool;
+    var phi_7504_: bool;
+    var phi_7505_: f32;
+    var phi_7506_: f32;
+    var phi_7507_: bool;
+    var phi_7508_: bool;
+    var phi_7509_: bool;
+    var phi_7510_: bool;
+    var phi_7511_: f32;
+    var phi_7512_: f32;
+    var phi_7513_: bool;
+    var phi_7514_: bool;
+    var phi_7515_: bool;
+    var phi_7516_: bool;
+    var phi_7602_: f32;
+    var phi_7675_: f32;
+    var phi_7680_: f32;
+    var phi_7753_: f32;
+    var phi_7826_: f32;
+    var phi_7831_: f32;
+    var phi_7847_: f32;
+    var phi_7848_: f32;
+    var phi_7849_: f32;
+    var phi_7529_: bool;
+    var phi_7851_: u32;
+    var phi_7852_: f32;
+    var phi_7853_: bool;
+    var phi_7854_: bool;
     var phi_7855_: bool;
-    var phi_7856_: bool;
-    var phi_7861_: type_35;
+    var phi_7856_: u32;
+    var phi_7857_: f32;
+    var phi_7858_: f32;
+    var phi_7859_: f32;
+    var phi_7860_: bool;
+    var phi_7861_: u32;
     var phi_7862_: bool;
-    var phi_7866_: type_35;
-    var phi_7873_: bool;
-    var phi_7874_: f32;
-    var phi_7875_: bool;
-    var phi_7876_: bool;
-    var phi_7877_: bool;
-    var phi_7878_: f32;
-    var phi_7879_: bool;
-    var phi_7880_: bool;
-    var phi_7881_: bool;
-    var phi_7882_: f32;
-    var phi_7883_: bool;
-    var phi_7884_: bool;
-    var phi_7885_: bool;
-    var phi_7886_: bool;
-    var phi_7890_: bool;
-    var phi_7891_: bool;
-    var phi_7892_: bool;
-    var phi_7893_: f32;
-    var phi_7894_: type_37;
-    var phi_7895_: bool;
-    var phi_7896_: bool;
+    var phi_7863_: bool;
+    var phi_7864_: bool;
+    var phi_7865_: bool;
+    var phi_7866_: bool;
+    var phi_7875_: f32;
+    var phi_7880_: f32;
+    var phi_7889_: bool;
+    var phi_7893_: bool;
+    var phi_7894_: f32;
+    var phi_7895_: f32;
+    var phi_7896_: f32;
     var phi_7897_: bool;
-    var phi_7898_: bool;
-    var local_21: bool;
-    var phi_7903_: type_35;
-    var phi_7904_: bool;
+    var phi_7898_: u32;
+    var phi_7899_: bool;
+    var phi_7900_: bool;
+    var phi_7901_: bool;
+    var phi_7902_: bool;
+    var phi_7903_: bool;
+    var phi_6236_: f32;
+    var phi_6238_: f32;
+    var phi_6240_: f32;
+    var phi_6242_: bool;
+    var phi_6244_: u32;
+    var phi_7904_: f32;
     var phi_7905_: bool;
-    var local_22: f32;
-    var phi_7910_: type_35;
-    var phi_7911_: bool;
-    var local_23: type_37;
-    var phi_7917_: type_35;
+    var phi_7906_: bool;
+    var phi_7907_: bool;
+    var phi_7908_: bool;
+    var phi_7909_: bool;
+    var phi_7910_: bool;
+    var local_19: bool;
+    var phi_7914_: f32;
+    var phi_7915_: bool;
+    var phi_7916_: bool;
+    var phi_7917_: bool;
     var phi_7918_: bool;
-    var phi_7922_: type_35;
+    var phi_7923_: type_35;
+    var phi_7924_: bool;
+    var phi_7925_: bool;
+    var phi_7926_: bool;
+    var local_20: f32;
+    var phi_7931_: type_35;
+    var phi_7932_: bool;
+    var phi_7933_: bool;
+    var phi_7938_: type_35;
+    var phi_7939_: bool;
+    var phi_7940_: bool;
+    var phi_7945_: type_35;
+    var phi_7946_: bool;
+    var phi_7950_: type_35;
+    var phi_7957_: bool;
+    var phi_7958_: f32;
+    var phi_7959_: bool;
+    var phi_7960_: bool;
+    var phi_7961_: bool;
+    var phi_7962_: f32;
+    var phi_7963_: bool;
+    var phi_7964_: bool;
+    var phi_7965_: bool;
+    var phi_7966_: f32;
+    var phi_7967_: bool;
+    var phi_7968_: bool;
+    var phi_7969_: bool;
+    var phi_7970_: bool;
+    var phi_7974_: bool;
+    var phi_7975_: bool;
+    var phi_7976_: bool;
+    var phi_7977_: f32;
+    var phi_7978_: type_37;
+    var phi_7979_: bool;
+    var phi_7980_: bool;
+    var phi_7981_: bool;
+    var phi_7982_: bool;
+    var local_21: bool;
+    var phi_7987_: type_35;
+    var phi_7988_: bool;
+    var phi_7989_: bool;
+    var local_22: f32;
+    var phi_7994_: type_35;
+    var phi_7995_: bool;
+    var local_23: type_37;
+    var phi_8001_: type_35;
+    var phi_8002_: bool;
+    var phi_8006_: type_35;
     var phi_1558_: f32;
     var phi_1565_: f32;
     var phi_1570_: f32;
@@ -1024,250 +1044,270 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1834_: f32;
     var phi_1836_: f32;
     var phi_1838_: f32;
+    var phi_1840_: bool;
+    var phi_1842_: u32;
     var phi_1832_: type_9;
-    var phi_1861_: type_9;
-    var phi_1973_: f32;
-    var phi_1980_: f32;
-    var phi_1988_: f32;
-    var phi_2032_: type_14;
-    var phi_2035_: f32;
-    var phi_2056_: bool;
-    var phi_2062_: type_15;
-    var phi_2033_: type_14;
-    var phi_2076_: type_15;
-    var phi_2036_: f32;
+    var phi_1865_: type_9;
+    var phi_1979_: f32;
+    var phi_1985_: f32;
+    var phi_1991_: f32;
+    var phi_1993_: array<f32, 3>;
+    var phi_2000_: f32;
+    var phi_2007_: f32;
+    var phi_2015_: f32;
+    var phi_2059_: type_14;
+    var phi_2062_: f32;
+    var phi_2083_: bool;
+    var phi_2089_: type_15;
+    var phi_2060_: type_14;
+    var phi_2103_: type_15;
+    var phi_2063_: f32;
     var local_24: f32;
-    var phi_2025_: f32;
-    var phi_2089_: f32;
-    var phi_2155_: f32;
-    var phi_2161_: f32;
-    var phi_2170_: f32;
-    var phi_2176_: f32;
-    var phi_2185_: f32;
-    var phi_2191_: f32;
-    var phi_2200_: f32;
-    var phi_2206_: f32;
-    var phi_2212_: type_30;
-    var phi_2213_: bool;
-    var phi_2214_: type_30;
-    var phi_2215_: bool;
-    var phi_2223_: type_30;
-    var phi_2393_: bool;
-    var phi_2394_: bool;
-    var phi_2395_: bool;
-    var phi_2396_: bool;
-    var phi_2397_: bool;
-    var phi_2398_: bool;
-    var phi_2402_: bool;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2701_: bool;
-    var phi_2702_: bool;
-    var phi_2703_: bool;
-    var phi_2704_: bool;
-    var phi_2708_: bool;
-    var phi_2712_: bool;
-    var phi_2724_: bool;
-    var phi_2725_: bool;
-    var phi_2799_: bool;
-    var phi_2800_: bool;
-    var phi_2820_: f32;
-    var phi_2821_: bool;
-    var phi_2822_: f32;
-    var phi_2823_: bool;
-    var phi_2824_: f32;
-    var phi_2825_: bool;
+    var phi_2052_: f32;
+    var phi_2116_: f32;
+    var phi_2182_: f32;
+    var phi_2188_: f32;
+    var phi_2197_: f32;
+    var phi_2203_: f32;
+    var phi_2212_: f32;
+    var phi_2218_: f32;
+    var phi_2227_: f32;
+    var phi_2233_: f32;
+    var phi_2239_: type_30;
+    var phi_2240_: bool;
+    var phi_2241_: type_30;
+    var phi_2242_: bool;
+    var phi_2250_: type_30;
+    var phi_2421_: bool;
+    var phi_2422_: bool;
+    var phi_2423_: bool;
+    var phi_2424_: bool;
+    var phi_2425_: bool;
+    var phi_2426_: bool;
+    var phi_2430_: bool;
+    var phi_2727_: bool;
+    var phi_2728_: bool;
+    var phi_2729_: bool;
+    var phi_2730_: bool;
+    var phi_2731_: bool;
+    var phi_2732_: bool;
+    var phi_2736_: bool;
+    var phi_2740_: bool;
+    var phi_2751_: bool;
+    var phi_2752_: bool;
     var phi_2826_: bool;
-    var phi_2830_: f32;
-    var phi_2831_: bool;
-    var phi_2835_: f32;
-    var phi_2867_: bool;
-    var phi_2868_: bool;
-    var phi_2888_: f32;
-    var phi_2889_: bool;
-    var phi_2890_: f32;
-    var phi_2891_: bool;
-    var phi_2892_: f32;
-    var phi_2893_: bool;
+    var phi_2827_: bool;
+    var phi_2847_: f32;
+    var phi_2848_: bool;
+    var phi_2849_: f32;
+    var phi_2850_: bool;
+    var phi_2851_: f32;
+    var phi_2852_: bool;
+    var phi_2853_: bool;
+    var phi_2857_: f32;
+    var phi_2858_: bool;
+    var phi_2862_: f32;
     var phi_2894_: bool;
-    var phi_2898_: f32;
-    var phi_2899_: bool;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2940_: bool;
-    var phi_2941_: bool;
-    var phi_2961_: f32;
-    var phi_2962_: bool;
-    var phi_2963_: f32;
-    var phi_2964_: bool;
-    var phi_2965_: f32;
-    var phi_2966_: bool;
+    var phi_2895_: bool;
+    var phi_2915_: f32;
+    var phi_2916_: bool;
+    var phi_2917_: f32;
+    var phi_2918_: bool;
+    var phi_2919_: f32;
+    var phi_2920_: bool;
+    var phi_2921_: bool;
+    var phi_2925_: f32;
+    var phi_2926_: bool;
+    var phi_2930_: f32;
+    var phi_2935_: f32;
     var phi_2967_: bool;
-    var phi_2971_: f32;
-    var phi_2972_: bool;
-    var phi_2976_: f32;
-    var phi_3008_: bool;
-    var phi_3009_: bool;
-    var phi_3029_: f32;
-    var phi_3030_: bool;
-    var phi_3031_: f32;
-    var phi_3032_: bool;
-    var phi_3033_: f32;
-    var phi_3034_: bool;
+    var phi_2968_: bool;
+    var phi_2988_: f32;
+    var phi_2989_: bool;
+    var phi_2990_: f32;
+    var phi_2991_: bool;
+    var phi_2992_: f32;
+    var phi_2993_: bool;
+    var phi_2994_: bool;
+    var phi_2998_: f32;
+    var phi_2999_: bool;
+    var phi_3003_: f32;
     var phi_3035_: bool;
-    var phi_3039_: f32;
-    var phi_3040_: bool;
-    var phi_3044_: f32;
-    var phi_3049_: f32;
-    var phi_3054_: f32;
-    var phi_3059_: f32;
-    var phi_3070_: f32;
+    var phi_3036_: bool;
+    var phi_3056_: f32;
+    var phi_3057_: bool;
+    var phi_3058_: f32;
+    var phi_3059_: bool;
+    var phi_3060_: f32;
+    var phi_3061_: bool;
+    var phi_3062_: bool;
+    var phi_3066_: f32;
+    var phi_3067_: bool;
     var phi_3071_: f32;
-    var phi_3072_: bool;
-    var phi_3073_: f32;
-    var phi_3074_: f32;
-    var phi_3075_: bool;
-    var phi_3076_: bool;
-    var phi_3077_: bool;
-    var phi_3078_: f32;
-    var phi_3079_: f32;
-    var phi_3080_: bool;
-    var phi_3081_: bool;
-    var phi_3082_: bool;
-    var phi_3083_: bool;
-    var phi_3084_: f32;
-    var phi_3085_: f32;
-    var phi_3086_: bool;
-    var phi_3087_: bool;
-    var phi_3088_: bool;
-    var phi_3089_: bool;
-    var phi_3169_: f32;
-    var phi_3242_: f32;
-    var phi_3247_: f32;
-    var phi_3320_: f32;
-    var phi_3393_: f32;
-    var phi_3398_: f32;
-    var phi_3414_: f32;
-    var phi_3415_: f32;
-    var phi_3416_: f32;
-    var phi_3418_: f32;
-    var phi_3419_: bool;
-    var phi_3420_: f32;
-    var phi_3421_: f32;
-    var phi_3422_: f32;
-    var phi_3423_: bool;
-    var phi_3424_: bool;
-    var phi_3425_: bool;
-    var phi_3426_: bool;
-    var phi_3435_: f32;
-    var phi_3440_: f32;
-    var phi_3450_: bool;
+    var phi_3076_: f32;
+    var phi_3081_: f32;
+    var phi_3086_: f32;
+    var phi_3096_: f32;
+    var phi_3097_: f32;
+    var phi_3098_: bool;
+    var phi_3099_: f32;
+    var phi_3100_: f32;
+    var phi_3101_: bool;
+    var phi_3102_: bool;
+    var phi_3103_: bool;
+    var phi_3104_: f32;
+    var phi_3105_: f32;
+    var phi_3106_: bool;
+    var phi_3107_: bool;
+    var phi_3108_: bool;
+    var phi_3109_: bool;
+    var phi_3110_: f32;
+    var phi_3111_: f32;
+    var phi_3112_: bool;
+    var phi_3113_: bool;
+    var phi_3114_: bool;
+    var phi_3115_: bool;
+    var phi_3201_: f32;
+    var phi_3274_: f32;
+    var phi_3279_: f32;
+    var phi_3352_: f32;
+    var phi_3425_: f32;
+    var phi_3430_: f32;
+    var phi_3446_: f32;
+    var phi_3447_: f32;
+    var phi_3448_: f32;
+    var phi_3128_: bool;
+    var phi_3450_: u32;
+    var phi_3451_: f32;
+    var phi_3452_: bool;
+    var phi_3453_: bool;
     var phi_3454_: bool;
-    var phi_3455_: f32;
-    var phi_3456_: bool;
-    var phi_3457_: bool;
-    var phi_3458_: bool;
+    var phi_3455_: u32;
+    var phi_3456_: f32;
+    var phi_3457_: f32;
+    var phi_3458_: f32;
     var phi_3459_: bool;
-    var phi_3460_: bool;
-    var phi_1835_: f32;
-    var phi_1837_: f32;
-    var phi_1839_: f32;
-    var phi_3461_: f32;
+    var phi_3460_: u32;
+    var phi_3461_: bool;
     var phi_3462_: bool;
     var phi_3463_: bool;
     var phi_3464_: bool;
     var phi_3465_: bool;
-    var phi_3466_: bool;
-    var phi_3467_: bool;
-    var local_25: bool;
-    var phi_3471_: f32;
-    var phi_3472_: bool;
-    var phi_3473_: bool;
-    var phi_3474_: bool;
-    var phi_3475_: bool;
-    var phi_3480_: type_35;
-    var phi_3481_: bool;
-    var phi_3482_: bool;
-    var phi_3483_: bool;
-    var local_26: f32;
-    var phi_3488_: type_35;
-    var phi_3489_: bool;
-    var phi_3490_: bool;
-    var phi_3495_: type_35;
+    var phi_3474_: f32;
+    var phi_3479_: f32;
+    var phi_3488_: bool;
+    var phi_3492_: bool;
+    var phi_3493_: f32;
+    var phi_3494_: f32;
+    var phi_3495_: f32;
     var phi_3496_: bool;
-    var phi_3497_: bool;
-    var phi_3502_: type_35;
-    var phi_3503_: bool;
-    var phi_3507_: type_35;
-    var phi_3521_: type_9;
-    var phi_3522_: type_9;
-    var phi_3545_: type_9;
-    var phi_3565_: f32;
-    var phi_3695_: type_14;
-    var phi_3698_: f32;
-    var phi_3719_: bool;
-    var phi_3725_: type_15;
-    var phi_3696_: type_14;
-    var phi_3739_: type_15;
-    var phi_3699_: f32;
+    var phi_3497_: u32;
+    var phi_3498_: bool;
+    var phi_3499_: bool;
+    var phi_3500_: bool;
+    var phi_3501_: bool;
+    var phi_3502_: bool;
+    var phi_1835_: f32;
+    var phi_1837_: f32;
+    var phi_1839_: f32;
+    var phi_1841_: bool;
+    var phi_1843_: u32;
+    var phi_3503_: f32;
+    var phi_3504_: bool;
+    var phi_3505_: bool;
+    var phi_3506_: bool;
+    var phi_3507_: bool;
+    var phi_3508_: bool;
+    var phi_3509_: bool;
+    var local_25: bool;
+    var phi_3513_: f32;
+    var phi_3514_: bool;
+    var phi_3515_: bool;
+    var phi_3516_: bool;
+    var phi_3517_: bool;
+    var phi_3522_: type_35;
+    var phi_3523_: bool;
+    var phi_3524_: bool;
+    var phi_3525_: bool;
+    var local_26: f32;
+    var phi_3530_: type_35;
+    var phi_3531_: bool;
+    var phi_3532_: bool;
+    var phi_3537_: type_35;
+    var phi_3538_: bool;
+    var phi_3539_: bool;
+    var phi_3544_: type_35;
+    var phi_3545_: bool;
+    var phi_3549_: type_35;
+    var phi_3563_: type_9;
+    var phi_3564_: type_9;
+    var phi_3587_: type_9;
+    var phi_3607_: f32;
+    var phi_3737_: type_14;
+    var phi_3740_: f32;
+    var phi_3761_: bool;
+    var phi_3767_: type_15;
+    var phi_3738_: type_14;
+    var phi_3781_: type_15;
+    var phi_3741_: f32;
     var local_27: f32;
-    var phi_3688_: f32;
-    var phi_3752_: f32;
-    var phi_3768_: f32;
-    var phi_3775_: f32;
-    var phi_3780_: f32;
-    var phi_3787_: f32;
-    var phi_3792_: f32;
-    var phi_3805_: f32;
-    var phi_3812_: f32;
+    var phi_3730_: f32;
+    var phi_3794_: f32;
+    var phi_3810_: f32;
     var phi_3817_: f32;
-    var phi_3824_: f32;
+    var phi_3822_: f32;
     var phi_3829_: f32;
     var phi_3834_: f32;
-    var phi_3851_: f32;
-    var phi_3858_: f32;
-    var phi_3863_: f32;
-    var phi_3870_: f32;
-    var phi_3875_: f32;
-    var phi_3889_: f32;
-    var phi_3896_: f32;
-    var phi_3901_: f32;
-    var phi_3908_: f32;
-    var phi_3913_: f32;
-    var phi_3918_: f32;
-    var phi_3935_: f32;
-    var phi_3942_: f32;
-    var phi_3947_: f32;
-    var phi_3954_: f32;
-    var phi_3959_: f32;
-    var phi_3973_: f32;
-    var phi_3980_: f32;
-    var phi_3985_: f32;
-    var phi_3992_: f32;
-    var phi_3997_: f32;
-    var phi_4002_: f32;
-    var phi_4022_: bool;
-    var phi_4023_: bool;
-    var phi_4024_: bool;
+    var phi_3847_: f32;
+    var phi_3854_: f32;
+    var phi_3859_: f32;
+    var phi_3866_: f32;
+    var phi_3871_: f32;
+    var phi_3876_: f32;
+    var phi_3893_: f32;
+    var phi_3900_: f32;
+    var phi_3905_: f32;
+    var phi_3912_: f32;
+    var phi_3917_: f32;
+    var phi_3931_: f32;
+    var phi_3938_: f32;
+    var phi_3943_: f32;
+    var phi_3950_: f32;
+    var phi_3955_: f32;
+    var phi_3960_: f32;
+    var phi_3977_: f32;
+    var phi_3984_: f32;
+    var phi_3989_: f32;
+    var phi_3996_: f32;
+    var phi_4001_: f32;
+    var phi_4015_: f32;
+    var phi_4022_: f32;
+    var phi_4027_: f32;
+    var phi_4034_: f32;
+    var phi_4039_: f32;
+    var phi_4044_: f32;
+    var phi_4064_: bool;
+    var phi_4065_: bool;
+    var phi_4066_: bool;
     var local_28: bool;
-    var phi_4029_: type_35;
-    var phi_4030_: bool;
-    var phi_4035_: type_35;
-    var phi_4036_: bool;
-    var phi_4038_: type_35;
-    var phi_4039_: type_35;
-    var phi_4040_: bool;
-    var phi_4044_: type_35;
-    var phi_7926_: type_35;
-    var phi_7927_: type_35;
-    var phi_7940_: type_38;
-    var phi_7947_: bool;
-    var phi_7971_: u32;
-    var phi_7975_: type_20;
-    var phi_7976_: bool;
-    var phi_7977_: bool;
-    var phi_7996_: u32;
-    var phi_8059_: u32;
+    var phi_4071_: type_35;
+    var phi_4072_: bool;
+    var phi_4077_: type_35;
+    var phi_4078_: bool;
+    var phi_4080_: type_35;
+    var phi_4081_: type_35;
+    var phi_4082_: bool;
+    var phi_4086_: type_35;
+    var phi_8010_: type_35;
+    var phi_8011_: type_35;
+    var phi_8024_: type_38;
+    var phi_8031_: bool;
+    var phi_8055_: u32;
+    var phi_8059_: type_20;
+    var phi_8060_: bool;
+    var phi_8061_: bool;
+    var phi_8080_: u32;
+    var phi_8143_: u32;
     var local_29: u32;
     var local_30: f32;
     var local_31: f32;
@@ -2011,1618 +2051,1694 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e928 = phi_1405_;
                 if ((_e928 - (_e900 + ((_e455.member_1 * (((_e883 + (_e814 * (0.000000059604645f * 8f))) + ((_e888 * 6f) * (_e758 + _e812))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e758) * (1f + _e812))))) * (3f * 1.0001f)))) > 0f) {
-                    phi_7927_ = type_35(0u, type_35().member_1);
+                    phi_8011_ = type_35(0u, type_35().member_1);
                 } else {
                     if (_e455.member_1 > 0f) {
-                        let _e3494 = local_12.member[0u];
-                        let _e3500 = local_12.member_1[0u];
-                        let _e3506 = local_12.member_2[0u];
-                        let _e3510 = (_e3494[0] - _e3500[0]);
-                        let _e3511 = (_e3494[1] - _e3500[1]);
-                        let _e3512 = (_e3494[2] - _e3500[2]);
-                        let _e3521 = local_12.member[1u];
-                        let _e3527 = local_12.member_1[1u];
-                        let _e3533 = local_12.member_2[1u];
-                        let _e3537 = (_e3521[0] - _e3527[0]);
-                        let _e3538 = (_e3521[1] - _e3527[1]);
-                        let _e3539 = (_e3521[2] - _e3527[2]);
-                        let _e3548 = local_12.member[0u];
-                        if (_e3548[0] < 0f) {
-                            phi_1558_ = -(_e3548[0]);
+                        let _e3541 = local_12.member[0u];
+                        let _e3547 = local_12.member_1[0u];
+                        let _e3553 = local_12.member_2[0u];
+                        let _e3557 = (_e3541[0] - _e3547[0]);
+                        let _e3558 = (_e3541[1] - _e3547[1]);
+                        let _e3559 = (_e3541[2] - _e3547[2]);
+                        let _e3568 = local_12.member[1u];
+                        let _e3574 = local_12.member_1[1u];
+                        let _e3580 = local_12.member_2[1u];
+                        let _e3584 = (_e3568[0] - _e3574[0]);
+                        let _e3585 = (_e3568[1] - _e3574[1]);
+                        let _e3586 = (_e3568[2] - _e3574[2]);
+                        let _e3595 = local_12.member[0u];
+                        if (_e3595[0] < 0f) {
+                            phi_1558_ = -(_e3595[0]);
                         } else {
-                            phi_1558_ = _e3548[0];
+                            phi_1558_ = _e3595[0];
                         }
-                        let _e3555 = phi_1558_;
-                        if (_e3548[1] < 0f) {
-                            phi_1565_ = -(_e3548[1]);
+                        let _e3602 = phi_1558_;
+                        if (_e3595[1] < 0f) {
+                            phi_1565_ = -(_e3595[1]);
                         } else {
-                            phi_1565_ = _e3548[1];
+                            phi_1565_ = _e3595[1];
                         }
-                        let _e3559 = phi_1565_;
-                        if (_e3555 > _e3559) {
-                            phi_1570_ = _e3555;
+                        let _e3606 = phi_1565_;
+                        if (_e3602 > _e3606) {
+                            phi_1570_ = _e3602;
                         } else {
-                            phi_1570_ = _e3559;
+                            phi_1570_ = _e3606;
                         }
-                        let _e3562 = phi_1570_;
-                        if (_e3548[2] < 0f) {
-                            phi_1577_ = -(_e3548[2]);
+                        let _e3609 = phi_1570_;
+                        if (_e3595[2] < 0f) {
+                            phi_1577_ = -(_e3595[2]);
                         } else {
-                            phi_1577_ = _e3548[2];
+                            phi_1577_ = _e3595[2];
                         }
-                        let _e3566 = phi_1577_;
-                        if (_e3562 > _e3566) {
-                            phi_1582_ = _e3562;
-                        } else {
-                            phi_1582_ = _e3566;
-                        }
-                        let _e3569 = phi_1582_;
-                        let _e3572 = local_12.member[1u];
-                        if (_e3572[0] < 0f) {
-                            phi_1595_ = -(_e3572[0]);
-                        } else {
-                            phi_1595_ = _e3572[0];
-                        }
-                        let _e3579 = phi_1595_;
-                        if (_e3572[1] < 0f) {
-                            phi_1602_ = -(_e3572[1]);
-                        } else {
-                            phi_1602_ = _e3572[1];
-                        }
-                        let _e3583 = phi_1602_;
-                        if (_e3579 > _e3583) {
-                            phi_1607_ = _e3579;
-                        } else {
-                            phi_1607_ = _e3583;
-                        }
-                        let _e3586 = phi_1607_;
-                        if (_e3572[2] < 0f) {
-                            phi_1614_ = -(_e3572[2]);
-                        } else {
-                            phi_1614_ = _e3572[2];
-                        }
-                        let _e3590 = phi_1614_;
-                        if (_e3586 > _e3590) {
-                            phi_1619_ = _e3586;
-                        } else {
-                            phi_1619_ = _e3590;
-                        }
-                        let _e3593 = phi_1619_;
-                        if (_e3569 > _e3593) {
-                            phi_1624_ = _e3569;
-                        } else {
-                            phi_1624_ = _e3593;
-                        }
-                        let _e3596 = phi_1624_;
-                        let _e3598 = local_12.member_3;
-                        let _e3602 = local_12.member_1[0u];
-                        if (_e3602[0] < 0f) {
-                            phi_1641_ = -(_e3602[0]);
-                        } else {
-                            phi_1641_ = _e3602[0];
-                        }
-                        let _e3609 = phi_1641_;
-                        if (_e3602[1] < 0f) {
-                            phi_1648_ = -(_e3602[1]);
-                        } else {
-                            phi_1648_ = _e3602[1];
-                        }
-                        let _e3613 = phi_1648_;
+                        let _e3613 = phi_1577_;
                         if (_e3609 > _e3613) {
-                            phi_1653_ = _e3609;
+                            phi_1582_ = _e3609;
                         } else {
-                            phi_1653_ = _e3613;
+                            phi_1582_ = _e3613;
                         }
-                        let _e3616 = phi_1653_;
-                        if (_e3602[2] < 0f) {
-                            phi_1660_ = -(_e3602[2]);
+                        let _e3616 = phi_1582_;
+                        let _e3619 = local_12.member[1u];
+                        if (_e3619[0] < 0f) {
+                            phi_1595_ = -(_e3619[0]);
                         } else {
-                            phi_1660_ = _e3602[2];
+                            phi_1595_ = _e3619[0];
                         }
-                        let _e3620 = phi_1660_;
-                        if (_e3616 > _e3620) {
-                            phi_1665_ = _e3616;
+                        let _e3626 = phi_1595_;
+                        if (_e3619[1] < 0f) {
+                            phi_1602_ = -(_e3619[1]);
                         } else {
-                            phi_1665_ = _e3620;
+                            phi_1602_ = _e3619[1];
                         }
-                        let _e3623 = phi_1665_;
-                        let _e3626 = local_12.member_1[1u];
-                        if (_e3626[0] < 0f) {
-                            phi_1679_ = -(_e3626[0]);
+                        let _e3630 = phi_1602_;
+                        if (_e3626 > _e3630) {
+                            phi_1607_ = _e3626;
                         } else {
-                            phi_1679_ = _e3626[0];
+                            phi_1607_ = _e3630;
                         }
-                        let _e3633 = phi_1679_;
-                        if (_e3626[1] < 0f) {
-                            phi_1686_ = -(_e3626[1]);
+                        let _e3633 = phi_1607_;
+                        if (_e3619[2] < 0f) {
+                            phi_1614_ = -(_e3619[2]);
                         } else {
-                            phi_1686_ = _e3626[1];
+                            phi_1614_ = _e3619[2];
                         }
-                        let _e3637 = phi_1686_;
+                        let _e3637 = phi_1614_;
                         if (_e3633 > _e3637) {
-                            phi_1691_ = _e3633;
+                            phi_1619_ = _e3633;
                         } else {
-                            phi_1691_ = _e3637;
+                            phi_1619_ = _e3637;
                         }
-                        let _e3640 = phi_1691_;
-                        if (_e3626[2] < 0f) {
-                            phi_1698_ = -(_e3626[2]);
+                        let _e3640 = phi_1619_;
+                        if (_e3616 > _e3640) {
+                            phi_1624_ = _e3616;
                         } else {
-                            phi_1698_ = _e3626[2];
+                            phi_1624_ = _e3640;
                         }
-                        let _e3644 = phi_1698_;
-                        if (_e3640 > _e3644) {
-                            phi_1703_ = _e3640;
+                        let _e3643 = phi_1624_;
+                        let _e3645 = local_12.member_3;
+                        let _e3649 = local_12.member_1[0u];
+                        if (_e3649[0] < 0f) {
+                            phi_1641_ = -(_e3649[0]);
                         } else {
-                            phi_1703_ = _e3644;
+                            phi_1641_ = _e3649[0];
                         }
-                        let _e3647 = phi_1703_;
-                        if (_e3623 > _e3647) {
-                            phi_1708_ = _e3623;
+                        let _e3656 = phi_1641_;
+                        if (_e3649[1] < 0f) {
+                            phi_1648_ = -(_e3649[1]);
                         } else {
-                            phi_1708_ = _e3647;
+                            phi_1648_ = _e3649[1];
                         }
-                        let _e3650 = phi_1708_;
-                        let _e3652 = local_12.member_3;
-                        let _e3656 = local_12.member_2[0u];
-                        if (_e3656[0] < 0f) {
-                            phi_1725_ = -(_e3656[0]);
+                        let _e3660 = phi_1648_;
+                        if (_e3656 > _e3660) {
+                            phi_1653_ = _e3656;
                         } else {
-                            phi_1725_ = _e3656[0];
+                            phi_1653_ = _e3660;
                         }
-                        let _e3663 = phi_1725_;
-                        if (_e3656[1] < 0f) {
-                            phi_1732_ = -(_e3656[1]);
+                        let _e3663 = phi_1653_;
+                        if (_e3649[2] < 0f) {
+                            phi_1660_ = -(_e3649[2]);
                         } else {
-                            phi_1732_ = _e3656[1];
+                            phi_1660_ = _e3649[2];
                         }
-                        let _e3667 = phi_1732_;
+                        let _e3667 = phi_1660_;
                         if (_e3663 > _e3667) {
-                            phi_1737_ = _e3663;
+                            phi_1665_ = _e3663;
                         } else {
-                            phi_1737_ = _e3667;
+                            phi_1665_ = _e3667;
                         }
-                        let _e3670 = phi_1737_;
-                        if (_e3656[2] < 0f) {
-                            phi_1744_ = -(_e3656[2]);
+                        let _e3670 = phi_1665_;
+                        let _e3673 = local_12.member_1[1u];
+                        if (_e3673[0] < 0f) {
+                            phi_1679_ = -(_e3673[0]);
                         } else {
-                            phi_1744_ = _e3656[2];
+                            phi_1679_ = _e3673[0];
                         }
-                        let _e3674 = phi_1744_;
-                        if (_e3670 > _e3674) {
-                            phi_1749_ = _e3670;
+                        let _e3680 = phi_1679_;
+                        if (_e3673[1] < 0f) {
+                            phi_1686_ = -(_e3673[1]);
                         } else {
-                            phi_1749_ = _e3674;
+                            phi_1686_ = _e3673[1];
                         }
-                        let _e3677 = phi_1749_;
-                        let _e3680 = local_12.member_2[1u];
-                        if (_e3680[0] < 0f) {
-                            phi_1763_ = -(_e3680[0]);
+                        let _e3684 = phi_1686_;
+                        if (_e3680 > _e3684) {
+                            phi_1691_ = _e3680;
                         } else {
-                            phi_1763_ = _e3680[0];
+                            phi_1691_ = _e3684;
                         }
-                        let _e3687 = phi_1763_;
-                        if (_e3680[1] < 0f) {
-                            phi_1770_ = -(_e3680[1]);
+                        let _e3687 = phi_1691_;
+                        if (_e3673[2] < 0f) {
+                            phi_1698_ = -(_e3673[2]);
                         } else {
-                            phi_1770_ = _e3680[1];
+                            phi_1698_ = _e3673[2];
                         }
-                        let _e3691 = phi_1770_;
+                        let _e3691 = phi_1698_;
                         if (_e3687 > _e3691) {
-                            phi_1775_ = _e3687;
+                            phi_1703_ = _e3687;
                         } else {
-                            phi_1775_ = _e3691;
+                            phi_1703_ = _e3691;
                         }
-                        let _e3694 = phi_1775_;
-                        if (_e3680[2] < 0f) {
-                            phi_1782_ = -(_e3680[2]);
+                        let _e3694 = phi_1703_;
+                        if (_e3670 > _e3694) {
+                            phi_1708_ = _e3670;
                         } else {
-                            phi_1782_ = _e3680[2];
+                            phi_1708_ = _e3694;
                         }
-                        let _e3698 = phi_1782_;
-                        if (_e3694 > _e3698) {
-                            phi_1787_ = _e3694;
+                        let _e3697 = phi_1708_;
+                        let _e3699 = local_12.member_3;
+                        let _e3703 = local_12.member_2[0u];
+                        if (_e3703[0] < 0f) {
+                            phi_1725_ = -(_e3703[0]);
                         } else {
-                            phi_1787_ = _e3698;
+                            phi_1725_ = _e3703[0];
                         }
-                        let _e3701 = phi_1787_;
-                        if (_e3677 > _e3701) {
-                            phi_1792_ = _e3677;
+                        let _e3710 = phi_1725_;
+                        if (_e3703[1] < 0f) {
+                            phi_1732_ = -(_e3703[1]);
                         } else {
-                            phi_1792_ = _e3701;
+                            phi_1732_ = _e3703[1];
                         }
-                        let _e3704 = phi_1792_;
-                        let _e3706 = local_12.member_3;
-                        let _e3713 = local_12.member_3;
+                        let _e3714 = phi_1732_;
+                        if (_e3710 > _e3714) {
+                            phi_1737_ = _e3710;
+                        } else {
+                            phi_1737_ = _e3714;
+                        }
+                        let _e3717 = phi_1737_;
+                        if (_e3703[2] < 0f) {
+                            phi_1744_ = -(_e3703[2]);
+                        } else {
+                            phi_1744_ = _e3703[2];
+                        }
+                        let _e3721 = phi_1744_;
+                        if (_e3717 > _e3721) {
+                            phi_1749_ = _e3717;
+                        } else {
+                            phi_1749_ = _e3721;
+                        }
+                        let _e3724 = phi_1749_;
+                        let _e3727 = local_12.member_2[1u];
+                        if (_e3727[0] < 0f) {
+                            phi_1763_ = -(_e3727[0]);
+                        } else {
+                            phi_1763_ = _e3727[0];
+                        }
+                        let _e3734 = phi_1763_;
+                        if (_e3727[1] < 0f) {
+                            phi_1770_ = -(_e3727[1]);
+                        } else {
+                            phi_1770_ = _e3727[1];
+                        }
+                        let _e3738 = phi_1770_;
+                        if (_e3734 > _e3738) {
+                            phi_1775_ = _e3734;
+                        } else {
+                            phi_1775_ = _e3738;
+                        }
+                        let _e3741 = phi_1775_;
+                        if (_e3727[2] < 0f) {
+                            phi_1782_ = -(_e3727[2]);
+                        } else {
+                            phi_1782_ = _e3727[2];
+                        }
+                        let _e3745 = phi_1782_;
+                        if (_e3741 > _e3745) {
+                            phi_1787_ = _e3741;
+                        } else {
+                            phi_1787_ = _e3745;
+                        }
+                        let _e3748 = phi_1787_;
+                        if (_e3724 > _e3748) {
+                            phi_1792_ = _e3724;
+                        } else {
+                            phi_1792_ = _e3748;
+                        }
+                        let _e3751 = phi_1792_;
+                        let _e3753 = local_12.member_3;
+                        let _e3760 = local_12.member_3;
                         local_9 = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                         phi_1831_ = type_9(0u, 96u);
                         phi_1834_ = 0f;
                         phi_1836_ = 0f;
                         phi_1838_ = 0f;
+                        phi_1840_ = false;
+                        phi_1842_ = 0u;
                         loop {
-                            let _e3719 = phi_1831_;
-                            let _e3721 = phi_1834_;
-                            let _e3723 = phi_1836_;
-                            let _e3725 = phi_1838_;
-                            local_44 = _e3723;
-                            local_26 = _e3721;
-                            if (_e3719.member < _e3719.member_1) {
-                                phi_1832_ = type_9((_e3719.member + 1u), _e3719.member_1);
-                                phi_1861_ = type_9(1u, _e3719.member);
+                            let _e3766 = phi_1831_;
+                            let _e3768 = phi_1834_;
+                            let _e3770 = phi_1836_;
+                            let _e3772 = phi_1838_;
+                            let _e3774 = phi_1840_;
+                            let _e3776 = phi_1842_;
+                            local_44 = _e3770;
+                            local_26 = _e3768;
+                            if (_e3766.member < _e3766.member_1) {
+                                phi_1832_ = type_9((_e3766.member + 1u), _e3766.member_1);
+                                phi_1865_ = type_9(1u, _e3766.member);
                             } else {
-                                phi_1832_ = _e3719;
-                                phi_1861_ = type_9(0u, type_9().member_1);
+                                phi_1832_ = _e3766;
+                                phi_1865_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3737 = phi_1832_;
-                            let _e3739 = phi_1861_;
-                            if (bitcast<i32>(_e3739.member) != 0i) {
-                                let _e3746 = local_12.member[0u];
-                                let _e3752 = local_12.member[1u];
-                                let _e3768 = local_12.member_1[0u];
-                                let _e3774 = local_12.member_1[1u];
-                                let _e3790 = local_12.member_2[0u];
-                                let _e3796 = local_12.member_2[1u];
-                                let _e3810 = function_2(array<f32, 3>((_e3746[0] + ((_e3752[0] - _e3746[0]) * _e3721)), (_e3746[1] + ((_e3752[1] - _e3746[1]) * _e3721)), (_e3746[2] + ((_e3752[2] - _e3746[2]) * _e3721))), array<f32, 3>((_e3768[0] + ((_e3774[0] - _e3768[0]) * _e3721)), (_e3768[1] + ((_e3774[1] - _e3768[1]) * _e3721)), (_e3768[2] + ((_e3774[2] - _e3768[2]) * _e3721))), array<f32, 3>((_e3790[0] + ((_e3796[0] - _e3790[0]) * _e3721)), (_e3790[1] + ((_e3796[1] - _e3790[1]) * _e3721)), (_e3790[2] + ((_e3796[2] - _e3790[2]) * _e3721))), 1u);
-                                if (_e3810[0] < 0f) {
-                                    phi_1973_ = -(_e3810[0]);
+                            let _e3788 = phi_1832_;
+                            let _e3790 = phi_1865_;
+                            if (bitcast<i32>(_e3790.member) != 0i) {
+                                let _e3796 = local_12.member[0u];
+                                let _e3802 = local_12.member[1u];
+                                let _e3818 = local_12.member_1[0u];
+                                let _e3824 = local_12.member_1[1u];
+                                let _e3840 = local_12.member_2[0u];
+                                let _e3846 = local_12.member_2[1u];
+                                let _e3860 = function_2(array<f32, 3>((_e3796[0] + ((_e3802[0] - _e3796[0]) * _e3768)), (_e3796[1] + ((_e3802[1] - _e3796[1]) * _e3768)), (_e3796[2] + ((_e3802[2] - _e3796[2]) * _e3768))), array<f32, 3>((_e3818[0] + ((_e3824[0] - _e3818[0]) * _e3768)), (_e3818[1] + ((_e3824[1] - _e3818[1]) * _e3768)), (_e3818[2] + ((_e3824[2] - _e3818[2]) * _e3768))), array<f32, 3>((_e3840[0] + ((_e3846[0] - _e3840[0]) * _e3768)), (_e3840[1] + ((_e3846[1] - _e3840[1]) * _e3768)), (_e3840[2] + ((_e3846[2] - _e3840[2]) * _e3768))), 1u);
+                                if (_e3776 == 0u) {
+                                    phi_1993_ = _e3860;
                                 } else {
-                                    phi_1973_ = _e3810[0];
+                                    if (_e3776 == 1u) {
+                                        phi_1979_ = _e3860[0];
+                                    } else {
+                                        phi_1979_ = 0f;
+                                    }
+                                    let _e3865 = phi_1979_;
+                                    if (_e3776 == 2u) {
+                                        phi_1985_ = _e3860[1];
+                                    } else {
+                                        phi_1985_ = 0f;
+                                    }
+                                    let _e3869 = phi_1985_;
+                                    if (_e3776 == 3u) {
+                                        phi_1991_ = _e3860[2];
+                                    } else {
+                                        phi_1991_ = 0f;
+                                    }
+                                    let _e3873 = phi_1991_;
+                                    phi_1993_ = array<f32, 3>(_e3865, _e3869, _e3873);
                                 }
-                                let _e3815 = phi_1973_;
-                                if (_e3810[1] < 0f) {
-                                    phi_1980_ = -(_e3810[1]);
+                                let _e3876 = phi_1993_;
+                                if (_e3876[0] < 0f) {
+                                    phi_2000_ = -(_e3876[0]);
                                 } else {
-                                    phi_1980_ = _e3810[1];
+                                    phi_2000_ = _e3876[0];
                                 }
-                                let _e3820 = phi_1980_;
-                                if (_e3810[2] < 0f) {
-                                    phi_1988_ = -(_e3810[2]);
+                                let _e3881 = phi_2000_;
+                                if (_e3876[1] < 0f) {
+                                    phi_2007_ = -(_e3876[1]);
                                 } else {
-                                    phi_1988_ = _e3810[2];
+                                    phi_2007_ = _e3876[1];
                                 }
-                                let _e3826 = phi_1988_;
-                                let _e3827 = ((_e3815 + _e3820) + _e3826);
-                                if (_e3827 > 0f) {
-                                    if ((bitcast<u32>(_e3827) & 2139095040u) != 2139095040u) {
-                                        let _e3832 = (1f / _e3827);
-                                        let _e3834 = (_e3810[0] * _e3832);
-                                        let _e3836 = (_e3810[1] * _e3832);
-                                        let _e3838 = (_e3810[2] * _e3832);
-                                        let _e3843 = (((_e3834 * _e3834) + (_e3836 * _e3836)) + (_e3838 * _e3838));
-                                        if (_e3843 <= 0.000000000000000000000000000000000000011754944f) {
-                                            if (_e3843 > 0f) {
-                                                phi_2025_ = (0.000000000000000000106433627f * 2f);
+                                let _e3886 = phi_2007_;
+                                if (_e3876[2] < 0f) {
+                                    phi_2015_ = -(_e3876[2]);
+                                } else {
+                                    phi_2015_ = _e3876[2];
+                                }
+                                let _e3892 = phi_2015_;
+                                let _e3893 = ((_e3881 + _e3886) + _e3892);
+                                if (_e3893 > 0f) {
+                                    if ((bitcast<u32>(_e3893) & 2139095040u) != 2139095040u) {
+                                        let _e3898 = (1f / _e3893);
+                                        let _e3900 = (_e3876[0] * _e3898);
+                                        let _e3902 = (_e3876[1] * _e3898);
+                                        let _e3904 = (_e3876[2] * _e3898);
+                                        let _e3909 = (((_e3900 * _e3900) + (_e3902 * _e3902)) + (_e3904 * _e3904));
+                                        if (_e3909 <= 0.000000000000000000000000000000000000011754944f) {
+                                            if (_e3909 > 0f) {
+                                                phi_2052_ = (0.000000000000000000106433627f * 2f);
                                             } else {
-                                                phi_2025_ = 0f;
+                                                phi_2052_ = 0f;
                                             }
-                                            let _e3896 = phi_2025_;
-                                            phi_2089_ = _e3896;
+                                            let _e3962 = phi_2052_;
+                                            phi_2116_ = _e3962;
                                         } else {
-                                            phi_2032_ = type_14(0i, 5i);
-                                            phi_2035_ = bitcast<f32>(((bitcast<u32>(_e3843) >> bitcast<u32>(1i)) + 532369198u));
+                                            phi_2059_ = type_14(0i, 5i);
+                                            phi_2062_ = bitcast<f32>(((bitcast<u32>(_e3909) >> bitcast<u32>(1i)) + 532369198u));
                                             loop {
-                                                let _e3851 = phi_2032_;
-                                                let _e3853 = phi_2035_;
-                                                local_24 = _e3853;
-                                                if (_e3851.member < _e3851.member_1) {
-                                                    let _e3860 = (_e3851.member + 1i);
-                                                    if ((false == (_e3860 > _e3851.member)) != false) {
-                                                        phi_2056_ = true;
+                                                let _e3917 = phi_2059_;
+                                                let _e3919 = phi_2062_;
+                                                local_24 = _e3919;
+                                                if (_e3917.member < _e3917.member_1) {
+                                                    let _e3926 = (_e3917.member + 1i);
+                                                    if ((false == (_e3926 > _e3917.member)) != false) {
+                                                        phi_2083_ = true;
                                                     } else {
-                                                        phi_2056_ = false;
+                                                        phi_2083_ = false;
                                                     }
-                                                    let _e3865 = phi_2056_;
-                                                    if _e3865 {
-                                                        phi_2062_ = type_15(0u, type_15().member_1);
+                                                    let _e3931 = phi_2083_;
+                                                    if _e3931 {
+                                                        phi_2089_ = type_15(0u, type_15().member_1);
                                                     } else {
-                                                        phi_2062_ = type_15(1u, _e3860);
+                                                        phi_2089_ = type_15(1u, _e3926);
                                                     }
-                                                    let _e3870 = phi_2062_;
-                                                    phi_2033_ = type_14(_e3870.member_1, _e3851.member_1);
-                                                    phi_2076_ = type_15(1u, _e3851.member);
+                                                    let _e3936 = phi_2089_;
+                                                    phi_2060_ = type_14(_e3936.member_1, _e3917.member_1);
+                                                    phi_2103_ = type_15(1u, _e3917.member);
                                                 } else {
-                                                    phi_2033_ = _e3851;
-                                                    phi_2076_ = type_15(0u, type_15().member_1);
+                                                    phi_2060_ = _e3917;
+                                                    phi_2103_ = type_15(0u, type_15().member_1);
                                                 }
-                                                let _e3876 = phi_2033_;
-                                                let _e3878 = phi_2076_;
-                                                let _e3881 = (bitcast<i32>(_e3878.member) != 0i);
-                                                if _e3881 {
-                                                    phi_2036_ = (0.5f * (_e3853 + (_e3843 / _e3853)));
+                                                let _e3942 = phi_2060_;
+                                                let _e3944 = phi_2103_;
+                                                let _e3947 = (bitcast<i32>(_e3944.member) != 0i);
+                                                if _e3947 {
+                                                    phi_2063_ = (0.5f * (_e3919 + (_e3909 / _e3919)));
                                                 } else {
-                                                    phi_2036_ = f32();
+                                                    phi_2063_ = f32();
                                                 }
-                                                let _e3886 = phi_2036_;
+                                                let _e3952 = phi_2063_;
                                                 continue;
                                                 continuing {
-                                                    phi_2032_ = _e3876;
-                                                    phi_2035_ = _e3886;
-                                                    break if !(_e3881);
+                                                    phi_2059_ = _e3942;
+                                                    phi_2062_ = _e3952;
+                                                    break if !(_e3947);
                                                 }
                                             }
-                                            let _e3891 = local_24;
-                                            phi_2089_ = (_e3891 * (1f + (8f * 0.000000059604645f)));
+                                            let _e3957 = local_24;
+                                            phi_2116_ = (_e3957 * (1f + (8f * 0.000000059604645f)));
                                         }
-                                        let _e3898 = phi_2089_;
-                                        let _e3899 = (0.000000059604645f * 12f);
-                                        let _e3904 = ((((((((_e3596 + _e3598) + (_e3650 + _e3652)) + (_e3704 + _e3706)) * (0.000000059604645f * 16f)) + (_e3713 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e455.member_1 * _e3898) * (1f + _e3899)));
-                                        let _e3909 = (((_e3834 * _e3494[0]) + (_e3836 * _e3494[1])) + (_e3838 * _e3494[2]));
-                                        let _e3914 = (((_e3834 * _e3510) + (_e3836 * _e3511)) + (_e3838 * _e3512));
-                                        let _e3919 = (((_e3834 * (_e3494[0] - _e3506[0])) + (_e3836 * (_e3494[1] - _e3506[1]))) + (_e3838 * (_e3494[2] - _e3506[2])));
-                                        let _e3924 = (((_e3834 * (_e3510 - _e3506[0])) + (_e3836 * (_e3511 - _e3506[1]))) + (_e3838 * (_e3512 - _e3506[2])));
-                                        let _e3930 = (((_e3834 * _e3521[0]) + (_e3836 * _e3521[1])) + (_e3838 * _e3521[2]));
-                                        let _e3935 = (((_e3834 * _e3537) + (_e3836 * _e3538)) + (_e3838 * _e3539));
-                                        let _e3940 = (((_e3834 * (_e3521[0] - _e3533[0])) + (_e3836 * (_e3521[1] - _e3533[1]))) + (_e3838 * (_e3521[2] - _e3533[2])));
-                                        let _e3945 = (((_e3834 * (_e3537 - _e3533[0])) + (_e3836 * (_e3538 - _e3533[1]))) + (_e3838 * (_e3539 - _e3533[2])));
-                                        if (_e3909 < 0f) {
-                                            phi_2155_ = -(_e3909);
+                                        let _e3964 = phi_2116_;
+                                        let _e3965 = (0.000000059604645f * 12f);
+                                        let _e3970 = ((((((((_e3643 + _e3645) + (_e3697 + _e3699)) + (_e3751 + _e3753)) * (0.000000059604645f * 16f)) + (_e3760 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((_e455.member_1 * _e3964) * (1f + _e3965)));
+                                        let _e3975 = (((_e3900 * _e3541[0]) + (_e3902 * _e3541[1])) + (_e3904 * _e3541[2]));
+                                        let _e3980 = (((_e3900 * _e3557) + (_e3902 * _e3558)) + (_e3904 * _e3559));
+                                        let _e3985 = (((_e3900 * (_e3541[0] - _e3553[0])) + (_e3902 * (_e3541[1] - _e3553[1]))) + (_e3904 * (_e3541[2] - _e3553[2])));
+                                        let _e3990 = (((_e3900 * (_e3557 - _e3553[0])) + (_e3902 * (_e3558 - _e3553[1]))) + (_e3904 * (_e3559 - _e3553[2])));
+                                        let _e3996 = (((_e3900 * _e3568[0]) + (_e3902 * _e3568[1])) + (_e3904 * _e3568[2]));
+                                        let _e4001 = (((_e3900 * _e3584) + (_e3902 * _e3585)) + (_e3904 * _e3586));
+                                        let _e4006 = (((_e3900 * (_e3568[0] - _e3580[0])) + (_e3902 * (_e3568[1] - _e3580[1]))) + (_e3904 * (_e3568[2] - _e3580[2])));
+                                        let _e4011 = (((_e3900 * (_e3584 - _e3580[0])) + (_e3902 * (_e3585 - _e3580[1]))) + (_e3904 * (_e3586 - _e3580[2])));
+                                        if (_e3975 < 0f) {
+                                            phi_2182_ = -(_e3975);
                                         } else {
-                                            phi_2155_ = _e3909;
+                                            phi_2182_ = _e3975;
                                         }
-                                        let _e3950 = phi_2155_;
-                                        if (_e3930 < 0f) {
-                                            phi_2161_ = -(_e3930);
+                                        let _e4016 = phi_2182_;
+                                        if (_e3996 < 0f) {
+                                            phi_2188_ = -(_e3996);
                                         } else {
-                                            phi_2161_ = _e3930;
+                                            phi_2188_ = _e3996;
                                         }
-                                        let _e3954 = phi_2161_;
-                                        if (_e3914 < 0f) {
-                                            phi_2170_ = -(_e3914);
+                                        let _e4020 = phi_2188_;
+                                        if (_e3980 < 0f) {
+                                            phi_2197_ = -(_e3980);
                                         } else {
-                                            phi_2170_ = _e3914;
+                                            phi_2197_ = _e3980;
                                         }
-                                        let _e3961 = phi_2170_;
-                                        if (_e3935 < 0f) {
-                                            phi_2176_ = -(_e3935);
+                                        let _e4027 = phi_2197_;
+                                        if (_e4001 < 0f) {
+                                            phi_2203_ = -(_e4001);
                                         } else {
-                                            phi_2176_ = _e3935;
+                                            phi_2203_ = _e4001;
                                         }
-                                        let _e3965 = phi_2176_;
-                                        if (_e3919 < 0f) {
-                                            phi_2185_ = -(_e3919);
+                                        let _e4031 = phi_2203_;
+                                        if (_e3985 < 0f) {
+                                            phi_2212_ = -(_e3985);
                                         } else {
-                                            phi_2185_ = _e3919;
+                                            phi_2212_ = _e3985;
                                         }
-                                        let _e3972 = phi_2185_;
-                                        if (_e3940 < 0f) {
-                                            phi_2191_ = -(_e3940);
+                                        let _e4038 = phi_2212_;
+                                        if (_e4006 < 0f) {
+                                            phi_2218_ = -(_e4006);
                                         } else {
-                                            phi_2191_ = _e3940;
+                                            phi_2218_ = _e4006;
                                         }
-                                        let _e3976 = phi_2191_;
-                                        if (_e3924 < 0f) {
-                                            phi_2200_ = -(_e3924);
+                                        let _e4042 = phi_2218_;
+                                        if (_e3990 < 0f) {
+                                            phi_2227_ = -(_e3990);
                                         } else {
-                                            phi_2200_ = _e3924;
+                                            phi_2227_ = _e3990;
                                         }
-                                        let _e3983 = phi_2200_;
-                                        if (_e3945 < 0f) {
-                                            phi_2206_ = -(_e3945);
+                                        let _e4049 = phi_2227_;
+                                        if (_e4011 < 0f) {
+                                            phi_2233_ = -(_e4011);
                                         } else {
-                                            phi_2206_ = _e3945;
+                                            phi_2233_ = _e4011;
                                         }
-                                        let _e3987 = phi_2206_;
-                                        phi_2212_ = type_30(array<f32, 4>(_e3909, _e3914, _e3919, _e3924), array<f32, 4>(_e3930, _e3935, _e3940, _e3945), array<f32, 4>((_e3904 + ((_e3950 + _e3954) * _e3899)), (_e3904 + ((_e3961 + _e3965) * _e3899)), (_e3904 + ((_e3972 + _e3976) * _e3899)), (_e3904 + ((_e3983 + _e3987) * _e3899))));
-                                        phi_2213_ = false;
+                                        let _e4053 = phi_2233_;
+                                        phi_2239_ = type_30(array<f32, 4>(_e3975, _e3980, _e3985, _e3990), array<f32, 4>(_e3996, _e4001, _e4006, _e4011), array<f32, 4>((_e3970 + ((_e4016 + _e4020) * _e3965)), (_e3970 + ((_e4027 + _e4031) * _e3965)), (_e3970 + ((_e4038 + _e4042) * _e3965)), (_e3970 + ((_e4049 + _e4053) * _e3965))));
+                                        phi_2240_ = false;
                                     } else {
-                                        phi_2212_ = type_30();
-                                        phi_2213_ = true;
+                                        phi_2239_ = type_30();
+                                        phi_2240_ = true;
                                     }
-                                    let _e3994 = phi_2212_;
-                                    let _e3996 = phi_2213_;
-                                    phi_2214_ = _e3994;
-                                    phi_2215_ = _e3996;
+                                    let _e4060 = phi_2239_;
+                                    let _e4062 = phi_2240_;
+                                    phi_2241_ = _e4060;
+                                    phi_2242_ = _e4062;
                                 } else {
-                                    phi_2214_ = type_30();
-                                    phi_2215_ = true;
+                                    phi_2241_ = type_30();
+                                    phi_2242_ = true;
                                 }
-                                let _e3998 = phi_2214_;
-                                let _e4000 = phi_2215_;
-                                if _e4000 {
-                                    phi_2223_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                let _e4064 = phi_2241_;
+                                let _e4066 = phi_2242_;
+                                if _e4066 {
+                                    phi_2250_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                 } else {
-                                    phi_2223_ = _e3998;
+                                    phi_2250_ = _e4064;
                                 }
-                                let _e4002 = phi_2223_;
-                                local_10 = type_30(array<f32, 4>(_e4002.member[0], _e4002.member[1], _e4002.member[2], _e4002.member[3]), array<f32, 4>(_e4002.member_1[0], _e4002.member_1[1], _e4002.member_1[2], _e4002.member_1[3]), array<f32, 4>(_e4002.member_2[0], _e4002.member_2[1], _e4002.member_2[2], _e4002.member_2[3]));
-                                let _e4022 = (_e3721 - _e3725);
-                                let _e4025 = local_10.member[0u];
-                                let _e4028 = local_10.member_1[0u];
-                                let _e4031 = local_10.member[0u];
-                                let _e4037 = local_10.member_2[0u];
-                                if (((_e4025 + ((_e4028 - _e4031) * _e3721)) - _e4037) > 0f) {
-                                    let _e4042 = local_10.member[1u];
-                                    let _e4045 = local_10.member_1[1u];
-                                    let _e4048 = local_10.member[1u];
-                                    let _e4054 = local_10.member_2[1u];
-                                    if (((_e4042 + ((_e4045 - _e4048) * _e3721)) - _e4054) > 0f) {
-                                        let _e4059 = local_10.member[2u];
-                                        let _e4062 = local_10.member_1[2u];
-                                        let _e4065 = local_10.member[2u];
-                                        let _e4071 = local_10.member_2[2u];
-                                        if (((_e4059 + ((_e4062 - _e4065) * _e3721)) - _e4071) > 0f) {
-                                            let _e4076 = local_10.member[3u];
-                                            let _e4079 = local_10.member_1[3u];
-                                            let _e4082 = local_10.member[3u];
-                                            let _e4088 = local_10.member_2[3u];
-                                            phi_2393_ = (((_e4076 + ((_e4079 - _e4082) * _e3721)) - _e4088) > 0f);
-                                            phi_2394_ = false;
+                                let _e4068 = phi_2250_;
+                                local_10 = type_30(array<f32, 4>(_e4068.member[0], _e4068.member[1], _e4068.member[2], _e4068.member[3]), array<f32, 4>(_e4068.member_1[0], _e4068.member_1[1], _e4068.member_1[2], _e4068.member_1[3]), array<f32, 4>(_e4068.member_2[0], _e4068.member_2[1], _e4068.member_2[2], _e4068.member_2[3]));
+                                let _e4088 = (_e3768 - _e3772);
+                                let _e4092 = local_10.member[0u];
+                                let _e4095 = local_10.member_1[0u];
+                                let _e4098 = local_10.member[0u];
+                                let _e4104 = local_10.member_2[0u];
+                                if (((_e4092 + ((_e4095 - _e4098) * _e3768)) - _e4104) > 0f) {
+                                    let _e4109 = local_10.member[1u];
+                                    let _e4112 = local_10.member_1[1u];
+                                    let _e4115 = local_10.member[1u];
+                                    let _e4121 = local_10.member_2[1u];
+                                    if (((_e4109 + ((_e4112 - _e4115) * _e3768)) - _e4121) > 0f) {
+                                        let _e4126 = local_10.member[2u];
+                                        let _e4129 = local_10.member_1[2u];
+                                        let _e4132 = local_10.member[2u];
+                                        let _e4138 = local_10.member_2[2u];
+                                        if (((_e4126 + ((_e4129 - _e4132) * _e3768)) - _e4138) > 0f) {
+                                            let _e4143 = local_10.member[3u];
+                                            let _e4146 = local_10.member_1[3u];
+                                            let _e4149 = local_10.member[3u];
+                                            let _e4155 = local_10.member_2[3u];
+                                            phi_2421_ = (((_e4143 + ((_e4146 - _e4149) * _e3768)) - _e4155) > 0f);
+                                            phi_2422_ = false;
                                         } else {
-                                            phi_2393_ = bool();
-                                            phi_2394_ = true;
+                                            phi_2421_ = bool();
+                                            phi_2422_ = true;
                                         }
-                                        let _e4092 = phi_2393_;
-                                        let _e4094 = phi_2394_;
-                                        phi_2395_ = _e4092;
-                                        phi_2396_ = _e4094;
+                                        let _e4159 = phi_2421_;
+                                        let _e4161 = phi_2422_;
+                                        phi_2423_ = _e4159;
+                                        phi_2424_ = _e4161;
                                     } else {
-                                        phi_2395_ = bool();
-                                        phi_2396_ = true;
+                                        phi_2423_ = bool();
+                                        phi_2424_ = true;
                                     }
-                                    let _e4096 = phi_2395_;
-                                    let _e4098 = phi_2396_;
-                                    phi_2397_ = _e4096;
-                                    phi_2398_ = _e4098;
+                                    let _e4163 = phi_2423_;
+                                    let _e4165 = phi_2424_;
+                                    phi_2425_ = _e4163;
+                                    phi_2426_ = _e4165;
                                 } else {
-                                    phi_2397_ = bool();
-                                    phi_2398_ = true;
+                                    phi_2425_ = bool();
+                                    phi_2426_ = true;
                                 }
-                                let _e4100 = phi_2397_;
-                                let _e4102 = phi_2398_;
-                                if _e4102 {
-                                    phi_2402_ = false;
+                                let _e4167 = phi_2425_;
+                                let _e4169 = phi_2426_;
+                                if _e4169 {
+                                    phi_2430_ = false;
                                 } else {
-                                    phi_2402_ = _e4100;
+                                    phi_2430_ = _e4167;
                                 }
-                                let _e4104 = phi_2402_;
-                                if _e4104 {
-                                    if (_e3721 <= _e3723) {
-                                        phi_2712_ = true;
+                                let _e4171 = phi_2430_;
+                                if _e4171 {
+                                    if (_e3768 <= _e3770) {
+                                        phi_2740_ = true;
                                     } else {
-                                        let _e4108 = local_9.member[0u];
-                                        let _e4111 = local_9.member_1[0u];
-                                        let _e4114 = local_9.member[0u];
-                                        let _e4120 = local_9.member_2[0u];
-                                        let _e4124 = local_10.member[0u];
-                                        let _e4127 = local_10.member_1[0u];
-                                        let _e4130 = local_10.member[0u];
-                                        let _e4136 = local_10.member_2[0u];
-                                        if ((((_e4108 + ((_e4111 - _e4114) * _e3721)) - _e4120) + ((_e4124 + ((_e4127 - _e4130) * _e3725)) - _e4136)) > 0f) {
-                                            let _e4142 = local_9.member[1u];
-                                            let _e4145 = local_9.member_1[1u];
-                                            let _e4148 = local_9.member[1u];
-                                            let _e4154 = local_9.member_2[1u];
-                                            let _e4158 = local_10.member[1u];
-                                            let _e4161 = local_10.member_1[1u];
-                                            let _e4164 = local_10.member[1u];
-                                            let _e4170 = local_10.member_2[1u];
-                                            if ((((_e4142 + ((_e4145 - _e4148) * _e3721)) - _e4154) + ((_e4158 + ((_e4161 - _e4164) * _e3725)) - _e4170)) > 0f) {
-                                                let _e4176 = local_9.member[2u];
-                                                let _e4179 = local_9.member_1[2u];
-                                                let _e4182 = local_9.member[2u];
-                                                let _e4188 = local_9.member_2[2u];
-                                                let _e4192 = local_10.member[2u];
-                                                let _e4195 = local_10.member_1[2u];
-                                                let _e4198 = local_10.member[2u];
-                                                let _e4204 = local_10.member_2[2u];
-                                                if ((((_e4176 + ((_e4179 - _e4182) * _e3721)) - _e4188) + ((_e4192 + ((_e4195 - _e4198) * _e3725)) - _e4204)) > 0f) {
-                                                    let _e4210 = local_9.member[3u];
-                                                    let _e4213 = local_9.member_1[3u];
-                                                    let _e4216 = local_9.member[3u];
-                                                    let _e4222 = local_9.member_2[3u];
-                                                    let _e4226 = local_10.member[3u];
-                                                    let _e4229 = local_10.member_1[3u];
-                                                    let _e4232 = local_10.member[3u];
-                                                    let _e4238 = local_10.member_2[3u];
-                                                    phi_2699_ = ((((_e4210 + ((_e4213 - _e4216) * _e3721)) - _e4222) + ((_e4226 + ((_e4229 - _e4232) * _e3725)) - _e4238)) > 0f);
-                                                    phi_2700_ = false;
+                                        let _e4175 = local_9.member[0u];
+                                        let _e4178 = local_9.member_1[0u];
+                                        let _e4181 = local_9.member[0u];
+                                        let _e4187 = local_9.member_2[0u];
+                                        let _e4191 = local_10.member[0u];
+                                        let _e4194 = local_10.member_1[0u];
+                                        let _e4197 = local_10.member[0u];
+                                        let _e4203 = local_10.member_2[0u];
+                                        if ((((_e4175 + ((_e4178 - _e4181) * _e3768)) - _e4187) + ((_e4191 + ((_e4194 - _e4197) * _e3772)) - _e4203)) > 0f) {
+                                            let _e4209 = local_9.member[1u];
+                                            let _e4212 = local_9.member_1[1u];
+                                            let _e4215 = local_9.member[1u];
+                                            let _e4221 = local_9.member_2[1u];
+                                            let _e4225 = local_10.member[1u];
+                                            let _e4228 = local_10.member_1[1u];
+                                            let _e4231 = local_10.member[1u];
+                                            let _e4237 = local_10.member_2[1u];
+                                            if ((((_e4209 + ((_e4212 - _e4215) * _e3768)) - _e4221) + ((_e4225 + ((_e4228 - _e4231) * _e3772)) - _e4237)) > 0f) {
+                                                let _e4243 = local_9.member[2u];
+                                                let _e4246 = local_9.member_1[2u];
+                                                let _e4249 = local_9.member[2u];
+                                                let _e4255 = local_9.member_2[2u];
+                                                let _e4259 = local_10.member[2u];
+                                                let _e4262 = local_10.member_1[2u];
+                                                let _e4265 = local_10.member[2u];
+                                                let _e4271 = local_10.member_2[2u];
+                                                if ((((_e4243 + ((_e4246 - _e4249) * _e3768)) - _e4255) + ((_e4259 + ((_e4262 - _e4265) * _e3772)) - _e4271)) > 0f) {
+                                                    let _e4277 = local_9.member[3u];
+                                                    let _e4280 = local_9.member_1[3u];
+                                                    let _e4283 = local_9.member[3u];
+                                                    let _e4289 = local_9.member_2[3u];
+                                                    let _e4293 = local_10.member[3u];
+                                                    let _e4296 = local_10.member_1[3u];
+                                                    let _e4299 = local_10.member[3u];
+                                                    let _e4305 = local_10.member_2[3u];
+                                                    phi_2727_ = ((((_e4277 + ((_e4280 - _e4283) * _e3768)) - _e4289) + ((_e4293 + ((_e4296 - _e4299) * _e3772)) - _e4305)) > 0f);
+                                                    phi_2728_ = false;
                                                 } else {
-                                                    phi_2699_ = bool();
-                                                    phi_2700_ = true;
+                                                    phi_2727_ = bool();
+                                                    phi_2728_ = true;
                                                 }
-                                                let _e4243 = phi_2699_;
-                                                let _e4245 = phi_2700_;
-                                                phi_2701_ = _e4243;
-                                                phi_2702_ = _e4245;
+                                                let _e4310 = phi_2727_;
+                                                let _e4312 = phi_2728_;
+                                                phi_2729_ = _e4310;
+                                                phi_2730_ = _e4312;
                                             } else {
-                                                phi_2701_ = bool();
-                                                phi_2702_ = true;
+                                                phi_2729_ = bool();
+                                                phi_2730_ = true;
                                             }
-                                            let _e4247 = phi_2701_;
-                                            let _e4249 = phi_2702_;
-                                            phi_2703_ = _e4247;
-                                            phi_2704_ = _e4249;
+                                            let _e4314 = phi_2729_;
+                                            let _e4316 = phi_2730_;
+                                            phi_2731_ = _e4314;
+                                            phi_2732_ = _e4316;
                                         } else {
-                                            phi_2703_ = bool();
-                                            phi_2704_ = true;
+                                            phi_2731_ = bool();
+                                            phi_2732_ = true;
                                         }
-                                        let _e4251 = phi_2703_;
-                                        let _e4253 = phi_2704_;
-                                        if _e4253 {
-                                            phi_2708_ = false;
+                                        let _e4318 = phi_2731_;
+                                        let _e4320 = phi_2732_;
+                                        if _e4320 {
+                                            phi_2736_ = false;
                                         } else {
-                                            phi_2708_ = _e4251;
+                                            phi_2736_ = _e4318;
                                         }
-                                        let _e4255 = phi_2708_;
-                                        phi_2712_ = _e4255;
+                                        let _e4322 = phi_2736_;
+                                        phi_2740_ = _e4322;
                                     }
-                                    let _e4257 = phi_2712_;
-                                    if _e4257 {
-                                        if (_e3739.member_1 > 0u) {
-                                            if (_e3721 >= 1f) {
-                                                phi_2724_ = false;
+                                    let _e4324 = phi_2740_;
+                                    if _e4324 {
+                                        if _e3774 {
+                                            if (_e3768 >= 1f) {
+                                                phi_2751_ = false;
                                             } else {
-                                                phi_2724_ = true;
+                                                phi_2751_ = true;
                                             }
-                                            let _e4261 = phi_2724_;
-                                            phi_2725_ = _e4261;
+                                            let _e4327 = phi_2751_;
+                                            phi_2752_ = _e4327;
                                         } else {
-                                            phi_2725_ = true;
+                                            phi_2752_ = true;
                                         }
-                                        let _e4263 = phi_2725_;
-                                        if _e4263 {
-                                            local_9 = type_30(array<f32, 4>(_e4002.member[0], _e4002.member[1], _e4002.member[2], _e4002.member[3]), array<f32, 4>(_e4002.member_1[0], _e4002.member_1[1], _e4002.member_1[2], _e4002.member_1[3]), array<f32, 4>(_e4002.member_2[0], _e4002.member_2[1], _e4002.member_2[2], _e4002.member_2[3]));
-                                            let _e4285 = local_9.member[0u];
-                                            let _e4288 = local_9.member_1[0u];
-                                            let _e4291 = local_9.member_2[0u];
-                                            if (_e4285 > _e4291) {
-                                                if (_e4288 > _e4291) {
-                                                    phi_2799_ = false;
+                                        let _e4329 = phi_2752_;
+                                        if _e4329 {
+                                            local_9 = type_30(array<f32, 4>(_e4068.member[0], _e4068.member[1], _e4068.member[2], _e4068.member[3]), array<f32, 4>(_e4068.member_1[0], _e4068.member_1[1], _e4068.member_1[2], _e4068.member_1[3]), array<f32, 4>(_e4068.member_2[0], _e4068.member_2[1], _e4068.member_2[2], _e4068.member_2[3]));
+                                            let _e4351 = local_9.member[0u];
+                                            let _e4354 = local_9.member_1[0u];
+                                            let _e4357 = local_9.member_2[0u];
+                                            if (_e4351 > _e4357) {
+                                                if (_e4354 > _e4357) {
+                                                    phi_2826_ = false;
                                                 } else {
-                                                    phi_2799_ = true;
+                                                    phi_2826_ = true;
                                                 }
-                                                let _e4295 = phi_2799_;
-                                                phi_2800_ = _e4295;
+                                                let _e4361 = phi_2826_;
+                                                phi_2827_ = _e4361;
                                             } else {
-                                                phi_2800_ = true;
+                                                phi_2827_ = true;
                                             }
-                                            let _e4297 = phi_2800_;
-                                            if _e4297 {
-                                                let _e4298 = (_e4288 >= _e4285);
-                                                if _e4298 {
-                                                    phi_2822_ = f32();
-                                                    phi_2823_ = false;
+                                            let _e4363 = phi_2827_;
+                                            if _e4363 {
+                                                let _e4364 = (_e4354 >= _e4351);
+                                                if _e4364 {
+                                                    phi_2849_ = f32();
+                                                    phi_2850_ = false;
                                                 } else {
-                                                    if ((_e4285 - _e4288) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2820_ = (((_e4285 - _e4291) / (_e4285 - _e4288)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2821_ = false;
+                                                    if ((_e4351 - _e4354) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2847_ = (((_e4351 - _e4357) / (_e4351 - _e4354)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2848_ = false;
                                                     } else {
-                                                        phi_2820_ = f32();
-                                                        phi_2821_ = true;
+                                                        phi_2847_ = f32();
+                                                        phi_2848_ = true;
                                                     }
-                                                    let _e4309 = phi_2820_;
-                                                    let _e4311 = phi_2821_;
-                                                    phi_2822_ = _e4309;
-                                                    phi_2823_ = _e4311;
+                                                    let _e4375 = phi_2847_;
+                                                    let _e4377 = phi_2848_;
+                                                    phi_2849_ = _e4375;
+                                                    phi_2850_ = _e4377;
                                                 }
-                                                let _e4313 = phi_2822_;
-                                                let _e4315 = phi_2823_;
-                                                phi_2824_ = _e4313;
-                                                phi_2825_ = _e4298;
-                                                phi_2826_ = _e4315;
+                                                let _e4379 = phi_2849_;
+                                                let _e4381 = phi_2850_;
+                                                phi_2851_ = _e4379;
+                                                phi_2852_ = _e4364;
+                                                phi_2853_ = _e4381;
                                             } else {
-                                                phi_2824_ = f32();
-                                                phi_2825_ = true;
-                                                phi_2826_ = false;
+                                                phi_2851_ = f32();
+                                                phi_2852_ = true;
+                                                phi_2853_ = false;
                                             }
-                                            let _e4317 = phi_2824_;
-                                            let _e4319 = phi_2825_;
-                                            let _e4321 = phi_2826_;
-                                            if _e4319 {
-                                                phi_2830_ = 2f;
-                                                phi_2831_ = true;
+                                            let _e4383 = phi_2851_;
+                                            let _e4385 = phi_2852_;
+                                            let _e4387 = phi_2853_;
+                                            if _e4385 {
+                                                phi_2857_ = 2f;
+                                                phi_2858_ = true;
                                             } else {
-                                                phi_2830_ = _e3721;
-                                                phi_2831_ = _e4321;
+                                                phi_2857_ = _e3768;
+                                                phi_2858_ = _e4387;
                                             }
-                                            let _e4323 = phi_2830_;
-                                            let _e4325 = phi_2831_;
-                                            if _e4325 {
-                                                phi_2835_ = _e4323;
+                                            let _e4389 = phi_2857_;
+                                            let _e4391 = phi_2858_;
+                                            if _e4391 {
+                                                phi_2862_ = _e4389;
                                             } else {
-                                                phi_2835_ = _e4317;
+                                                phi_2862_ = _e4383;
                                             }
-                                            let _e4327 = phi_2835_;
-                                            let _e4330 = local_9.member[1u];
-                                            let _e4333 = local_9.member_1[1u];
-                                            let _e4336 = local_9.member_2[1u];
-                                            if (_e4330 > _e4336) {
-                                                if (_e4333 > _e4336) {
-                                                    phi_2867_ = false;
+                                            let _e4393 = phi_2862_;
+                                            let _e4396 = local_9.member[1u];
+                                            let _e4399 = local_9.member_1[1u];
+                                            let _e4402 = local_9.member_2[1u];
+                                            if (_e4396 > _e4402) {
+                                                if (_e4399 > _e4402) {
+                                                    phi_2894_ = false;
                                                 } else {
-                                                    phi_2867_ = true;
+                                                    phi_2894_ = true;
                                                 }
-                                                let _e4340 = phi_2867_;
-                                                phi_2868_ = _e4340;
+                                                let _e4406 = phi_2894_;
+                                                phi_2895_ = _e4406;
                                             } else {
-                                                phi_2868_ = true;
+                                                phi_2895_ = true;
                                             }
-                                            let _e4342 = phi_2868_;
-                                            if _e4342 {
-                                                let _e4343 = (_e4333 >= _e4330);
-                                                if _e4343 {
-                                                    phi_2890_ = f32();
-                                                    phi_2891_ = false;
+                                            let _e4408 = phi_2895_;
+                                            if _e4408 {
+                                                let _e4409 = (_e4399 >= _e4396);
+                                                if _e4409 {
+                                                    phi_2917_ = f32();
+                                                    phi_2918_ = false;
                                                 } else {
-                                                    if ((_e4330 - _e4333) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2888_ = (((_e4330 - _e4336) / (_e4330 - _e4333)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2889_ = false;
+                                                    if ((_e4396 - _e4399) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2915_ = (((_e4396 - _e4402) / (_e4396 - _e4399)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2916_ = false;
                                                     } else {
-                                                        phi_2888_ = f32();
-                                                        phi_2889_ = true;
+                                                        phi_2915_ = f32();
+                                                        phi_2916_ = true;
                                                     }
-                                                    let _e4354 = phi_2888_;
-                                                    let _e4356 = phi_2889_;
-                                                    phi_2890_ = _e4354;
-                                                    phi_2891_ = _e4356;
+                                                    let _e4420 = phi_2915_;
+                                                    let _e4422 = phi_2916_;
+                                                    phi_2917_ = _e4420;
+                                                    phi_2918_ = _e4422;
                                                 }
-                                                let _e4358 = phi_2890_;
-                                                let _e4360 = phi_2891_;
-                                                phi_2892_ = _e4358;
-                                                phi_2893_ = _e4343;
-                                                phi_2894_ = _e4360;
+                                                let _e4424 = phi_2917_;
+                                                let _e4426 = phi_2918_;
+                                                phi_2919_ = _e4424;
+                                                phi_2920_ = _e4409;
+                                                phi_2921_ = _e4426;
                                             } else {
-                                                phi_2892_ = f32();
-                                                phi_2893_ = true;
-                                                phi_2894_ = false;
+                                                phi_2919_ = f32();
+                                                phi_2920_ = true;
+                                                phi_2921_ = false;
                                             }
-                                            let _e4362 = phi_2892_;
-                                            let _e4364 = phi_2893_;
-                                            let _e4366 = phi_2894_;
-                                            if _e4364 {
-                                                phi_2898_ = 2f;
-                                                phi_2899_ = true;
+                                            let _e4428 = phi_2919_;
+                                            let _e4430 = phi_2920_;
+                                            let _e4432 = phi_2921_;
+                                            if _e4430 {
+                                                phi_2925_ = 2f;
+                                                phi_2926_ = true;
                                             } else {
-                                                phi_2898_ = _e3721;
-                                                phi_2899_ = _e4366;
+                                                phi_2925_ = _e3768;
+                                                phi_2926_ = _e4432;
                                             }
-                                            let _e4368 = phi_2898_;
-                                            let _e4370 = phi_2899_;
-                                            if _e4370 {
-                                                phi_2903_ = _e4368;
+                                            let _e4434 = phi_2925_;
+                                            let _e4436 = phi_2926_;
+                                            if _e4436 {
+                                                phi_2930_ = _e4434;
                                             } else {
-                                                phi_2903_ = _e4362;
+                                                phi_2930_ = _e4428;
                                             }
-                                            let _e4372 = phi_2903_;
-                                            if (_e4327 < _e4372) {
-                                                phi_2908_ = _e4327;
+                                            let _e4438 = phi_2930_;
+                                            if (_e4393 < _e4438) {
+                                                phi_2935_ = _e4393;
                                             } else {
-                                                phi_2908_ = _e4372;
+                                                phi_2935_ = _e4438;
                                             }
-                                            let _e4375 = phi_2908_;
-                                            let _e4378 = local_9.member[2u];
-                                            let _e4381 = local_9.member_1[2u];
-                                            let _e4384 = local_9.member_2[2u];
-                                            if (_e4378 > _e4384) {
-                                                if (_e4381 > _e4384) {
-                                                    phi_2940_ = false;
+                                            let _e4441 = phi_2935_;
+                                            let _e4444 = local_9.member[2u];
+                                            let _e4447 = local_9.member_1[2u];
+                                            let _e4450 = local_9.member_2[2u];
+                                            if (_e4444 > _e4450) {
+                                                if (_e4447 > _e4450) {
+                                                    phi_2967_ = false;
                                                 } else {
-                                                    phi_2940_ = true;
+                                                    phi_2967_ = true;
                                                 }
-                                                let _e4388 = phi_2940_;
-                                                phi_2941_ = _e4388;
+                                                let _e4454 = phi_2967_;
+                                                phi_2968_ = _e4454;
                                             } else {
-                                                phi_2941_ = true;
+                                                phi_2968_ = true;
                                             }
-                                            let _e4390 = phi_2941_;
-                                            if _e4390 {
-                                                let _e4391 = (_e4381 >= _e4378);
-                                                if _e4391 {
-                                                    phi_2963_ = f32();
-                                                    phi_2964_ = false;
+                                            let _e4456 = phi_2968_;
+                                            if _e4456 {
+                                                let _e4457 = (_e4447 >= _e4444);
+                                                if _e4457 {
+                                                    phi_2990_ = f32();
+                                                    phi_2991_ = false;
                                                 } else {
-                                                    if ((_e4378 - _e4381) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_2961_ = (((_e4378 - _e4384) / (_e4378 - _e4381)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_2962_ = false;
+                                                    if ((_e4444 - _e4447) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_2988_ = (((_e4444 - _e4450) / (_e4444 - _e4447)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_2989_ = false;
                                                     } else {
-                                                        phi_2961_ = f32();
-                                                        phi_2962_ = true;
+                                                        phi_2988_ = f32();
+                                                        phi_2989_ = true;
                                                     }
-                                                    let _e4402 = phi_2961_;
-                                                    let _e4404 = phi_2962_;
-                                                    phi_2963_ = _e4402;
-                                                    phi_2964_ = _e4404;
+                                                    let _e4468 = phi_2988_;
+                                                    let _e4470 = phi_2989_;
+                                                    phi_2990_ = _e4468;
+                                                    phi_2991_ = _e4470;
                                                 }
-                                                let _e4406 = phi_2963_;
-                                                let _e4408 = phi_2964_;
-                                                phi_2965_ = _e4406;
-                                                phi_2966_ = _e4391;
-                                                phi_2967_ = _e4408;
+                                                let _e4472 = phi_2990_;
+                                                let _e4474 = phi_2991_;
+                                                phi_2992_ = _e4472;
+                                                phi_2993_ = _e4457;
+                                                phi_2994_ = _e4474;
                                             } else {
-                                                phi_2965_ = f32();
-                                                phi_2966_ = true;
-                                                phi_2967_ = false;
+                                                phi_2992_ = f32();
+                                                phi_2993_ = true;
+                                                phi_2994_ = false;
                                             }
-                                            let _e4410 = phi_2965_;
-                                            let _e4412 = phi_2966_;
-                                            let _e4414 = phi_2967_;
-                                            if _e4412 {
-                                                phi_2971_ = 2f;
-                                                phi_2972_ = true;
+                                            let _e4476 = phi_2992_;
+                                            let _e4478 = phi_2993_;
+                                            let _e4480 = phi_2994_;
+                                            if _e4478 {
+                                                phi_2998_ = 2f;
+                                                phi_2999_ = true;
                                             } else {
-                                                phi_2971_ = _e3721;
-                                                phi_2972_ = _e4414;
+                                                phi_2998_ = _e3768;
+                                                phi_2999_ = _e4480;
                                             }
-                                            let _e4416 = phi_2971_;
-                                            let _e4418 = phi_2972_;
-                                            if _e4418 {
-                                                phi_2976_ = _e4416;
+                                            let _e4482 = phi_2998_;
+                                            let _e4484 = phi_2999_;
+                                            if _e4484 {
+                                                phi_3003_ = _e4482;
                                             } else {
-                                                phi_2976_ = _e4410;
+                                                phi_3003_ = _e4476;
                                             }
-                                            let _e4420 = phi_2976_;
-                                            let _e4423 = local_9.member[3u];
-                                            let _e4426 = local_9.member_1[3u];
-                                            let _e4429 = local_9.member_2[3u];
-                                            if (_e4423 > _e4429) {
-                                                if (_e4426 > _e4429) {
-                                                    phi_3008_ = false;
+                                            let _e4486 = phi_3003_;
+                                            let _e4489 = local_9.member[3u];
+                                            let _e4492 = local_9.member_1[3u];
+                                            let _e4495 = local_9.member_2[3u];
+                                            if (_e4489 > _e4495) {
+                                                if (_e4492 > _e4495) {
+                                                    phi_3035_ = false;
                                                 } else {
-                                                    phi_3008_ = true;
+                                                    phi_3035_ = true;
                                                 }
-                                                let _e4433 = phi_3008_;
-                                                phi_3009_ = _e4433;
+                                                let _e4499 = phi_3035_;
+                                                phi_3036_ = _e4499;
                                             } else {
-                                                phi_3009_ = true;
+                                                phi_3036_ = true;
                                             }
-                                            let _e4435 = phi_3009_;
-                                            if _e4435 {
-                                                let _e4436 = (_e4426 >= _e4423);
-                                                if _e4436 {
-                                                    phi_3031_ = f32();
-                                                    phi_3032_ = false;
+                                            let _e4501 = phi_3036_;
+                                            if _e4501 {
+                                                let _e4502 = (_e4492 >= _e4489);
+                                                if _e4502 {
+                                                    phi_3058_ = f32();
+                                                    phi_3059_ = false;
                                                 } else {
-                                                    if ((_e4423 - _e4426) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                        phi_3029_ = (((_e4423 - _e4429) / (_e4423 - _e4426)) * (1f - (0.000000059604645f * 16f)));
-                                                        phi_3030_ = false;
+                                                    if ((_e4489 - _e4492) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                        phi_3056_ = (((_e4489 - _e4495) / (_e4489 - _e4492)) * (1f - (0.000000059604645f * 16f)));
+                                                        phi_3057_ = false;
                                                     } else {
-                                                        phi_3029_ = f32();
-                                                        phi_3030_ = true;
+                                                        phi_3056_ = f32();
+                                                        phi_3057_ = true;
                                                     }
-                                                    let _e4447 = phi_3029_;
-                                                    let _e4449 = phi_3030_;
-                                                    phi_3031_ = _e4447;
-                                                    phi_3032_ = _e4449;
+                                                    let _e4513 = phi_3056_;
+                                                    let _e4515 = phi_3057_;
+                                                    phi_3058_ = _e4513;
+                                                    phi_3059_ = _e4515;
                                                 }
-                                                let _e4451 = phi_3031_;
-                                                let _e4453 = phi_3032_;
-                                                phi_3033_ = _e4451;
-                                                phi_3034_ = _e4436;
-                                                phi_3035_ = _e4453;
+                                                let _e4517 = phi_3058_;
+                                                let _e4519 = phi_3059_;
+                                                phi_3060_ = _e4517;
+                                                phi_3061_ = _e4502;
+                                                phi_3062_ = _e4519;
                                             } else {
-                                                phi_3033_ = f32();
-                                                phi_3034_ = true;
-                                                phi_3035_ = false;
+                                                phi_3060_ = f32();
+                                                phi_3061_ = true;
+                                                phi_3062_ = false;
                                             }
-                                            let _e4455 = phi_3033_;
-                                            let _e4457 = phi_3034_;
-                                            let _e4459 = phi_3035_;
-                                            if _e4457 {
-                                                phi_3039_ = 2f;
-                                                phi_3040_ = true;
+                                            let _e4521 = phi_3060_;
+                                            let _e4523 = phi_3061_;
+                                            let _e4525 = phi_3062_;
+                                            if _e4523 {
+                                                phi_3066_ = 2f;
+                                                phi_3067_ = true;
                                             } else {
-                                                phi_3039_ = _e3721;
-                                                phi_3040_ = _e4459;
+                                                phi_3066_ = _e3768;
+                                                phi_3067_ = _e4525;
                                             }
-                                            let _e4461 = phi_3039_;
-                                            let _e4463 = phi_3040_;
-                                            if _e4463 {
-                                                phi_3044_ = _e4461;
+                                            let _e4527 = phi_3066_;
+                                            let _e4529 = phi_3067_;
+                                            if _e4529 {
+                                                phi_3071_ = _e4527;
                                             } else {
-                                                phi_3044_ = _e4455;
+                                                phi_3071_ = _e4521;
                                             }
-                                            let _e4465 = phi_3044_;
-                                            if (_e4420 < _e4465) {
-                                                phi_3049_ = _e4420;
+                                            let _e4531 = phi_3071_;
+                                            if (_e4486 < _e4531) {
+                                                phi_3076_ = _e4486;
                                             } else {
-                                                phi_3049_ = _e4465;
+                                                phi_3076_ = _e4531;
                                             }
-                                            let _e4468 = phi_3049_;
-                                            if (_e4375 < _e4468) {
-                                                phi_3054_ = _e4375;
+                                            let _e4534 = phi_3076_;
+                                            if (_e4441 < _e4534) {
+                                                phi_3081_ = _e4441;
                                             } else {
-                                                phi_3054_ = _e4468;
+                                                phi_3081_ = _e4534;
                                             }
-                                            let _e4471 = phi_3054_;
-                                            if (_e4471 > _e3721) {
-                                                phi_3059_ = _e4471;
+                                            let _e4537 = phi_3081_;
+                                            if (_e4537 > _e3768) {
+                                                phi_3086_ = _e4537;
                                             } else {
-                                                phi_3059_ = _e3721;
+                                                phi_3086_ = _e3768;
                                             }
-                                            let _e4474 = phi_3059_;
-                                            let _e4475 = (_e4474 > 1f);
-                                            if _e4475 {
-                                                phi_3071_ = f32();
-                                                phi_3072_ = false;
+                                            let _e4540 = phi_3086_;
+                                            let _e4541 = (_e4540 > 1f);
+                                            if _e4541 {
+                                                phi_3097_ = f32();
+                                                phi_3098_ = false;
                                             } else {
-                                                if (_e3739.member_1 == 0u) {
-                                                    phi_3070_ = (1f - _e3721);
+                                                if _e3774 {
+                                                    phi_3096_ = (_e4088 + _e4088);
                                                 } else {
-                                                    phi_3070_ = (_e4022 + _e4022);
+                                                    phi_3096_ = (1f - _e3768);
                                                 }
-                                                let _e4480 = phi_3070_;
-                                                phi_3071_ = _e4480;
-                                                phi_3072_ = true;
+                                                let _e4545 = phi_3096_;
+                                                phi_3097_ = _e4545;
+                                                phi_3098_ = true;
                                             }
-                                            let _e4482 = phi_3071_;
-                                            let _e4484 = phi_3072_;
-                                            phi_3073_ = _e4474;
-                                            phi_3074_ = _e4482;
-                                            phi_3075_ = _e4484;
-                                            phi_3076_ = _e4475;
-                                            phi_3077_ = false;
+                                            let _e4547 = phi_3097_;
+                                            let _e4549 = phi_3098_;
+                                            phi_3099_ = _e4540;
+                                            phi_3100_ = _e4547;
+                                            phi_3101_ = _e4549;
+                                            phi_3102_ = _e4541;
+                                            phi_3103_ = false;
                                         } else {
-                                            phi_3073_ = f32();
-                                            phi_3074_ = f32();
-                                            phi_3075_ = false;
-                                            phi_3076_ = false;
-                                            phi_3077_ = true;
+                                            phi_3099_ = f32();
+                                            phi_3100_ = f32();
+                                            phi_3101_ = false;
+                                            phi_3102_ = false;
+                                            phi_3103_ = true;
                                         }
-                                        let _e4486 = phi_3073_;
-                                        let _e4488 = phi_3074_;
-                                        let _e4490 = phi_3075_;
-                                        let _e4492 = phi_3076_;
-                                        let _e4494 = phi_3077_;
-                                        phi_3078_ = _e4486;
-                                        phi_3079_ = _e4488;
-                                        phi_3080_ = false;
-                                        phi_3081_ = _e4490;
-                                        phi_3082_ = _e4492;
-                                        phi_3083_ = _e4494;
+                                        let _e4551 = phi_3099_;
+                                        let _e4553 = phi_3100_;
+                                        let _e4555 = phi_3101_;
+                                        let _e4557 = phi_3102_;
+                                        let _e4559 = phi_3103_;
+                                        phi_3104_ = _e4551;
+                                        phi_3105_ = _e4553;
+                                        phi_3106_ = false;
+                                        phi_3107_ = _e4555;
+                                        phi_3108_ = _e4557;
+                                        phi_3109_ = _e4559;
                                     } else {
-                                        phi_3078_ = f32();
-                                        phi_3079_ = f32();
-                                        phi_3080_ = true;
-                                        phi_3081_ = false;
-                                        phi_3082_ = false;
-                                        phi_3083_ = false;
+                                        phi_3104_ = f32();
+                                        phi_3105_ = f32();
+                                        phi_3106_ = true;
+                                        phi_3107_ = false;
+                                        phi_3108_ = false;
+                                        phi_3109_ = false;
                                     }
-                                    let _e4496 = phi_3078_;
-                                    let _e4498 = phi_3079_;
-                                    let _e4500 = phi_3080_;
-                                    let _e4502 = phi_3081_;
-                                    let _e4504 = phi_3082_;
-                                    let _e4506 = phi_3083_;
-                                    phi_3084_ = _e4496;
-                                    phi_3085_ = _e4498;
-                                    phi_3086_ = _e4500;
-                                    phi_3087_ = _e4502;
-                                    phi_3088_ = _e4504;
-                                    phi_3089_ = _e4506;
+                                    let _e4561 = phi_3104_;
+                                    let _e4563 = phi_3105_;
+                                    let _e4565 = phi_3106_;
+                                    let _e4567 = phi_3107_;
+                                    let _e4569 = phi_3108_;
+                                    let _e4571 = phi_3109_;
+                                    phi_3110_ = _e4561;
+                                    phi_3111_ = _e4563;
+                                    phi_3112_ = _e4565;
+                                    phi_3113_ = _e4567;
+                                    phi_3114_ = _e4569;
+                                    phi_3115_ = _e4571;
                                 } else {
-                                    phi_3084_ = f32();
-                                    phi_3085_ = f32();
-                                    phi_3086_ = true;
-                                    phi_3087_ = false;
-                                    phi_3088_ = false;
-                                    phi_3089_ = false;
+                                    phi_3110_ = f32();
+                                    phi_3111_ = f32();
+                                    phi_3112_ = true;
+                                    phi_3113_ = false;
+                                    phi_3114_ = false;
+                                    phi_3115_ = false;
                                 }
-                                let _e4508 = phi_3084_;
-                                let _e4510 = phi_3085_;
-                                let _e4512 = phi_3086_;
-                                let _e4514 = phi_3087_;
-                                let _e4516 = phi_3088_;
-                                let _e4518 = phi_3089_;
-                                if _e4512 {
-                                    let _e4519 = (_e3721 <= _e3723);
-                                    if _e4519 {
-                                        phi_3418_ = f32();
-                                        phi_3419_ = false;
+                                let _e4573 = phi_3110_;
+                                let _e4575 = phi_3111_;
+                                let _e4577 = phi_3112_;
+                                let _e4579 = phi_3113_;
+                                let _e4581 = phi_3114_;
+                                let _e4583 = phi_3115_;
+                                if _e4577 {
+                                    if (_e3768 <= _e3770) {
+                                        let _e4744 = (_e3776 + 1u);
+                                        let _e4745 = (_e4744 > 3u);
+                                        if _e4745 {
+                                            phi_3128_ = false;
+                                        } else {
+                                            phi_3128_ = true;
+                                        }
+                                        let _e4747 = phi_3128_;
+                                        phi_3450_ = _e4744;
+                                        phi_3451_ = f32();
+                                        phi_3452_ = false;
+                                        phi_3453_ = _e4747;
+                                        phi_3454_ = _e4745;
                                     } else {
-                                        let _e4522 = local_9.member[0u];
-                                        let _e4525 = local_9.member_1[0u];
-                                        let _e4528 = local_9.member[0u];
-                                        let _e4534 = local_9.member_2[0u];
-                                        let _e4535 = ((_e4522 + ((_e4525 - _e4528) * _e3725)) - _e4534);
-                                        let _e4538 = local_9.member[1u];
-                                        let _e4541 = local_9.member_1[1u];
-                                        let _e4544 = local_9.member[1u];
-                                        let _e4550 = local_9.member_2[1u];
-                                        let _e4551 = ((_e4538 + ((_e4541 - _e4544) * _e3725)) - _e4550);
-                                        if (_e4535 < _e4551) {
-                                            phi_3169_ = _e4535;
+                                        let _e4587 = local_9.member[0u];
+                                        let _e4590 = local_9.member_1[0u];
+                                        let _e4593 = local_9.member[0u];
+                                        let _e4599 = local_9.member_2[0u];
+                                        let _e4600 = ((_e4587 + ((_e4590 - _e4593) * _e3772)) - _e4599);
+                                        let _e4603 = local_9.member[1u];
+                                        let _e4606 = local_9.member_1[1u];
+                                        let _e4609 = local_9.member[1u];
+                                        let _e4615 = local_9.member_2[1u];
+                                        let _e4616 = ((_e4603 + ((_e4606 - _e4609) * _e3772)) - _e4615);
+                                        if (_e4600 < _e4616) {
+                                            phi_3201_ = _e4600;
                                         } else {
-                                            phi_3169_ = _e4551;
+                                            phi_3201_ = _e4616;
                                         }
-                                        let _e4554 = phi_3169_;
-                                        let _e4557 = local_9.member[2u];
-                                        let _e4560 = local_9.member_1[2u];
-                                        let _e4563 = local_9.member[2u];
-                                        let _e4569 = local_9.member_2[2u];
-                                        let _e4570 = ((_e4557 + ((_e4560 - _e4563) * _e3725)) - _e4569);
-                                        let _e4573 = local_9.member[3u];
-                                        let _e4576 = local_9.member_1[3u];
-                                        let _e4579 = local_9.member[3u];
-                                        let _e4585 = local_9.member_2[3u];
-                                        let _e4586 = ((_e4573 + ((_e4576 - _e4579) * _e3725)) - _e4585);
-                                        if (_e4570 < _e4586) {
-                                            phi_3242_ = _e4570;
+                                        let _e4619 = phi_3201_;
+                                        let _e4622 = local_9.member[2u];
+                                        let _e4625 = local_9.member_1[2u];
+                                        let _e4628 = local_9.member[2u];
+                                        let _e4634 = local_9.member_2[2u];
+                                        let _e4635 = ((_e4622 + ((_e4625 - _e4628) * _e3772)) - _e4634);
+                                        let _e4638 = local_9.member[3u];
+                                        let _e4641 = local_9.member_1[3u];
+                                        let _e4644 = local_9.member[3u];
+                                        let _e4650 = local_9.member_2[3u];
+                                        let _e4651 = ((_e4638 + ((_e4641 - _e4644) * _e3772)) - _e4650);
+                                        if (_e4635 < _e4651) {
+                                            phi_3274_ = _e4635;
                                         } else {
-                                            phi_3242_ = _e4586;
+                                            phi_3274_ = _e4651;
                                         }
-                                        let _e4589 = phi_3242_;
-                                        if (_e4554 < _e4589) {
-                                            phi_3247_ = _e4554;
+                                        let _e4654 = phi_3274_;
+                                        if (_e4619 < _e4654) {
+                                            phi_3279_ = _e4619;
                                         } else {
-                                            phi_3247_ = _e4589;
+                                            phi_3279_ = _e4654;
                                         }
-                                        let _e4592 = phi_3247_;
-                                        let _e4595 = local_10.member[0u];
-                                        let _e4598 = local_10.member_1[0u];
-                                        let _e4601 = local_10.member[0u];
-                                        let _e4607 = local_10.member_2[0u];
-                                        let _e4608 = ((_e4595 + ((_e4598 - _e4601) * _e3721)) - _e4607);
-                                        let _e4611 = local_10.member[1u];
-                                        let _e4614 = local_10.member_1[1u];
-                                        let _e4617 = local_10.member[1u];
-                                        let _e4623 = local_10.member_2[1u];
-                                        let _e4624 = ((_e4611 + ((_e4614 - _e4617) * _e3721)) - _e4623);
-                                        if (_e4608 < _e4624) {
-                                            phi_3320_ = _e4608;
+                                        let _e4657 = phi_3279_;
+                                        let _e4660 = local_10.member[0u];
+                                        let _e4663 = local_10.member_1[0u];
+                                        let _e4666 = local_10.member[0u];
+                                        let _e4672 = local_10.member_2[0u];
+                                        let _e4673 = ((_e4660 + ((_e4663 - _e4666) * _e3768)) - _e4672);
+                                        let _e4676 = local_10.member[1u];
+                                        let _e4679 = local_10.member_1[1u];
+                                        let _e4682 = local_10.member[1u];
+                                        let _e4688 = local_10.member_2[1u];
+                                        let _e4689 = ((_e4676 + ((_e4679 - _e4682) * _e3768)) - _e4688);
+                                        if (_e4673 < _e4689) {
+                                            phi_3352_ = _e4673;
                                         } else {
-                                            phi_3320_ = _e4624;
+                                            phi_3352_ = _e4689;
                                         }
-                                        let _e4627 = phi_3320_;
-                                        let _e4630 = local_10.member[2u];
-                                        let _e4633 = local_10.member_1[2u];
-                                        let _e4636 = local_10.member[2u];
-                                        let _e4642 = local_10.member_2[2u];
-                                        let _e4643 = ((_e4630 + ((_e4633 - _e4636) * _e3721)) - _e4642);
-                                        let _e4646 = local_10.member[3u];
-                                        let _e4649 = local_10.member_1[3u];
-                                        let _e4652 = local_10.member[3u];
-                                        let _e4658 = local_10.member_2[3u];
-                                        let _e4659 = ((_e4646 + ((_e4649 - _e4652) * _e3721)) - _e4658);
-                                        if (_e4643 < _e4659) {
-                                            phi_3393_ = _e4643;
+                                        let _e4692 = phi_3352_;
+                                        let _e4695 = local_10.member[2u];
+                                        let _e4698 = local_10.member_1[2u];
+                                        let _e4701 = local_10.member[2u];
+                                        let _e4707 = local_10.member_2[2u];
+                                        let _e4708 = ((_e4695 + ((_e4698 - _e4701) * _e3768)) - _e4707);
+                                        let _e4711 = local_10.member[3u];
+                                        let _e4714 = local_10.member_1[3u];
+                                        let _e4717 = local_10.member[3u];
+                                        let _e4723 = local_10.member_2[3u];
+                                        let _e4724 = ((_e4711 + ((_e4714 - _e4717) * _e3768)) - _e4723);
+                                        if (_e4708 < _e4724) {
+                                            phi_3425_ = _e4708;
                                         } else {
-                                            phi_3393_ = _e4659;
+                                            phi_3425_ = _e4724;
                                         }
-                                        let _e4662 = phi_3393_;
-                                        if (_e4627 < _e4662) {
-                                            phi_3398_ = _e4627;
+                                        let _e4727 = phi_3425_;
+                                        if (_e4692 < _e4727) {
+                                            phi_3430_ = _e4692;
                                         } else {
-                                            phi_3398_ = _e4662;
+                                            phi_3430_ = _e4727;
                                         }
-                                        let _e4665 = phi_3398_;
-                                        if (_e4665 > 0f) {
-                                            phi_3416_ = 0.5f;
+                                        let _e4730 = phi_3430_;
+                                        if (_e4730 > 0f) {
+                                            phi_3448_ = 0.5f;
                                         } else {
-                                            let _e4669 = (0.95f * (_e4592 / (_e4592 - _e4665)));
-                                            if (_e4669 > 0.0625f) {
-                                                if (_e4669 < 0.9f) {
-                                                    phi_3414_ = _e4669;
+                                            let _e4734 = (0.95f * (_e4657 / (_e4657 - _e4730)));
+                                            if (_e4734 > 0.0625f) {
+                                                if (_e4734 < 0.9f) {
+                                                    phi_3446_ = _e4734;
                                                 } else {
-                                                    phi_3414_ = 0.9f;
+                                                    phi_3446_ = 0.9f;
                                                 }
-                                                let _e4673 = phi_3414_;
-                                                phi_3415_ = _e4673;
+                                                let _e4738 = phi_3446_;
+                                                phi_3447_ = _e4738;
                                             } else {
-                                                phi_3415_ = 0.0625f;
+                                                phi_3447_ = 0.0625f;
                                             }
-                                            let _e4675 = phi_3415_;
-                                            phi_3416_ = _e4675;
+                                            let _e4740 = phi_3447_;
+                                            phi_3448_ = _e4740;
                                         }
-                                        let _e4677 = phi_3416_;
-                                        phi_3418_ = (_e4022 * _e4677);
-                                        phi_3419_ = true;
-                                    }
-                                    let _e4680 = phi_3418_;
-                                    let _e4682 = phi_3419_;
-                                    phi_3420_ = _e3723;
-                                    phi_3421_ = _e4680;
-                                    phi_3422_ = _e3725;
-                                    phi_3423_ = _e4682;
-                                    phi_3424_ = _e4519;
-                                    phi_3425_ = false;
-                                    phi_3426_ = false;
-                                } else {
-                                    phi_3420_ = _e4508;
-                                    phi_3421_ = _e4510;
-                                    phi_3422_ = _e3721;
-                                    phi_3423_ = _e4514;
-                                    phi_3424_ = false;
-                                    phi_3425_ = _e4516;
-                                    phi_3426_ = _e4518;
-                                }
-                                let _e4684 = phi_3420_;
-                                let _e4686 = phi_3421_;
-                                let _e4688 = phi_3422_;
-                                let _e4690 = phi_3423_;
-                                let _e4692 = phi_3424_;
-                                let _e4694 = phi_3425_;
-                                let _e4696 = phi_3426_;
-                                if _e4690 {
-                                    let _e4697 = (_e4688 + _e4686);
-                                    if (_e4697 > _e4684) {
-                                        phi_3435_ = _e4697;
-                                    } else {
-                                        phi_3435_ = _e4684;
-                                    }
-                                    let _e4700 = phi_3435_;
-                                    if (_e4700 < 1f) {
-                                        phi_3440_ = _e4700;
-                                    } else {
-                                        phi_3440_ = 1f;
-                                    }
-                                    let _e4703 = phi_3440_;
-                                    if (_e3739.member_1 > 0u) {
-                                        phi_3450_ = ((_e4703 - _e4688) > 0.0000000037252903f);
-                                    } else {
-                                        phi_3450_ = true;
-                                    }
-                                    let _e4708 = phi_3450_;
-                                    if _e4708 {
+                                        let _e4742 = phi_3448_;
+                                        phi_3450_ = u32();
+                                        phi_3451_ = (_e4088 * _e4742);
+                                        phi_3452_ = true;
+                                        phi_3453_ = false;
                                         phi_3454_ = false;
-                                    } else {
-                                        phi_3454_ = true;
                                     }
-                                    let _e4710 = phi_3454_;
-                                    phi_3455_ = _e4703;
-                                    phi_3456_ = _e4708;
-                                    phi_3457_ = _e4710;
-                                    phi_3458_ = false;
-                                    phi_3459_ = false;
-                                    phi_3460_ = false;
+                                    let _e4749 = phi_3450_;
+                                    let _e4751 = phi_3451_;
+                                    let _e4753 = phi_3452_;
+                                    let _e4755 = phi_3453_;
+                                    let _e4757 = phi_3454_;
+                                    phi_3455_ = _e4749;
+                                    phi_3456_ = _e3770;
+                                    phi_3457_ = _e4751;
+                                    phi_3458_ = _e3772;
+                                    phi_3459_ = _e3774;
+                                    phi_3460_ = _e3776;
+                                    phi_3461_ = _e4753;
+                                    phi_3462_ = _e4755;
+                                    phi_3463_ = _e4757;
+                                    phi_3464_ = false;
+                                    phi_3465_ = false;
                                 } else {
-                                    phi_3455_ = f32();
-                                    phi_3456_ = false;
-                                    phi_3457_ = false;
-                                    phi_3458_ = _e4692;
-                                    phi_3459_ = _e4694;
-                                    phi_3460_ = _e4696;
+                                    phi_3455_ = u32();
+                                    phi_3456_ = _e4573;
+                                    phi_3457_ = _e4575;
+                                    phi_3458_ = _e3768;
+                                    phi_3459_ = true;
+                                    phi_3460_ = 0u;
+                                    phi_3461_ = _e4579;
+                                    phi_3462_ = false;
+                                    phi_3463_ = false;
+                                    phi_3464_ = _e4581;
+                                    phi_3465_ = _e4583;
                                 }
-                                let _e4712 = phi_3455_;
-                                let _e4714 = phi_3456_;
-                                let _e4716 = phi_3457_;
-                                let _e4718 = phi_3458_;
-                                let _e4720 = phi_3459_;
-                                let _e4722 = phi_3460_;
-                                phi_1835_ = _e4712;
-                                phi_1837_ = _e4684;
-                                phi_1839_ = _e4688;
-                                phi_3461_ = _e4684;
-                                phi_3462_ = _e4714;
-                                phi_3463_ = _e4716;
-                                phi_3464_ = false;
-                                phi_3465_ = _e4718;
-                                phi_3466_ = _e4720;
-                                phi_3467_ = _e4722;
+                                let _e4759 = phi_3455_;
+                                let _e4761 = phi_3456_;
+                                let _e4763 = phi_3457_;
+                                let _e4765 = phi_3458_;
+                                let _e4767 = phi_3459_;
+                                let _e4769 = phi_3460_;
+                                let _e4771 = phi_3461_;
+                                let _e4773 = phi_3462_;
+                                let _e4775 = phi_3463_;
+                                let _e4777 = phi_3464_;
+                                let _e4779 = phi_3465_;
+                                if _e4771 {
+                                    let _e4780 = (_e4765 + _e4763);
+                                    if (_e4780 > _e4761) {
+                                        phi_3474_ = _e4780;
+                                    } else {
+                                        phi_3474_ = _e4761;
+                                    }
+                                    let _e4783 = phi_3474_;
+                                    if (_e4783 < 1f) {
+                                        phi_3479_ = _e4783;
+                                    } else {
+                                        phi_3479_ = 1f;
+                                    }
+                                    let _e4786 = phi_3479_;
+                                    if !(_e3774) {
+                                        phi_3488_ = true;
+                                    } else {
+                                        phi_3488_ = ((_e4786 - _e4765) > 0.0000000037252903f);
+                                    }
+                                    let _e4790 = phi_3488_;
+                                    if _e4790 {
+                                        phi_3492_ = false;
+                                    } else {
+                                        phi_3492_ = true;
+                                    }
+                                    let _e4792 = phi_3492_;
+                                    phi_3493_ = _e4786;
+                                    phi_3494_ = _e4761;
+                                    phi_3495_ = _e4765;
+                                    phi_3496_ = _e4767;
+                                    phi_3497_ = _e4769;
+                                    phi_3498_ = _e4790;
+                                    phi_3499_ = _e4792;
+                                    phi_3500_ = false;
+                                    phi_3501_ = false;
+                                    phi_3502_ = false;
+                                } else {
+                                    phi_3493_ = _e3768;
+                                    phi_3494_ = _e3770;
+                                    phi_3495_ = _e3772;
+                                    phi_3496_ = _e3774;
+                                    phi_3497_ = _e4759;
+                                    phi_3498_ = _e4773;
+                                    phi_3499_ = false;
+                                    phi_3500_ = _e4775;
+                                    phi_3501_ = _e4777;
+                                    phi_3502_ = _e4779;
+                                }
+                                let _e4794 = phi_3493_;
+                                let _e4796 = phi_3494_;
+                                let _e4798 = phi_3495_;
+                                let _e4800 = phi_3496_;
+                                let _e4802 = phi_3497_;
+                                let _e4804 = phi_3498_;
+                                let _e4806 = phi_3499_;
+                                let _e4808 = phi_3500_;
+                                let _e4810 = phi_3501_;
+                                let _e4812 = phi_3502_;
+                                phi_1835_ = _e4794;
+                                phi_1837_ = _e4796;
+                                phi_1839_ = _e4798;
+                                phi_1841_ = _e4800;
+                                phi_1843_ = _e4802;
+                                phi_3503_ = _e4761;
+                                phi_3504_ = _e4804;
+                                phi_3505_ = _e4806;
+                                phi_3506_ = false;
+                                phi_3507_ = _e4808;
+                                phi_3508_ = _e4810;
+                                phi_3509_ = _e4812;
                             } else {
                                 phi_1835_ = f32();
                                 phi_1837_ = f32();
                                 phi_1839_ = f32();
-                                phi_3461_ = f32();
-                                phi_3462_ = false;
-                                phi_3463_ = false;
-                                phi_3464_ = true;
-                                phi_3465_ = false;
-                                phi_3466_ = false;
-                                phi_3467_ = false;
+                                phi_1841_ = bool();
+                                phi_1843_ = u32();
+                                phi_3503_ = f32();
+                                phi_3504_ = false;
+                                phi_3505_ = false;
+                                phi_3506_ = true;
+                                phi_3507_ = false;
+                                phi_3508_ = false;
+                                phi_3509_ = false;
                             }
-                            let _e4724 = phi_1835_;
-                            let _e4726 = phi_1837_;
-                            let _e4728 = phi_1839_;
-                            let _e4730 = phi_3461_;
-                            let _e4732 = phi_3462_;
-                            let _e4734 = phi_3463_;
-                            let _e4736 = phi_3464_;
-                            let _e4738 = phi_3465_;
-                            let _e4740 = phi_3466_;
-                            let _e4742 = phi_3467_;
-                            local_25 = _e4734;
-                            local_43 = _e4730;
-                            local_45 = _e4736;
-                            local_46 = _e4738;
-                            local_47 = _e4740;
-                            local_48 = _e4742;
+                            let _e4814 = phi_1835_;
+                            let _e4816 = phi_1837_;
+                            let _e4818 = phi_1839_;
+                            let _e4820 = phi_1841_;
+                            let _e4822 = phi_1843_;
+                            let _e4824 = phi_3503_;
+                            let _e4826 = phi_3504_;
+                            let _e4828 = phi_3505_;
+                            let _e4830 = phi_3506_;
+                            let _e4832 = phi_3507_;
+                            let _e4834 = phi_3508_;
+                            let _e4836 = phi_3509_;
+                            local_25 = _e4828;
+                            local_43 = _e4824;
+                            local_45 = _e4830;
+                            local_46 = _e4832;
+                            local_47 = _e4834;
+                            local_48 = _e4836;
                             continue;
                             continuing {
-                                phi_1831_ = _e3737;
-                                phi_1834_ = _e4724;
-                                phi_1836_ = _e4726;
-                                phi_1838_ = _e4728;
-                                break if !(_e4732);
+                                phi_1831_ = _e3788;
+                                phi_1834_ = _e4814;
+                                phi_1836_ = _e4816;
+                                phi_1838_ = _e4818;
+                                phi_1840_ = _e4820;
+                                phi_1842_ = _e4822;
+                                break if !(_e4826);
                             }
                         }
-                        let _e4745 = local_25;
-                        if _e4745 {
-                            let _e6058 = local_43;
-                            phi_3471_ = _e6058;
-                            phi_3472_ = true;
-                            phi_3473_ = false;
-                            phi_3474_ = false;
-                            phi_3475_ = false;
+                        let _e4839 = local_25;
+                        if _e4839 {
+                            let _e6192 = local_43;
+                            phi_3513_ = _e6192;
+                            phi_3514_ = true;
+                            phi_3515_ = false;
+                            phi_3516_ = false;
+                            phi_3517_ = false;
                         } else {
-                            let _e6060 = local_44;
-                            phi_3471_ = _e6060;
-                            let _e6063 = local_45;
-                            phi_3472_ = _e6063;
-                            let _e6066 = local_46;
-                            phi_3473_ = _e6066;
-                            let _e6069 = local_47;
-                            phi_3474_ = _e6069;
-                            let _e6072 = local_48;
-                            phi_3475_ = _e6072;
+                            let _e6194 = local_44;
+                            phi_3513_ = _e6194;
+                            let _e6197 = local_45;
+                            phi_3514_ = _e6197;
+                            let _e6200 = local_46;
+                            phi_3515_ = _e6200;
+                            let _e6203 = local_47;
+                            phi_3516_ = _e6203;
+                            let _e6206 = local_48;
+                            phi_3517_ = _e6206;
                         }
-                        let _e4747 = phi_3471_;
-                        let _e4749 = phi_3472_;
-                        let _e4751 = phi_3473_;
-                        let _e4753 = phi_3474_;
-                        let _e4755 = phi_3475_;
-                        if _e4749 {
-                            phi_3480_ = type_35(1u, _e4747);
-                            phi_3481_ = false;
-                            phi_3482_ = false;
-                            phi_3483_ = false;
+                        let _e4841 = phi_3513_;
+                        let _e4843 = phi_3514_;
+                        let _e4845 = phi_3515_;
+                        let _e4847 = phi_3516_;
+                        let _e4849 = phi_3517_;
+                        if _e4843 {
+                            phi_3522_ = type_35(1u, _e4841);
+                            phi_3523_ = false;
+                            phi_3524_ = false;
+                            phi_3525_ = false;
                         } else {
-                            phi_3480_ = type_35();
-                            phi_3481_ = _e4751;
-                            phi_3482_ = _e4753;
-                            phi_3483_ = _e4755;
+                            phi_3522_ = type_35();
+                            phi_3523_ = _e4845;
+                            phi_3524_ = _e4847;
+                            phi_3525_ = _e4849;
                         }
-                        let _e4758 = phi_3480_;
-                        let _e4760 = phi_3481_;
-                        let _e4762 = phi_3482_;
-                        let _e4764 = phi_3483_;
-                        if _e4760 {
-                            let _e4766 = local_26;
-                            phi_3488_ = type_35(1u, _e4766);
-                            phi_3489_ = false;
-                            phi_3490_ = false;
+                        let _e4852 = phi_3522_;
+                        let _e4854 = phi_3523_;
+                        let _e4856 = phi_3524_;
+                        let _e4858 = phi_3525_;
+                        if _e4854 {
+                            let _e4860 = local_26;
+                            phi_3530_ = type_35(1u, _e4860);
+                            phi_3531_ = false;
+                            phi_3532_ = false;
                         } else {
-                            phi_3488_ = type_35();
-                            phi_3489_ = _e4762;
-                            phi_3490_ = _e4764;
+                            phi_3530_ = type_35();
+                            phi_3531_ = _e4856;
+                            phi_3532_ = _e4858;
                         }
-                        let _e4769 = phi_3488_;
-                        let _e4771 = phi_3489_;
-                        let _e4773 = phi_3490_;
-                        if _e4771 {
-                            phi_3495_ = type_35(0u, type_35().member_1);
-                            phi_3496_ = false;
-                            phi_3497_ = true;
+                        let _e4863 = phi_3530_;
+                        let _e4865 = phi_3531_;
+                        let _e4867 = phi_3532_;
+                        if _e4865 {
+                            phi_3537_ = type_35(0u, type_35().member_1);
+                            phi_3538_ = false;
+                            phi_3539_ = true;
                         } else {
-                            phi_3495_ = _e4769;
-                            phi_3496_ = _e4773;
-                            phi_3497_ = _e4760;
+                            phi_3537_ = _e4863;
+                            phi_3538_ = _e4867;
+                            phi_3539_ = _e4854;
                         }
-                        let _e4777 = phi_3495_;
-                        let _e4779 = phi_3496_;
-                        let _e4781 = phi_3497_;
-                        if _e4779 {
-                            phi_3502_ = type_35(0u, type_35().member_1);
-                            phi_3503_ = true;
+                        let _e4871 = phi_3537_;
+                        let _e4873 = phi_3538_;
+                        let _e4875 = phi_3539_;
+                        if _e4873 {
+                            phi_3544_ = type_35(0u, type_35().member_1);
+                            phi_3545_ = true;
                         } else {
-                            phi_3502_ = _e4777;
-                            phi_3503_ = _e4781;
+                            phi_3544_ = _e4871;
+                            phi_3545_ = _e4875;
                         }
-                        let _e4785 = phi_3502_;
-                        let _e4787 = phi_3503_;
-                        if _e4787 {
-                            phi_3507_ = _e4785;
+                        let _e4879 = phi_3544_;
+                        let _e4881 = phi_3545_;
+                        if _e4881 {
+                            phi_3549_ = _e4879;
                         } else {
-                            phi_3507_ = _e4758;
+                            phi_3549_ = _e4852;
                         }
-                        let _e4789 = phi_3507_;
-                        if (_e4789.member != 0u) {
+                        let _e4883 = phi_3549_;
+                        if (_e4883.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_3521_ = type_9(0u, 3u);
+                            phi_3563_ = type_9(0u, 3u);
                             loop {
-                                let _e4801 = phi_3521_;
-                                if (_e4801.member < _e4801.member_1) {
-                                    phi_3522_ = type_9((_e4801.member + 1u), _e4801.member_1);
-                                    phi_3545_ = type_9(1u, _e4801.member);
+                                let _e4895 = phi_3563_;
+                                if (_e4895.member < _e4895.member_1) {
+                                    phi_3564_ = type_9((_e4895.member + 1u), _e4895.member_1);
+                                    phi_3587_ = type_9(1u, _e4895.member);
                                 } else {
-                                    phi_3522_ = _e4801;
-                                    phi_3545_ = type_9(0u, type_9().member_1);
+                                    phi_3564_ = _e4895;
+                                    phi_3587_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e4813 = phi_3522_;
-                                let _e4815 = phi_3545_;
-                                if (bitcast<i32>(_e4815.member) != 0i) {
-                                    let _e4821 = local_11[_e4815.member_1];
-                                    let _e4822 = (_e4789.member_1 + _e4821);
-                                    if (_e4822 < 1f) {
-                                        phi_3565_ = _e4822;
+                                let _e4907 = phi_3564_;
+                                let _e4909 = phi_3587_;
+                                if (bitcast<i32>(_e4909.member) != 0i) {
+                                    let _e4915 = local_11[_e4909.member_1];
+                                    let _e4916 = (_e4883.member_1 + _e4915);
+                                    if (_e4916 < 1f) {
+                                        phi_3607_ = _e4916;
                                     } else {
-                                        phi_3565_ = 1f;
+                                        phi_3607_ = 1f;
                                     }
-                                    let _e4825 = phi_3565_;
-                                    let _e4828 = local_12.member[0u];
-                                    let _e4834 = local_12.member[1u];
-                                    let _e4850 = local_12.member_1[0u];
-                                    let _e4856 = local_12.member_1[1u];
-                                    let _e4872 = local_12.member_2[0u];
-                                    let _e4878 = local_12.member_2[1u];
-                                    let _e4892 = function_2(array<f32, 3>((_e4828[0] + ((_e4834[0] - _e4828[0]) * _e4825)), (_e4828[1] + ((_e4834[1] - _e4828[1]) * _e4825)), (_e4828[2] + ((_e4834[2] - _e4828[2]) * _e4825))), array<f32, 3>((_e4850[0] + ((_e4856[0] - _e4850[0]) * _e4825)), (_e4850[1] + ((_e4856[1] - _e4850[1]) * _e4825)), (_e4850[2] + ((_e4856[2] - _e4850[2]) * _e4825))), array<f32, 3>((_e4872[0] + ((_e4878[0] - _e4872[0]) * _e4825)), (_e4872[1] + ((_e4878[1] - _e4872[1]) * _e4825)), (_e4872[2] + ((_e4878[2] - _e4872[2]) * _e4825))), 1u);
-                                    let _e4903 = (((_e4892[0] * _e4892[0]) + (_e4892[1] * _e4892[1])) + (_e4892[2] * _e4892[2]));
-                                    if (_e4903 <= 0.000000000000000000000000000000000000011754944f) {
-                                        if (_e4903 > 0f) {
-                                            phi_3688_ = (0.000000000000000000106433627f * 2f);
+                                    let _e4919 = phi_3607_;
+                                    let _e4922 = local_12.member[0u];
+                                    let _e4928 = local_12.member[1u];
+                                    let _e4944 = local_12.member_1[0u];
+                                    let _e4950 = local_12.member_1[1u];
+                                    let _e4966 = local_12.member_2[0u];
+                                    let _e4972 = local_12.member_2[1u];
+                                    let _e4986 = function_2(array<f32, 3>((_e4922[0] + ((_e4928[0] - _e4922[0]) * _e4919)), (_e4922[1] + ((_e4928[1] - _e4922[1]) * _e4919)), (_e4922[2] + ((_e4928[2] - _e4922[2]) * _e4919))), array<f32, 3>((_e4944[0] + ((_e4950[0] - _e4944[0]) * _e4919)), (_e4944[1] + ((_e4950[1] - _e4944[1]) * _e4919)), (_e4944[2] + ((_e4950[2] - _e4944[2]) * _e4919))), array<f32, 3>((_e4966[0] + ((_e4972[0] - _e4966[0]) * _e4919)), (_e4966[1] + ((_e4972[1] - _e4966[1]) * _e4919)), (_e4966[2] + ((_e4972[2] - _e4966[2]) * _e4919))), 1u);
+                                    let _e4997 = (((_e4986[0] * _e4986[0]) + (_e4986[1] * _e4986[1])) + (_e4986[2] * _e4986[2]));
+                                    if (_e4997 <= 0.000000000000000000000000000000000000011754944f) {
+                                        if (_e4997 > 0f) {
+                                            phi_3730_ = (0.000000000000000000106433627f * 2f);
                                         } else {
-                                            phi_3688_ = 0f;
+                                            phi_3730_ = 0f;
                                         }
-                                        let _e4956 = phi_3688_;
-                                        phi_3752_ = _e4956;
+                                        let _e5050 = phi_3730_;
+                                        phi_3794_ = _e5050;
                                     } else {
-                                        phi_3695_ = type_14(0i, 5i);
-                                        phi_3698_ = bitcast<f32>(((bitcast<u32>(_e4903) >> bitcast<u32>(1i)) + 532369198u));
+                                        phi_3737_ = type_14(0i, 5i);
+                                        phi_3740_ = bitcast<f32>(((bitcast<u32>(_e4997) >> bitcast<u32>(1i)) + 532369198u));
                                         loop {
-                                            let _e4911 = phi_3695_;
-                                            let _e4913 = phi_3698_;
-                                            local_27 = _e4913;
-                                            if (_e4911.member < _e4911.member_1) {
-                                                let _e4920 = (_e4911.member + 1i);
-                                                if ((false == (_e4920 > _e4911.member)) != false) {
-                                                    phi_3719_ = true;
+                                            let _e5005 = phi_3737_;
+                                            let _e5007 = phi_3740_;
+                                            local_27 = _e5007;
+                                            if (_e5005.member < _e5005.member_1) {
+                                                let _e5014 = (_e5005.member + 1i);
+                                                if ((false == (_e5014 > _e5005.member)) != false) {
+                                                    phi_3761_ = true;
                                                 } else {
-                                                    phi_3719_ = false;
+                                                    phi_3761_ = false;
                                                 }
-                                                let _e4925 = phi_3719_;
-                                                if _e4925 {
-                                                    phi_3725_ = type_15(0u, type_15().member_1);
+                                                let _e5019 = phi_3761_;
+                                                if _e5019 {
+                                                    phi_3767_ = type_15(0u, type_15().member_1);
                                                 } else {
-                                                    phi_3725_ = type_15(1u, _e4920);
+                                                    phi_3767_ = type_15(1u, _e5014);
                                                 }
-                                                let _e4930 = phi_3725_;
-                                                phi_3696_ = type_14(_e4930.member_1, _e4911.member_1);
-                                                phi_3739_ = type_15(1u, _e4911.member);
+                                                let _e5024 = phi_3767_;
+                                                phi_3738_ = type_14(_e5024.member_1, _e5005.member_1);
+                                                phi_3781_ = type_15(1u, _e5005.member);
                                             } else {
-                                                phi_3696_ = _e4911;
-                                                phi_3739_ = type_15(0u, type_15().member_1);
+                                                phi_3738_ = _e5005;
+                                                phi_3781_ = type_15(0u, type_15().member_1);
                                             }
-                                            let _e4936 = phi_3696_;
-                                            let _e4938 = phi_3739_;
-                                            let _e4941 = (bitcast<i32>(_e4938.member) != 0i);
-                                            if _e4941 {
-                                                phi_3699_ = (0.5f * (_e4913 + (_e4903 / _e4913)));
+                                            let _e5030 = phi_3738_;
+                                            let _e5032 = phi_3781_;
+                                            let _e5035 = (bitcast<i32>(_e5032.member) != 0i);
+                                            if _e5035 {
+                                                phi_3741_ = (0.5f * (_e5007 + (_e4997 / _e5007)));
                                             } else {
-                                                phi_3699_ = f32();
+                                                phi_3741_ = f32();
                                             }
-                                            let _e4946 = phi_3699_;
+                                            let _e5040 = phi_3741_;
                                             continue;
                                             continuing {
-                                                phi_3695_ = _e4936;
-                                                phi_3698_ = _e4946;
-                                                break if !(_e4941);
+                                                phi_3737_ = _e5030;
+                                                phi_3740_ = _e5040;
+                                                break if !(_e5035);
                                             }
                                         }
-                                        let _e4951 = local_27;
-                                        phi_3752_ = (_e4951 * (1f + (8f * 0.000000059604645f)));
+                                        let _e5045 = local_27;
+                                        phi_3794_ = (_e5045 * (1f + (8f * 0.000000059604645f)));
                                     }
-                                    let _e4958 = phi_3752_;
-                                    let _e4964 = local_12.member[0u];
-                                    if (_e4964[0] < 0f) {
-                                        phi_3768_ = -(_e4964[0]);
+                                    let _e5052 = phi_3794_;
+                                    let _e5058 = local_12.member[0u];
+                                    if (_e5058[0] < 0f) {
+                                        phi_3810_ = -(_e5058[0]);
                                     } else {
-                                        phi_3768_ = _e4964[0];
+                                        phi_3810_ = _e5058[0];
                                     }
-                                    let _e4971 = phi_3768_;
-                                    if (_e4964[1] < 0f) {
-                                        phi_3775_ = -(_e4964[1]);
+                                    let _e5065 = phi_3810_;
+                                    if (_e5058[1] < 0f) {
+                                        phi_3817_ = -(_e5058[1]);
                                     } else {
-                                        phi_3775_ = _e4964[1];
+                                        phi_3817_ = _e5058[1];
                                     }
-                                    let _e4975 = phi_3775_;
-                                    if (_e4971 > _e4975) {
-                                        phi_3780_ = _e4971;
+                                    let _e5069 = phi_3817_;
+                                    if (_e5065 > _e5069) {
+                                        phi_3822_ = _e5065;
                                     } else {
-                                        phi_3780_ = _e4975;
+                                        phi_3822_ = _e5069;
                                     }
-                                    let _e4978 = phi_3780_;
-                                    if (_e4964[2] < 0f) {
-                                        phi_3787_ = -(_e4964[2]);
+                                    let _e5072 = phi_3822_;
+                                    if (_e5058[2] < 0f) {
+                                        phi_3829_ = -(_e5058[2]);
                                     } else {
-                                        phi_3787_ = _e4964[2];
+                                        phi_3829_ = _e5058[2];
                                     }
-                                    let _e4982 = phi_3787_;
-                                    if (_e4978 > _e4982) {
-                                        phi_3792_ = _e4978;
+                                    let _e5076 = phi_3829_;
+                                    if (_e5072 > _e5076) {
+                                        phi_3834_ = _e5072;
                                     } else {
-                                        phi_3792_ = _e4982;
+                                        phi_3834_ = _e5076;
                                     }
-                                    let _e4985 = phi_3792_;
-                                    let _e4988 = local_12.member[1u];
-                                    if (_e4988[0] < 0f) {
-                                        phi_3805_ = -(_e4988[0]);
+                                    let _e5079 = phi_3834_;
+                                    let _e5082 = local_12.member[1u];
+                                    if (_e5082[0] < 0f) {
+                                        phi_3847_ = -(_e5082[0]);
                                     } else {
-                                        phi_3805_ = _e4988[0];
+                                        phi_3847_ = _e5082[0];
                                     }
-                                    let _e4995 = phi_3805_;
-                                    if (_e4988[1] < 0f) {
-                                        phi_3812_ = -(_e4988[1]);
+                                    let _e5089 = phi_3847_;
+                                    if (_e5082[1] < 0f) {
+                                        phi_3854_ = -(_e5082[1]);
                                     } else {
-                                        phi_3812_ = _e4988[1];
+                                        phi_3854_ = _e5082[1];
                                     }
-                                    let _e4999 = phi_3812_;
-                                    if (_e4995 > _e4999) {
-                                        phi_3817_ = _e4995;
+                                    let _e5093 = phi_3854_;
+                                    if (_e5089 > _e5093) {
+                                        phi_3859_ = _e5089;
                                     } else {
-                                        phi_3817_ = _e4999;
+                                        phi_3859_ = _e5093;
                                     }
-                                    let _e5002 = phi_3817_;
-                                    if (_e4988[2] < 0f) {
-                                        phi_3824_ = -(_e4988[2]);
+                                    let _e5096 = phi_3859_;
+                                    if (_e5082[2] < 0f) {
+                                        phi_3866_ = -(_e5082[2]);
                                     } else {
-                                        phi_3824_ = _e4988[2];
+                                        phi_3866_ = _e5082[2];
                                     }
-                                    let _e5006 = phi_3824_;
-                                    if (_e5002 > _e5006) {
-                                        phi_3829_ = _e5002;
+                                    let _e5100 = phi_3866_;
+                                    if (_e5096 > _e5100) {
+                                        phi_3871_ = _e5096;
                                     } else {
-                                        phi_3829_ = _e5006;
+                                        phi_3871_ = _e5100;
                                     }
-                                    let _e5009 = phi_3829_;
-                                    if (_e4985 > _e5009) {
-                                        phi_3834_ = _e4985;
+                                    let _e5103 = phi_3871_;
+                                    if (_e5079 > _e5103) {
+                                        phi_3876_ = _e5079;
                                     } else {
-                                        phi_3834_ = _e5009;
+                                        phi_3876_ = _e5103;
                                     }
-                                    let _e5012 = phi_3834_;
-                                    let _e5014 = local_12.member_3;
-                                    let _e5018 = local_12.member_1[0u];
-                                    if (_e5018[0] < 0f) {
-                                        phi_3851_ = -(_e5018[0]);
+                                    let _e5106 = phi_3876_;
+                                    let _e5108 = local_12.member_3;
+                                    let _e5112 = local_12.member_1[0u];
+                                    if (_e5112[0] < 0f) {
+                                        phi_3893_ = -(_e5112[0]);
                                     } else {
-                                        phi_3851_ = _e5018[0];
+                                        phi_3893_ = _e5112[0];
                                     }
-                                    let _e5025 = phi_3851_;
-                                    if (_e5018[1] < 0f) {
-                                        phi_3858_ = -(_e5018[1]);
+                                    let _e5119 = phi_3893_;
+                                    if (_e5112[1] < 0f) {
+                                        phi_3900_ = -(_e5112[1]);
                                     } else {
-                                        phi_3858_ = _e5018[1];
+                                        phi_3900_ = _e5112[1];
                                     }
-                                    let _e5029 = phi_3858_;
-                                    if (_e5025 > _e5029) {
-                                        phi_3863_ = _e5025;
+                                    let _e5123 = phi_3900_;
+                                    if (_e5119 > _e5123) {
+                                        phi_3905_ = _e5119;
                                     } else {
-                                        phi_3863_ = _e5029;
+                                        phi_3905_ = _e5123;
                                     }
-                                    let _e5032 = phi_3863_;
-                                    if (_e5018[2] < 0f) {
-                                        phi_3870_ = -(_e5018[2]);
+                                    let _e5126 = phi_3905_;
+                                    if (_e5112[2] < 0f) {
+                                        phi_3912_ = -(_e5112[2]);
                                     } else {
-                                        phi_3870_ = _e5018[2];
+                                        phi_3912_ = _e5112[2];
                                     }
-                                    let _e5036 = phi_3870_;
-                                    if (_e5032 > _e5036) {
-                                        phi_3875_ = _e5032;
+                                    let _e5130 = phi_3912_;
+                                    if (_e5126 > _e5130) {
+                                        phi_3917_ = _e5126;
                                     } else {
-                                        phi_3875_ = _e5036;
+                                        phi_3917_ = _e5130;
                                     }
-                                    let _e5039 = phi_3875_;
-                                    let _e5042 = local_12.member_1[1u];
-                                    if (_e5042[0] < 0f) {
-                                        phi_3889_ = -(_e5042[0]);
+                                    let _e5133 = phi_3917_;
+                                    let _e5136 = local_12.member_1[1u];
+                                    if (_e5136[0] < 0f) {
+                                        phi_3931_ = -(_e5136[0]);
                                     } else {
-                                        phi_3889_ = _e5042[0];
+                                        phi_3931_ = _e5136[0];
                                     }
-                                    let _e5049 = phi_3889_;
-                                    if (_e5042[1] < 0f) {
-                                        phi_3896_ = -(_e5042[1]);
+                                    let _e5143 = phi_3931_;
+                                    if (_e5136[1] < 0f) {
+                                        phi_3938_ = -(_e5136[1]);
                                     } else {
-                                        phi_3896_ = _e5042[1];
+                                        phi_3938_ = _e5136[1];
                                     }
-                                    let _e5053 = phi_3896_;
-                                    if (_e5049 > _e5053) {
-                                        phi_3901_ = _e5049;
+                                    let _e5147 = phi_3938_;
+                                    if (_e5143 > _e5147) {
+                                        phi_3943_ = _e5143;
                                     } else {
-                                        phi_3901_ = _e5053;
+                                        phi_3943_ = _e5147;
                                     }
-                                    let _e5056 = phi_3901_;
-                                    if (_e5042[2] < 0f) {
-                                        phi_3908_ = -(_e5042[2]);
+                                    let _e5150 = phi_3943_;
+                                    if (_e5136[2] < 0f) {
+                                        phi_3950_ = -(_e5136[2]);
                                     } else {
-                                        phi_3908_ = _e5042[2];
+                                        phi_3950_ = _e5136[2];
                                     }
-                                    let _e5060 = phi_3908_;
-                                    if (_e5056 > _e5060) {
-                                        phi_3913_ = _e5056;
+                                    let _e5154 = phi_3950_;
+                                    if (_e5150 > _e5154) {
+                                        phi_3955_ = _e5150;
                                     } else {
-                                        phi_3913_ = _e5060;
+                                        phi_3955_ = _e5154;
                                     }
-                                    let _e5063 = phi_3913_;
-                                    if (_e5039 > _e5063) {
-                                        phi_3918_ = _e5039;
+                                    let _e5157 = phi_3955_;
+                                    if (_e5133 > _e5157) {
+                                        phi_3960_ = _e5133;
                                     } else {
-                                        phi_3918_ = _e5063;
+                                        phi_3960_ = _e5157;
                                     }
-                                    let _e5066 = phi_3918_;
-                                    let _e5068 = local_12.member_3;
-                                    let _e5072 = local_12.member_2[0u];
-                                    if (_e5072[0] < 0f) {
-                                        phi_3935_ = -(_e5072[0]);
+                                    let _e5160 = phi_3960_;
+                                    let _e5162 = local_12.member_3;
+                                    let _e5166 = local_12.member_2[0u];
+                                    if (_e5166[0] < 0f) {
+                                        phi_3977_ = -(_e5166[0]);
                                     } else {
-                                        phi_3935_ = _e5072[0];
+                                        phi_3977_ = _e5166[0];
                                     }
-                                    let _e5079 = phi_3935_;
-                                    if (_e5072[1] < 0f) {
-                                        phi_3942_ = -(_e5072[1]);
+                                    let _e5173 = phi_3977_;
+                                    if (_e5166[1] < 0f) {
+                                        phi_3984_ = -(_e5166[1]);
                                     } else {
-                                        phi_3942_ = _e5072[1];
+                                        phi_3984_ = _e5166[1];
                                     }
-                                    let _e5083 = phi_3942_;
-                                    if (_e5079 > _e5083) {
-                                        phi_3947_ = _e5079;
+                                    let _e5177 = phi_3984_;
+                                    if (_e5173 > _e5177) {
+                                        phi_3989_ = _e5173;
                                     } else {
-                                        phi_3947_ = _e5083;
+                                        phi_3989_ = _e5177;
                                     }
-                                    let _e5086 = phi_3947_;
-                                    if (_e5072[2] < 0f) {
-                                        phi_3954_ = -(_e5072[2]);
+                                    let _e5180 = phi_3989_;
+                                    if (_e5166[2] < 0f) {
+                                        phi_3996_ = -(_e5166[2]);
                                     } else {
-                                        phi_3954_ = _e5072[2];
+                                        phi_3996_ = _e5166[2];
                                     }
-                                    let _e5090 = phi_3954_;
-                                    if (_e5086 > _e5090) {
-                                        phi_3959_ = _e5086;
+                                    let _e5184 = phi_3996_;
+                                    if (_e5180 > _e5184) {
+                                        phi_4001_ = _e5180;
                                     } else {
-                                        phi_3959_ = _e5090;
+                                        phi_4001_ = _e5184;
                                     }
-                                    let _e5093 = phi_3959_;
-                                    let _e5096 = local_12.member_2[1u];
-                                    if (_e5096[0] < 0f) {
-                                        phi_3973_ = -(_e5096[0]);
+                                    let _e5187 = phi_4001_;
+                                    let _e5190 = local_12.member_2[1u];
+                                    if (_e5190[0] < 0f) {
+                                        phi_4015_ = -(_e5190[0]);
                                     } else {
-                                        phi_3973_ = _e5096[0];
+                                        phi_4015_ = _e5190[0];
                                     }
-                                    let _e5103 = phi_3973_;
-                                    if (_e5096[1] < 0f) {
-                                        phi_3980_ = -(_e5096[1]);
+                                    let _e5197 = phi_4015_;
+                                    if (_e5190[1] < 0f) {
+                                        phi_4022_ = -(_e5190[1]);
                                     } else {
-                                        phi_3980_ = _e5096[1];
+                                        phi_4022_ = _e5190[1];
                                     }
-                                    let _e5107 = phi_3980_;
-                                    if (_e5103 > _e5107) {
-                                        phi_3985_ = _e5103;
+                                    let _e5201 = phi_4022_;
+                                    if (_e5197 > _e5201) {
+                                        phi_4027_ = _e5197;
                                     } else {
-                                        phi_3985_ = _e5107;
+                                        phi_4027_ = _e5201;
                                     }
-                                    let _e5110 = phi_3985_;
-                                    if (_e5096[2] < 0f) {
-                                        phi_3992_ = -(_e5096[2]);
+                                    let _e5204 = phi_4027_;
+                                    if (_e5190[2] < 0f) {
+                                        phi_4034_ = -(_e5190[2]);
                                     } else {
-                                        phi_3992_ = _e5096[2];
+                                        phi_4034_ = _e5190[2];
                                     }
-                                    let _e5114 = phi_3992_;
-                                    if (_e5110 > _e5114) {
-                                        phi_3997_ = _e5110;
+                                    let _e5208 = phi_4034_;
+                                    if (_e5204 > _e5208) {
+                                        phi_4039_ = _e5204;
                                     } else {
-                                        phi_3997_ = _e5114;
+                                        phi_4039_ = _e5208;
                                     }
-                                    let _e5117 = phi_3997_;
-                                    if (_e5093 > _e5117) {
-                                        phi_4002_ = _e5093;
+                                    let _e5211 = phi_4039_;
+                                    if (_e5187 > _e5211) {
+                                        phi_4044_ = _e5187;
                                     } else {
-                                        phi_4002_ = _e5117;
+                                        phi_4044_ = _e5211;
                                     }
-                                    let _e5120 = phi_4002_;
-                                    let _e5122 = local_12.member_3;
-                                    let _e5129 = local_12.member_3;
-                                    let _e5136 = (((_e4958 * (1f + (0.000000059604645f * 8f))) + (((((((_e5012 + _e5014) + (_e5066 + _e5068)) + (_e5120 + _e5122)) * (0.000000059604645f * 16f)) + (_e5129 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1);
-                                    if _e5136 {
-                                        phi_4022_ = false;
+                                    let _e5214 = phi_4044_;
+                                    let _e5216 = local_12.member_3;
+                                    let _e5223 = local_12.member_3;
+                                    let _e5230 = (((_e5052 * (1f + (0.000000059604645f * 8f))) + (((((((_e5106 + _e5108) + (_e5160 + _e5162)) + (_e5214 + _e5216)) * (0.000000059604645f * 16f)) + (_e5223 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 4f)) <= _e455.member_1);
+                                    if _e5230 {
+                                        phi_4064_ = false;
                                     } else {
-                                        phi_4022_ = true;
+                                        phi_4064_ = true;
                                     }
-                                    let _e5138 = phi_4022_;
-                                    phi_4023_ = _e5138;
-                                    phi_4024_ = _e5136;
+                                    let _e5232 = phi_4064_;
+                                    phi_4065_ = _e5232;
+                                    phi_4066_ = _e5230;
                                 } else {
-                                    phi_4023_ = false;
-                                    phi_4024_ = false;
+                                    phi_4065_ = false;
+                                    phi_4066_ = false;
                                 }
-                                let _e5140 = phi_4023_;
-                                let _e5142 = phi_4024_;
-                                local_28 = _e5142;
+                                let _e5234 = phi_4065_;
+                                let _e5236 = phi_4066_;
+                                local_28 = _e5236;
                                 continue;
                                 continuing {
-                                    phi_3521_ = _e4813;
-                                    break if !(_e5140);
+                                    phi_3563_ = _e4907;
+                                    break if !(_e5234);
                                 }
                             }
-                            let _e5145 = local_28;
-                            if _e5145 {
-                                phi_4029_ = type_35(1u, _e4789.member_1);
-                                phi_4030_ = false;
+                            let _e5239 = local_28;
+                            if _e5239 {
+                                phi_4071_ = type_35(1u, _e4883.member_1);
+                                phi_4072_ = false;
                             } else {
-                                phi_4029_ = type_35();
-                                phi_4030_ = true;
+                                phi_4071_ = type_35();
+                                phi_4072_ = true;
                             }
-                            let _e5148 = phi_4029_;
-                            let _e5150 = phi_4030_;
-                            if _e5150 {
-                                phi_4035_ = type_35(2u, _e4789.member_1);
-                                phi_4036_ = false;
+                            let _e5242 = phi_4071_;
+                            let _e5244 = phi_4072_;
+                            if _e5244 {
+                                phi_4077_ = type_35(2u, _e4883.member_1);
+                                phi_4078_ = false;
                             } else {
-                                phi_4035_ = type_35();
-                                phi_4036_ = true;
+                                phi_4077_ = type_35();
+                                phi_4078_ = true;
                             }
-                            let _e5153 = phi_4035_;
-                            let _e5155 = phi_4036_;
-                            phi_4038_ = _e5153;
-                            phi_4039_ = _e5148;
-                            phi_4040_ = _e5155;
+                            let _e5247 = phi_4077_;
+                            let _e5249 = phi_4078_;
+                            phi_4080_ = _e5247;
+                            phi_4081_ = _e5242;
+                            phi_4082_ = _e5249;
                         } else {
-                            phi_4038_ = type_35();
-                            phi_4039_ = type_35(0u, type_35().member_1);
-                            phi_4040_ = true;
+                            phi_4080_ = type_35();
+                            phi_4081_ = type_35(0u, type_35().member_1);
+                            phi_4082_ = true;
                         }
-                        let _e5157 = phi_4038_;
-                        let _e5159 = phi_4039_;
-                        let _e5161 = phi_4040_;
-                        if _e5161 {
-                            phi_4044_ = _e5159;
+                        let _e5251 = phi_4080_;
+                        let _e5253 = phi_4081_;
+                        let _e5255 = phi_4082_;
+                        if _e5255 {
+                            phi_4086_ = _e5253;
                         } else {
-                            phi_4044_ = _e5157;
+                            phi_4086_ = _e5251;
                         }
-                        let _e5163 = phi_4044_;
-                        phi_7926_ = _e5163;
+                        let _e5257 = phi_4086_;
+                        phi_8010_ = _e5257;
                     } else {
                         if (_e593 < 0f) {
-                            phi_4054_ = -(_e593);
+                            phi_4096_ = -(_e593);
                         } else {
-                            phi_4054_ = _e593;
+                            phi_4096_ = _e593;
                         }
-                        let _e936 = phi_4054_;
+                        let _e936 = phi_4096_;
                         if (_e616 < 0f) {
-                            phi_4060_ = -(_e616);
+                            phi_4102_ = -(_e616);
                         } else {
-                            phi_4060_ = _e616;
+                            phi_4102_ = _e616;
                         }
-                        let _e940 = phi_4060_;
+                        let _e940 = phi_4102_;
                         if (_e936 > _e940) {
-                            phi_4065_ = _e936;
+                            phi_4107_ = _e936;
                         } else {
-                            phi_4065_ = _e940;
+                            phi_4107_ = _e940;
                         }
-                        let _e943 = phi_4065_;
+                        let _e943 = phi_4107_;
                         if (_e639 < 0f) {
-                            phi_4071_ = -(_e639);
+                            phi_4113_ = -(_e639);
                         } else {
-                            phi_4071_ = _e639;
+                            phi_4113_ = _e639;
                         }
-                        let _e947 = phi_4071_;
+                        let _e947 = phi_4113_;
                         if (_e650 < 0f) {
-                            phi_4077_ = -(_e650);
+                            phi_4119_ = -(_e650);
                         } else {
-                            phi_4077_ = _e650;
+                            phi_4119_ = _e650;
                         }
-                        let _e951 = phi_4077_;
+                        let _e951 = phi_4119_;
                         if (_e947 > _e951) {
-                            phi_4082_ = _e947;
+                            phi_4124_ = _e947;
                         } else {
-                            phi_4082_ = _e951;
+                            phi_4124_ = _e951;
                         }
-                        let _e954 = phi_4082_;
+                        let _e954 = phi_4124_;
                         if (_e943 > _e954) {
-                            phi_4087_ = _e943;
+                            phi_4129_ = _e943;
                         } else {
-                            phi_4087_ = _e954;
+                            phi_4129_ = _e954;
                         }
-                        let _e957 = phi_4087_;
+                        let _e957 = phi_4129_;
                         let _e958 = (0.000000000000000000000000000000000000011754944f * 67108864f);
                         if (_e957 >= _e958) {
-                            phi_4095_ = (_e957 <= (1f / _e958));
+                            phi_4137_ = (_e957 <= (1f / _e958));
                         } else {
-                            phi_4095_ = false;
+                            phi_4137_ = false;
                         }
-                        let _e963 = phi_4095_;
+                        let _e963 = phi_4137_;
                         if _e963 {
-                            phi_4100_ = (0.000000059604645f * 256f);
+                            phi_4142_ = (0.000000059604645f * 256f);
                         } else {
-                            phi_4100_ = 2f;
+                            phi_4142_ = 2f;
                         }
-                        let _e966 = phi_4100_;
+                        let _e966 = phi_4142_;
                         let _e968 = ((_e900 * 0.34f) + (_e957 * _e966));
                         if _e963 {
-                            phi_4107_ = (1f / _e957);
+                            phi_4149_ = (1f / _e957);
                         } else {
-                            phi_4107_ = 0f;
+                            phi_4149_ = 0f;
                         }
-                        let _e971 = phi_4107_;
+                        let _e971 = phi_4149_;
                         let _e977 = ((_e616 - (3f * _e593)) * _e971);
                         let _e978 = ((_e639 - _e616) * _e971);
                         let _e979 = (((3f * _e650) - _e639) * _e971);
@@ -3634,65 +3750,65 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e986 > 0f) {
                             if (_e986 <= 0.000000000000000000000000000000000000011754944f) {
                                 if (_e986 > 0f) {
-                                    phi_4140_ = (0.000000000000000000106433627f * 2f);
+                                    phi_4182_ = (0.000000000000000000106433627f * 2f);
                                 } else {
-                                    phi_4140_ = 0f;
+                                    phi_4182_ = 0f;
                                 }
-                                let _e1040 = phi_4140_;
-                                phi_4204_ = _e1040;
+                                let _e1040 = phi_4182_;
+                                phi_4246_ = _e1040;
                             } else {
-                                phi_4147_ = type_14(0i, 5i);
-                                phi_4150_ = bitcast<f32>(((bitcast<u32>(_e986) >> bitcast<u32>(1i)) + 532369198u));
+                                phi_4189_ = type_14(0i, 5i);
+                                phi_4192_ = bitcast<f32>(((bitcast<u32>(_e986) >> bitcast<u32>(1i)) + 532369198u));
                                 loop {
-                                    let _e995 = phi_4147_;
-                                    let _e997 = phi_4150_;
+                                    let _e995 = phi_4189_;
+                                    let _e997 = phi_4192_;
                                     local_13 = _e997;
                                     if (_e995.member < _e995.member_1) {
                                         let _e1004 = (_e995.member + 1i);
                                         if ((false == (_e1004 > _e995.member)) != false) {
-                                            phi_4171_ = true;
+                                            phi_4213_ = true;
                                         } else {
-                                            phi_4171_ = false;
+                                            phi_4213_ = false;
                                         }
-                                        let _e1009 = phi_4171_;
+                                        let _e1009 = phi_4213_;
                                         if _e1009 {
-                                            phi_4177_ = type_15(0u, type_15().member_1);
+                                            phi_4219_ = type_15(0u, type_15().member_1);
                                         } else {
-                                            phi_4177_ = type_15(1u, _e1004);
+                                            phi_4219_ = type_15(1u, _e1004);
                                         }
-                                        let _e1014 = phi_4177_;
-                                        phi_4148_ = type_14(_e1014.member_1, _e995.member_1);
-                                        phi_4191_ = type_15(1u, _e995.member);
+                                        let _e1014 = phi_4219_;
+                                        phi_4190_ = type_14(_e1014.member_1, _e995.member_1);
+                                        phi_4233_ = type_15(1u, _e995.member);
                                     } else {
-                                        phi_4148_ = _e995;
-                                        phi_4191_ = type_15(0u, type_15().member_1);
+                                        phi_4190_ = _e995;
+                                        phi_4233_ = type_15(0u, type_15().member_1);
                                     }
-                                    let _e1020 = phi_4148_;
-                                    let _e1022 = phi_4191_;
+                                    let _e1020 = phi_4190_;
+                                    let _e1022 = phi_4233_;
                                     let _e1025 = (bitcast<i32>(_e1022.member) != 0i);
                                     if _e1025 {
-                                        phi_4151_ = (0.5f * (_e997 + (_e986 / _e997)));
+                                        phi_4193_ = (0.5f * (_e997 + (_e986 / _e997)));
                                     } else {
-                                        phi_4151_ = f32();
+                                        phi_4193_ = f32();
                                     }
-                                    let _e1030 = phi_4151_;
+                                    let _e1030 = phi_4193_;
                                     continue;
                                     continuing {
-                                        phi_4147_ = _e1020;
-                                        phi_4150_ = _e1030;
+                                        phi_4189_ = _e1020;
+                                        phi_4192_ = _e1030;
                                         break if !(_e1025);
                                     }
                                 }
                                 let _e1035 = local_13;
-                                phi_4204_ = (_e1035 * (1f + (8f * 0.000000059604645f)));
+                                phi_4246_ = (_e1035 * (1f + (8f * 0.000000059604645f)));
                             }
-                            let _e1042 = phi_4204_;
+                            let _e1042 = phi_4246_;
                             if (_e978 < 0f) {
-                                phi_4210_ = -(_e1042);
+                                phi_4252_ = -(_e1042);
                             } else {
-                                phi_4210_ = _e1042;
+                                phi_4252_ = _e1042;
                             }
-                            let _e1046 = phi_4210_;
+                            let _e1046 = phi_4252_;
                             let _e1048 = -((_e978 + _e1046));
                             local_7[0u] = (_e1048 / (_e1048 + _e979));
                             local_7[1u] = (_e977 / (_e977 + _e1048));
@@ -3704,21 +3820,21 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1061;
                                 local_7[1u] = _e1063;
                             }
-                            phi_4235_ = type_9(0u, 2u);
-                            phi_4238_ = 1u;
+                            phi_4277_ = type_9(0u, 2u);
+                            phi_4280_ = 1u;
                             loop {
-                                let _e1067 = phi_4235_;
-                                let _e1069 = phi_4238_;
+                                let _e1067 = phi_4277_;
+                                let _e1069 = phi_4280_;
                                 local_29 = _e1069;
                                 if (_e1067.member < _e1067.member_1) {
-                                    phi_4236_ = type_9((_e1067.member + 1u), _e1067.member_1);
-                                    phi_4261_ = type_9(1u, _e1067.member);
+                                    phi_4278_ = type_9((_e1067.member + 1u), _e1067.member_1);
+                                    phi_4303_ = type_9(1u, _e1067.member);
                                 } else {
-                                    phi_4236_ = _e1067;
-                                    phi_4261_ = type_9(0u, type_9().member_1);
+                                    phi_4278_ = _e1067;
+                                    phi_4303_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1081 = phi_4236_;
-                                let _e1083 = phi_4261_;
+                                let _e1081 = phi_4278_;
+                                let _e1083 = phi_4303_;
                                 let _e1087 = (bitcast<i32>(_e1083.member) != 0i);
                                 if _e1087 {
                                     let _e1089 = local_7[_e1083.member_1];
@@ -3727,49 +3843,49 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1092 < 1f) {
                                             let _e1095 = local_7[_e1083.member_1];
                                             local_6[_e1069] = _e1095;
-                                            phi_4305_ = (_e1069 + 1u);
+                                            phi_4347_ = (_e1069 + 1u);
                                         } else {
-                                            phi_4305_ = _e1069;
+                                            phi_4347_ = _e1069;
                                         }
-                                        let _e1099 = phi_4305_;
-                                        phi_4306_ = _e1099;
+                                        let _e1099 = phi_4347_;
+                                        phi_4348_ = _e1099;
                                     } else {
-                                        phi_4306_ = _e1069;
+                                        phi_4348_ = _e1069;
                                     }
-                                    let _e1101 = phi_4306_;
-                                    phi_4239_ = _e1101;
+                                    let _e1101 = phi_4348_;
+                                    phi_4281_ = _e1101;
                                 } else {
-                                    phi_4239_ = u32();
+                                    phi_4281_ = u32();
                                 }
-                                let _e1103 = phi_4239_;
+                                let _e1103 = phi_4281_;
                                 continue;
                                 continuing {
-                                    phi_4235_ = _e1081;
-                                    phi_4238_ = _e1103;
+                                    phi_4277_ = _e1081;
+                                    phi_4280_ = _e1103;
                                     break if !(_e1087);
                                 }
                             }
-                            let _e5423 = local_29;
-                            phi_4307_ = _e5423;
+                            let _e5517 = local_29;
+                            phi_4349_ = _e5517;
                         } else {
-                            phi_4307_ = 1u;
+                            phi_4349_ = 1u;
                         }
-                        let _e1106 = phi_4307_;
+                        let _e1106 = phi_4349_;
                         local_6[_e1106] = 1f;
                         let _e1108 = local_6;
                         local_8 = _e1108;
-                        phi_4327_ = type_9(0u, _e1106);
+                        phi_4369_ = type_9(0u, _e1106);
                         loop {
-                            let _e1111 = phi_4327_;
+                            let _e1111 = phi_4369_;
                             if (_e1111.member < _e1111.member_1) {
-                                phi_4328_ = type_9((_e1111.member + 1u), _e1111.member_1);
-                                phi_4351_ = type_9(1u, _e1111.member);
+                                phi_4370_ = type_9((_e1111.member + 1u), _e1111.member_1);
+                                phi_4393_ = type_9(1u, _e1111.member);
                             } else {
-                                phi_4328_ = _e1111;
-                                phi_4351_ = type_9(0u, type_9().member_1);
+                                phi_4370_ = _e1111;
+                                phi_4393_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1123 = phi_4328_;
-                            let _e1125 = phi_4351_;
+                            let _e1123 = phi_4370_;
+                            let _e1125 = phi_4393_;
                             if (bitcast<i32>(_e1125.member) != 0i) {
                                 let _e1131 = local_8[_e1125.member_1];
                                 let _e1134 = local_8[(_e1125.member_1 + 1u)];
@@ -3778,322 +3894,322 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1147 = (1f - _e1134);
                                 let _e1158 = ((((_e593 * _e1147) + (_e616 * _e1134)) * (_e1147 * _e1147)) + (((_e639 * _e1147) + (_e650 * _e1134)) * (_e1134 * _e1134)));
                                 if (_e1146 < 0f) {
-                                    phi_4403_ = -(_e1146);
+                                    phi_4445_ = -(_e1146);
                                 } else {
-                                    phi_4403_ = _e1146;
+                                    phi_4445_ = _e1146;
                                 }
-                                let _e1162 = phi_4403_;
+                                let _e1162 = phi_4445_;
                                 let _e1163 = (_e1162 > _e968);
                                 if (_e1158 < 0f) {
-                                    phi_4410_ = -(_e1158);
+                                    phi_4452_ = -(_e1158);
                                 } else {
-                                    phi_4410_ = _e1158;
+                                    phi_4452_ = _e1158;
                                 }
-                                let _e1167 = phi_4410_;
+                                let _e1167 = phi_4452_;
                                 let _e1168 = (_e1167 > _e968);
                                 if _e1163 {
                                     if _e1168 {
-                                        phi_4421_ = ((_e1146 > 0f) != (_e1158 > 0f));
-                                        phi_4422_ = false;
+                                        phi_4463_ = ((_e1146 > 0f) != (_e1158 > 0f));
+                                        phi_4464_ = false;
                                     } else {
-                                        phi_4421_ = bool();
-                                        phi_4422_ = true;
+                                        phi_4463_ = bool();
+                                        phi_4464_ = true;
                                     }
-                                    let _e1173 = phi_4421_;
-                                    let _e1175 = phi_4422_;
-                                    phi_4423_ = _e1173;
-                                    phi_4424_ = _e1175;
+                                    let _e1173 = phi_4463_;
+                                    let _e1175 = phi_4464_;
+                                    phi_4465_ = _e1173;
+                                    phi_4466_ = _e1175;
                                 } else {
-                                    phi_4423_ = bool();
-                                    phi_4424_ = true;
+                                    phi_4465_ = bool();
+                                    phi_4466_ = true;
                                 }
-                                let _e1177 = phi_4423_;
-                                let _e1179 = phi_4424_;
+                                let _e1177 = phi_4465_;
+                                let _e1179 = phi_4466_;
                                 if _e1179 {
-                                    phi_4428_ = false;
+                                    phi_4470_ = false;
                                 } else {
-                                    phi_4428_ = _e1177;
+                                    phi_4470_ = _e1177;
                                 }
-                                let _e1181 = phi_4428_;
+                                let _e1181 = phi_4470_;
                                 if _e1163 {
                                     if _e1168 {
                                         if _e1181 {
-                                            phi_4439_ = type_37();
+                                            phi_4481_ = type_37();
                                         } else {
-                                            phi_4439_ = type_37(1f, 0f, _e1181);
+                                            phi_4481_ = type_37(1f, 0f, _e1181);
                                         }
-                                        let _e1184 = phi_4439_;
-                                        phi_4440_ = _e1184;
-                                        phi_4441_ = _e1181;
+                                        let _e1184 = phi_4481_;
+                                        phi_4482_ = _e1184;
+                                        phi_4483_ = _e1181;
                                     } else {
-                                        phi_4440_ = type_37();
-                                        phi_4441_ = true;
+                                        phi_4482_ = type_37();
+                                        phi_4483_ = true;
                                     }
-                                    let _e1186 = phi_4440_;
-                                    let _e1188 = phi_4441_;
-                                    phi_4442_ = _e1186;
-                                    phi_4443_ = _e1188;
+                                    let _e1186 = phi_4482_;
+                                    let _e1188 = phi_4483_;
+                                    phi_4484_ = _e1186;
+                                    phi_4485_ = _e1188;
                                 } else {
-                                    phi_4442_ = type_37();
-                                    phi_4443_ = true;
+                                    phi_4484_ = type_37();
+                                    phi_4485_ = true;
                                 }
-                                let _e1190 = phi_4442_;
-                                let _e1192 = phi_4443_;
+                                let _e1190 = phi_4484_;
+                                let _e1192 = phi_4485_;
                                 if _e1192 {
                                     if _e1163 {
                                         if (_e1146 < 0f) {
-                                            phi_4454_ = -1f;
+                                            phi_4496_ = -1f;
                                         } else {
-                                            phi_4454_ = 1f;
+                                            phi_4496_ = 1f;
                                         }
-                                        let _e1195 = phi_4454_;
+                                        let _e1195 = phi_4496_;
                                         let _e1198 = (_e639 - _e616);
-                                        phi_4464_ = type_9(0u, 64u);
-                                        phi_4467_ = _e1134;
-                                        phi_4469_ = _e1131;
-                                        phi_4471_ = (0.5f * (_e1131 + _e1134));
+                                        phi_4506_ = type_9(0u, 64u);
+                                        phi_4509_ = _e1134;
+                                        phi_4511_ = _e1131;
+                                        phi_4513_ = (0.5f * (_e1131 + _e1134));
                                         loop {
-                                            let _e1204 = phi_4464_;
-                                            let _e1206 = phi_4467_;
-                                            let _e1208 = phi_4469_;
-                                            let _e1210 = phi_4471_;
+                                            let _e1204 = phi_4506_;
+                                            let _e1206 = phi_4509_;
+                                            let _e1208 = phi_4511_;
+                                            let _e1210 = phi_4513_;
                                             local_31 = _e1208;
                                             if (_e1204.member < _e1204.member_1) {
-                                                phi_4465_ = type_9((_e1204.member + 1u), _e1204.member_1);
-                                                phi_4494_ = type_9(1u, _e1204.member);
+                                                phi_4507_ = type_9((_e1204.member + 1u), _e1204.member_1);
+                                                phi_4536_ = type_9(1u, _e1204.member);
                                             } else {
-                                                phi_4465_ = _e1204;
-                                                phi_4494_ = type_9(0u, type_9().member_1);
+                                                phi_4507_ = _e1204;
+                                                phi_4536_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1222 = phi_4465_;
-                                            let _e1224 = phi_4494_;
+                                            let _e1222 = phi_4507_;
+                                            let _e1224 = phi_4536_;
                                             if (bitcast<i32>(_e1224.member) != 0i) {
                                                 let _e1228 = (1f - _e1210);
                                                 let _e1241 = ((_e1195 * ((((_e593 * _e1228) + (_e616 * _e1210)) * (_e1228 * _e1228)) + (((_e639 * _e1228) + (_e650 * _e1210)) * (_e1210 * _e1210)))) - _e968);
                                                 if (_e1241 > 0f) {
-                                                    phi_4519_ = _e1206;
-                                                    phi_4520_ = _e1210;
+                                                    phi_4561_ = _e1206;
+                                                    phi_4562_ = _e1210;
                                                 } else {
-                                                    phi_4519_ = _e1210;
-                                                    phi_4520_ = _e1208;
+                                                    phi_4561_ = _e1210;
+                                                    phi_4562_ = _e1208;
                                                 }
-                                                let _e1244 = phi_4519_;
-                                                let _e1246 = phi_4520_;
+                                                let _e1244 = phi_4561_;
+                                                let _e1246 = phi_4562_;
                                                 let _e1248 = ((_e1244 - _e1246) > 0.00000000000022737368f);
                                                 if _e1248 {
                                                     let _e1249 = (1f - _e1210);
                                                     let _e1261 = (-(_e1241) / (_e1195 * (((((_e616 - (3f * _e593)) * _e1249) + (_e1198 * _e1210)) * _e1249) + (((_e1198 * _e1249) + (((3f * _e650) - _e639) * _e1210)) * _e1210))));
                                                     if (_e1241 > 0f) {
-                                                        phi_4546_ = (0.5f * 0.00000000000022737368f);
+                                                        phi_4588_ = (0.5f * 0.00000000000022737368f);
                                                     } else {
-                                                        phi_4546_ = -((0.5f * 0.00000000000022737368f));
+                                                        phi_4588_ = -((0.5f * 0.00000000000022737368f));
                                                     }
-                                                    let _e1267 = phi_4546_;
+                                                    let _e1267 = phi_4588_;
                                                     let _e1269 = ((_e1210 + _e1261) + _e1267);
                                                     if (_e1269 > _e1246) {
                                                         if (_e1269 < _e1244) {
                                                             if (_e1261 < 0f) {
-                                                                phi_4562_ = -(_e1261);
+                                                                phi_4604_ = -(_e1261);
                                                             } else {
-                                                                phi_4562_ = _e1261;
+                                                                phi_4604_ = _e1261;
                                                             }
-                                                            let _e1275 = phi_4562_;
+                                                            let _e1275 = phi_4604_;
                                                             if (_e1275 < (0.5f * (_e1244 - _e1246))) {
-                                                                phi_4569_ = false;
+                                                                phi_4611_ = false;
                                                             } else {
-                                                                phi_4569_ = true;
+                                                                phi_4611_ = true;
                                                             }
-                                                            let _e1280 = phi_4569_;
-                                                            phi_4570_ = _e1280;
+                                                            let _e1280 = phi_4611_;
+                                                            phi_4612_ = _e1280;
                                                         } else {
-                                                            phi_4570_ = true;
+                                                            phi_4612_ = true;
                                                         }
-                                                        let _e1282 = phi_4570_;
-                                                        phi_4571_ = _e1282;
+                                                        let _e1282 = phi_4612_;
+                                                        phi_4613_ = _e1282;
                                                     } else {
-                                                        phi_4571_ = true;
+                                                        phi_4613_ = true;
                                                     }
-                                                    let _e1284 = phi_4571_;
+                                                    let _e1284 = phi_4613_;
                                                     if _e1284 {
-                                                        phi_4577_ = (0.5f * (_e1246 + _e1244));
+                                                        phi_4619_ = (0.5f * (_e1246 + _e1244));
                                                     } else {
-                                                        phi_4577_ = _e1269;
+                                                        phi_4619_ = _e1269;
                                                     }
-                                                    let _e1288 = phi_4577_;
-                                                    phi_4578_ = _e1288;
-                                                    phi_4579_ = false;
+                                                    let _e1288 = phi_4619_;
+                                                    phi_4620_ = _e1288;
+                                                    phi_4621_ = false;
                                                 } else {
-                                                    phi_4578_ = f32();
-                                                    phi_4579_ = true;
+                                                    phi_4620_ = f32();
+                                                    phi_4621_ = true;
                                                 }
-                                                let _e1290 = phi_4578_;
-                                                let _e1292 = phi_4579_;
-                                                phi_4468_ = _e1244;
-                                                phi_4470_ = _e1246;
-                                                phi_4472_ = _e1290;
-                                                phi_4580_ = _e1246;
-                                                phi_4581_ = _e1248;
-                                                phi_4582_ = _e1292;
+                                                let _e1290 = phi_4620_;
+                                                let _e1292 = phi_4621_;
+                                                phi_4510_ = _e1244;
+                                                phi_4512_ = _e1246;
+                                                phi_4514_ = _e1290;
+                                                phi_4622_ = _e1246;
+                                                phi_4623_ = _e1248;
+                                                phi_4624_ = _e1292;
                                             } else {
-                                                phi_4468_ = f32();
-                                                phi_4470_ = f32();
-                                                phi_4472_ = f32();
-                                                phi_4580_ = f32();
-                                                phi_4581_ = false;
-                                                phi_4582_ = false;
+                                                phi_4510_ = f32();
+                                                phi_4512_ = f32();
+                                                phi_4514_ = f32();
+                                                phi_4622_ = f32();
+                                                phi_4623_ = false;
+                                                phi_4624_ = false;
                                             }
-                                            let _e1294 = phi_4468_;
-                                            let _e1296 = phi_4470_;
-                                            let _e1298 = phi_4472_;
-                                            let _e1300 = phi_4580_;
-                                            let _e1302 = phi_4581_;
-                                            let _e1304 = phi_4582_;
+                                            let _e1294 = phi_4510_;
+                                            let _e1296 = phi_4512_;
+                                            let _e1298 = phi_4514_;
+                                            let _e1300 = phi_4622_;
+                                            let _e1302 = phi_4623_;
+                                            let _e1304 = phi_4624_;
                                             local_14 = _e1304;
                                             local_30 = _e1300;
                                             continue;
                                             continuing {
-                                                phi_4464_ = _e1222;
-                                                phi_4467_ = _e1294;
-                                                phi_4469_ = _e1296;
-                                                phi_4471_ = _e1298;
+                                                phi_4506_ = _e1222;
+                                                phi_4509_ = _e1294;
+                                                phi_4511_ = _e1296;
+                                                phi_4513_ = _e1298;
                                                 break if !(_e1302);
                                             }
                                         }
                                         let _e1307 = local_14;
                                         if _e1307 {
-                                            let _e5465 = local_30;
-                                            phi_4586_ = _e5465;
+                                            let _e5559 = local_30;
+                                            phi_4628_ = _e5559;
                                         } else {
-                                            let _e5467 = local_31;
-                                            phi_4586_ = _e5467;
+                                            let _e5561 = local_31;
+                                            phi_4628_ = _e5561;
                                         }
-                                        let _e1309 = phi_4586_;
-                                        phi_4587_ = _e1309;
+                                        let _e1309 = phi_4628_;
+                                        phi_4629_ = _e1309;
                                     } else {
-                                        phi_4587_ = _e1131;
+                                        phi_4629_ = _e1131;
                                     }
-                                    let _e1311 = phi_4587_;
+                                    let _e1311 = phi_4629_;
                                     if _e1168 {
                                         if (_e1158 < 0f) {
-                                            phi_4595_ = -1f;
+                                            phi_4637_ = -1f;
                                         } else {
-                                            phi_4595_ = 1f;
+                                            phi_4637_ = 1f;
                                         }
-                                        let _e1314 = phi_4595_;
-                                        phi_4599_ = type_9(0u, 64u);
-                                        phi_4602_ = (2f * 0.00000000000022737368f);
+                                        let _e1314 = phi_4637_;
+                                        phi_4641_ = type_9(0u, 64u);
+                                        phi_4644_ = (2f * 0.00000000000022737368f);
                                         loop {
-                                            let _e1317 = phi_4599_;
-                                            let _e1319 = phi_4602_;
+                                            let _e1317 = phi_4641_;
+                                            let _e1319 = phi_4644_;
                                             if (_e1317.member < _e1317.member_1) {
-                                                phi_4600_ = type_9((_e1317.member + 1u), _e1317.member_1);
-                                                phi_4625_ = type_9(1u, _e1317.member);
+                                                phi_4642_ = type_9((_e1317.member + 1u), _e1317.member_1);
+                                                phi_4667_ = type_9(1u, _e1317.member);
                                             } else {
-                                                phi_4600_ = _e1317;
-                                                phi_4625_ = type_9(0u, type_9().member_1);
+                                                phi_4642_ = _e1317;
+                                                phi_4667_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1331 = phi_4600_;
-                                            let _e1333 = phi_4625_;
+                                            let _e1331 = phi_4642_;
+                                            let _e1333 = phi_4667_;
                                             if (bitcast<i32>(_e1333.member) != 0i) {
                                                 let _e1337 = (_e1311 + _e1319);
                                                 if (_e1337 < _e1134) {
                                                     let _e1339 = (1f - _e1337);
                                                     let _e1352 = ((_e1314 * ((((_e593 * _e1339) + (_e616 * _e1337)) * (_e1339 * _e1339)) + (((_e639 * _e1339) + (_e650 * _e1337)) * (_e1337 * _e1337)))) > _e968);
                                                     if _e1352 {
-                                                        phi_4655_ = f32();
-                                                        phi_4656_ = false;
+                                                        phi_4697_ = f32();
+                                                        phi_4698_ = false;
                                                     } else {
-                                                        phi_4655_ = (_e1319 + _e1319);
-                                                        phi_4656_ = true;
+                                                        phi_4697_ = (_e1319 + _e1319);
+                                                        phi_4698_ = true;
                                                     }
-                                                    let _e1355 = phi_4655_;
-                                                    let _e1357 = phi_4656_;
-                                                    phi_4657_ = _e1355;
-                                                    phi_4658_ = _e1357;
-                                                    phi_4659_ = _e1352;
-                                                    phi_4660_ = false;
+                                                    let _e1355 = phi_4697_;
+                                                    let _e1357 = phi_4698_;
+                                                    phi_4699_ = _e1355;
+                                                    phi_4700_ = _e1357;
+                                                    phi_4701_ = _e1352;
+                                                    phi_4702_ = false;
                                                 } else {
-                                                    phi_4657_ = f32();
-                                                    phi_4658_ = false;
-                                                    phi_4659_ = false;
-                                                    phi_4660_ = true;
+                                                    phi_4699_ = f32();
+                                                    phi_4700_ = false;
+                                                    phi_4701_ = false;
+                                                    phi_4702_ = true;
                                                 }
-                                                let _e1359 = phi_4657_;
-                                                let _e1361 = phi_4658_;
-                                                let _e1363 = phi_4659_;
-                                                let _e1365 = phi_4660_;
-                                                phi_4661_ = _e1337;
-                                                phi_4603_ = _e1359;
-                                                phi_4662_ = _e1361;
-                                                phi_4663_ = _e1363;
-                                                phi_4664_ = _e1365;
-                                                phi_4665_ = false;
+                                                let _e1359 = phi_4699_;
+                                                let _e1361 = phi_4700_;
+                                                let _e1363 = phi_4701_;
+                                                let _e1365 = phi_4702_;
+                                                phi_4703_ = _e1337;
+                                                phi_4645_ = _e1359;
+                                                phi_4704_ = _e1361;
+                                                phi_4705_ = _e1363;
+                                                phi_4706_ = _e1365;
+                                                phi_4707_ = false;
                                             } else {
-                                                phi_4661_ = f32();
-                                                phi_4603_ = f32();
-                                                phi_4662_ = false;
-                                                phi_4663_ = false;
-                                                phi_4664_ = false;
-                                                phi_4665_ = true;
+                                                phi_4703_ = f32();
+                                                phi_4645_ = f32();
+                                                phi_4704_ = false;
+                                                phi_4705_ = false;
+                                                phi_4706_ = false;
+                                                phi_4707_ = true;
                                             }
-                                            let _e1367 = phi_4661_;
-                                            let _e1369 = phi_4603_;
-                                            let _e1371 = phi_4662_;
-                                            let _e1373 = phi_4663_;
-                                            let _e1375 = phi_4664_;
-                                            let _e1377 = phi_4665_;
+                                            let _e1367 = phi_4703_;
+                                            let _e1369 = phi_4645_;
+                                            let _e1371 = phi_4704_;
+                                            let _e1373 = phi_4705_;
+                                            let _e1375 = phi_4706_;
+                                            let _e1377 = phi_4707_;
                                             local_15 = _e1373;
                                             local_32 = _e1375;
                                             local_33 = _e1377;
                                             local_34 = _e1367;
                                             continue;
                                             continuing {
-                                                phi_4599_ = _e1331;
-                                                phi_4602_ = _e1369;
+                                                phi_4641_ = _e1331;
+                                                phi_4644_ = _e1369;
                                                 break if !(_e1371);
                                             }
                                         }
                                         let _e1380 = local_15;
                                         if _e1380 {
-                                            phi_4669_ = false;
-                                            phi_4670_ = false;
+                                            phi_4711_ = false;
+                                            phi_4712_ = false;
                                         } else {
-                                            let _e5489 = local_32;
-                                            phi_4669_ = _e5489;
-                                            let _e5492 = local_33;
-                                            phi_4670_ = _e5492;
+                                            let _e5583 = local_32;
+                                            phi_4711_ = _e5583;
+                                            let _e5586 = local_33;
+                                            phi_4712_ = _e5586;
                                         }
-                                        let _e1382 = phi_4669_;
-                                        let _e1384 = phi_4670_;
+                                        let _e1382 = phi_4711_;
+                                        let _e1384 = phi_4712_;
                                         if _e1382 {
-                                            phi_4674_ = true;
+                                            phi_4716_ = true;
                                         } else {
-                                            phi_4674_ = _e1384;
+                                            phi_4716_ = _e1384;
                                         }
-                                        let _e1386 = phi_4674_;
+                                        let _e1386 = phi_4716_;
                                         if _e1386 {
-                                            phi_4678_ = _e1134;
+                                            phi_4720_ = _e1134;
                                         } else {
-                                            let _e5496 = local_34;
-                                            phi_4678_ = _e5496;
+                                            let _e5590 = local_34;
+                                            phi_4720_ = _e5590;
                                         }
-                                        let _e1388 = phi_4678_;
-                                        phi_4679_ = _e1388;
+                                        let _e1388 = phi_4720_;
+                                        phi_4721_ = _e1388;
                                     } else {
-                                        phi_4679_ = _e1134;
+                                        phi_4721_ = _e1134;
                                     }
-                                    let _e1390 = phi_4679_;
-                                    phi_4681_ = type_37(_e1311, _e1390, _e1181);
+                                    let _e1390 = phi_4721_;
+                                    phi_4723_ = type_37(_e1311, _e1390, _e1181);
                                 } else {
-                                    phi_4681_ = _e1190;
+                                    phi_4723_ = _e1190;
                                 }
-                                let _e1393 = phi_4681_;
+                                let _e1393 = phi_4723_;
                                 if (_e1393.member > _e1393.member_1) {
-                                    phi_7882_ = f32();
-                                    phi_7883_ = true;
-                                    phi_7884_ = false;
-                                    phi_7885_ = false;
-                                    phi_7886_ = false;
+                                    phi_7966_ = f32();
+                                    phi_7967_ = true;
+                                    phi_7968_ = false;
+                                    phi_7969_ = false;
+                                    phi_7970_ = false;
                                 } else {
                                     let _e1400 = ((_e1393.member_1 - _e1393.member) * 0.5f);
                                     let _e1401 = (_e1393.member + _e1400);
@@ -4101,72 +4217,72 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1405 = local_12.member_3;
                                     let _e1408 = local_12.member[0u];
                                     if (_e1408[0] < 0f) {
-                                        phi_4710_ = -(_e1408[0]);
+                                        phi_4752_ = -(_e1408[0]);
                                     } else {
-                                        phi_4710_ = _e1408[0];
+                                        phi_4752_ = _e1408[0];
                                     }
-                                    let _e1415 = phi_4710_;
+                                    let _e1415 = phi_4752_;
                                     if (_e1408[1] < 0f) {
-                                        phi_4717_ = -(_e1408[1]);
+                                        phi_4759_ = -(_e1408[1]);
                                     } else {
-                                        phi_4717_ = _e1408[1];
+                                        phi_4759_ = _e1408[1];
                                     }
-                                    let _e1419 = phi_4717_;
+                                    let _e1419 = phi_4759_;
                                     if (_e1415 > _e1419) {
-                                        phi_4722_ = _e1415;
+                                        phi_4764_ = _e1415;
                                     } else {
-                                        phi_4722_ = _e1419;
+                                        phi_4764_ = _e1419;
                                     }
-                                    let _e1422 = phi_4722_;
+                                    let _e1422 = phi_4764_;
                                     if (_e1408[2] < 0f) {
-                                        phi_4729_ = -(_e1408[2]);
+                                        phi_4771_ = -(_e1408[2]);
                                     } else {
-                                        phi_4729_ = _e1408[2];
+                                        phi_4771_ = _e1408[2];
                                     }
-                                    let _e1426 = phi_4729_;
+                                    let _e1426 = phi_4771_;
                                     if (_e1422 > _e1426) {
-                                        phi_4734_ = _e1422;
+                                        phi_4776_ = _e1422;
                                     } else {
-                                        phi_4734_ = _e1426;
+                                        phi_4776_ = _e1426;
                                     }
-                                    let _e1429 = phi_4734_;
+                                    let _e1429 = phi_4776_;
                                     let _e1431 = local_12.member[1u];
                                     if (_e1431[0] < 0f) {
-                                        phi_4747_ = -(_e1431[0]);
+                                        phi_4789_ = -(_e1431[0]);
                                     } else {
-                                        phi_4747_ = _e1431[0];
+                                        phi_4789_ = _e1431[0];
                                     }
-                                    let _e1438 = phi_4747_;
+                                    let _e1438 = phi_4789_;
                                     if (_e1431[1] < 0f) {
-                                        phi_4754_ = -(_e1431[1]);
+                                        phi_4796_ = -(_e1431[1]);
                                     } else {
-                                        phi_4754_ = _e1431[1];
+                                        phi_4796_ = _e1431[1];
                                     }
-                                    let _e1442 = phi_4754_;
+                                    let _e1442 = phi_4796_;
                                     if (_e1438 > _e1442) {
-                                        phi_4759_ = _e1438;
+                                        phi_4801_ = _e1438;
                                     } else {
-                                        phi_4759_ = _e1442;
+                                        phi_4801_ = _e1442;
                                     }
-                                    let _e1445 = phi_4759_;
+                                    let _e1445 = phi_4801_;
                                     if (_e1431[2] < 0f) {
-                                        phi_4766_ = -(_e1431[2]);
+                                        phi_4808_ = -(_e1431[2]);
                                     } else {
-                                        phi_4766_ = _e1431[2];
+                                        phi_4808_ = _e1431[2];
                                     }
-                                    let _e1449 = phi_4766_;
+                                    let _e1449 = phi_4808_;
                                     if (_e1445 > _e1449) {
-                                        phi_4771_ = _e1445;
+                                        phi_4813_ = _e1445;
                                     } else {
-                                        phi_4771_ = _e1449;
+                                        phi_4813_ = _e1449;
                                     }
-                                    let _e1452 = phi_4771_;
+                                    let _e1452 = phi_4813_;
                                     if (_e1429 > _e1452) {
-                                        phi_4776_ = _e1429;
+                                        phi_4818_ = _e1429;
                                     } else {
-                                        phi_4776_ = _e1452;
+                                        phi_4818_ = _e1452;
                                     }
-                                    let _e1455 = phi_4776_;
+                                    let _e1455 = phi_4818_;
                                     let _e1458 = local_12.member[0u];
                                     let _e1463 = local_12.member[1u];
                                     let _e1473 = (_e1458[0] + ((_e1463[0] - _e1458[0]) * _e1401));
@@ -4178,136 +4294,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1487 = (_e1477[1] - _e1482[1]);
                                     let _e1488 = (_e1477[2] - _e1482[2]);
                                     if (_e1486 < 0f) {
-                                        phi_4835_ = -(_e1486);
+                                        phi_4877_ = -(_e1486);
                                     } else {
-                                        phi_4835_ = _e1486;
+                                        phi_4877_ = _e1486;
                                     }
-                                    let _e1492 = phi_4835_;
+                                    let _e1492 = phi_4877_;
                                     if (_e1487 < 0f) {
-                                        phi_4841_ = -(_e1487);
+                                        phi_4883_ = -(_e1487);
                                     } else {
-                                        phi_4841_ = _e1487;
+                                        phi_4883_ = _e1487;
                                     }
-                                    let _e1496 = phi_4841_;
+                                    let _e1496 = phi_4883_;
                                     if (_e1492 > _e1496) {
-                                        phi_4846_ = _e1492;
+                                        phi_4888_ = _e1492;
                                     } else {
-                                        phi_4846_ = _e1496;
+                                        phi_4888_ = _e1496;
                                     }
-                                    let _e1499 = phi_4846_;
+                                    let _e1499 = phi_4888_;
                                     if (_e1488 < 0f) {
-                                        phi_4852_ = -(_e1488);
+                                        phi_4894_ = -(_e1488);
                                     } else {
-                                        phi_4852_ = _e1488;
+                                        phi_4894_ = _e1488;
                                     }
-                                    let _e1503 = phi_4852_;
+                                    let _e1503 = phi_4894_;
                                     if (_e1499 > _e1503) {
-                                        phi_4857_ = _e1499;
+                                        phi_4899_ = _e1499;
                                     } else {
-                                        phi_4857_ = _e1503;
+                                        phi_4899_ = _e1503;
                                     }
-                                    let _e1506 = phi_4857_;
+                                    let _e1506 = phi_4899_;
                                     let _e1512 = ((((_e1403 * _e1506) * 1.01f) + ((_e1455 + _e1405) * (0.000000059604645f * 8f))) + _e1405);
                                     if (_e1473 < 0f) {
-                                        phi_4869_ = -(_e1473);
+                                        phi_4911_ = -(_e1473);
                                     } else {
-                                        phi_4869_ = _e1473;
+                                        phi_4911_ = _e1473;
                                     }
-                                    let _e1516 = phi_4869_;
+                                    let _e1516 = phi_4911_;
                                     if (_e1474 < 0f) {
-                                        phi_4875_ = -(_e1474);
+                                        phi_4917_ = -(_e1474);
                                     } else {
-                                        phi_4875_ = _e1474;
+                                        phi_4917_ = _e1474;
                                     }
-                                    let _e1520 = phi_4875_;
+                                    let _e1520 = phi_4917_;
                                     if (_e1516 > _e1520) {
-                                        phi_4880_ = _e1516;
+                                        phi_4922_ = _e1516;
                                     } else {
-                                        phi_4880_ = _e1520;
+                                        phi_4922_ = _e1520;
                                     }
-                                    let _e1523 = phi_4880_;
+                                    let _e1523 = phi_4922_;
                                     if (_e1475 < 0f) {
-                                        phi_4886_ = -(_e1475);
+                                        phi_4928_ = -(_e1475);
                                     } else {
-                                        phi_4886_ = _e1475;
+                                        phi_4928_ = _e1475;
                                     }
-                                    let _e1527 = phi_4886_;
+                                    let _e1527 = phi_4928_;
                                     if (_e1523 > _e1527) {
-                                        phi_4891_ = _e1523;
+                                        phi_4933_ = _e1523;
                                     } else {
-                                        phi_4891_ = _e1527;
+                                        phi_4933_ = _e1527;
                                     }
-                                    let _e1530 = phi_4891_;
+                                    let _e1530 = phi_4933_;
                                     local_2 = type_29(array<f32, 3>(_e1473, _e1474, _e1475), _e1512, (_e1530 + _e1512));
                                     let _e1536 = local_12.member_3;
                                     let _e1538 = local_12.member_1[0u];
                                     if (_e1538[0] < 0f) {
-                                        phi_4917_ = -(_e1538[0]);
+                                        phi_4959_ = -(_e1538[0]);
                                     } else {
-                                        phi_4917_ = _e1538[0];
+                                        phi_4959_ = _e1538[0];
                                     }
-                                    let _e1545 = phi_4917_;
+                                    let _e1545 = phi_4959_;
                                     if (_e1538[1] < 0f) {
-                                        phi_4924_ = -(_e1538[1]);
+                                        phi_4966_ = -(_e1538[1]);
                                     } else {
-                                        phi_4924_ = _e1538[1];
+                                        phi_4966_ = _e1538[1];
                                     }
-                                    let _e1549 = phi_4924_;
+                                    let _e1549 = phi_4966_;
                                     if (_e1545 > _e1549) {
-                                        phi_4929_ = _e1545;
+                                        phi_4971_ = _e1545;
                                     } else {
-                                        phi_4929_ = _e1549;
+                                        phi_4971_ = _e1549;
                                     }
-                                    let _e1552 = phi_4929_;
+                                    let _e1552 = phi_4971_;
                                     if (_e1538[2] < 0f) {
-                                        phi_4936_ = -(_e1538[2]);
+                                        phi_4978_ = -(_e1538[2]);
                                     } else {
-                                        phi_4936_ = _e1538[2];
+                                        phi_4978_ = _e1538[2];
                                     }
-                                    let _e1556 = phi_4936_;
+                                    let _e1556 = phi_4978_;
                                     if (_e1552 > _e1556) {
-                                        phi_4941_ = _e1552;
+                                        phi_4983_ = _e1552;
                                     } else {
-                                        phi_4941_ = _e1556;
+                                        phi_4983_ = _e1556;
                                     }
-                                    let _e1559 = phi_4941_;
+                                    let _e1559 = phi_4983_;
                                     let _e1561 = local_12.member_1[1u];
                                     if (_e1561[0] < 0f) {
-                                        phi_4954_ = -(_e1561[0]);
+                                        phi_4996_ = -(_e1561[0]);
                                     } else {
-                                        phi_4954_ = _e1561[0];
+                                        phi_4996_ = _e1561[0];
                                     }
-                                    let _e1568 = phi_4954_;
+                                    let _e1568 = phi_4996_;
                                     if (_e1561[1] < 0f) {
-                                        phi_4961_ = -(_e1561[1]);
+                                        phi_5003_ = -(_e1561[1]);
                                     } else {
-                                        phi_4961_ = _e1561[1];
+                                        phi_5003_ = _e1561[1];
                                     }
-                                    let _e1572 = phi_4961_;
+                                    let _e1572 = phi_5003_;
                                     if (_e1568 > _e1572) {
-                                        phi_4966_ = _e1568;
+                                        phi_5008_ = _e1568;
                                     } else {
-                                        phi_4966_ = _e1572;
+                                        phi_5008_ = _e1572;
                                     }
-                                    let _e1575 = phi_4966_;
+                                    let _e1575 = phi_5008_;
                                     if (_e1561[2] < 0f) {
-                                        phi_4973_ = -(_e1561[2]);
+                                        phi_5015_ = -(_e1561[2]);
                                     } else {
-                                        phi_4973_ = _e1561[2];
+                                        phi_5015_ = _e1561[2];
                                     }
-                                    let _e1579 = phi_4973_;
+                                    let _e1579 = phi_5015_;
                                     if (_e1575 > _e1579) {
-                                        phi_4978_ = _e1575;
+                                        phi_5020_ = _e1575;
                                     } else {
-                                        phi_4978_ = _e1579;
+                                        phi_5020_ = _e1579;
                                     }
-                                    let _e1582 = phi_4978_;
+                                    let _e1582 = phi_5020_;
                                     if (_e1559 > _e1582) {
-                                        phi_4983_ = _e1559;
+                                        phi_5025_ = _e1559;
                                     } else {
-                                        phi_4983_ = _e1582;
+                                        phi_5025_ = _e1582;
                                     }
-                                    let _e1585 = phi_4983_;
+                                    let _e1585 = phi_5025_;
                                     let _e1588 = local_12.member_1[0u];
                                     let _e1593 = local_12.member_1[1u];
                                     let _e1603 = (_e1588[0] + ((_e1593[0] - _e1588[0]) * _e1401));
@@ -4319,136 +4435,136 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1617 = (_e1607[1] - _e1612[1]);
                                     let _e1618 = (_e1607[2] - _e1612[2]);
                                     if (_e1616 < 0f) {
-                                        phi_5042_ = -(_e1616);
+                                        phi_5084_ = -(_e1616);
                                     } else {
-                                        phi_5042_ = _e1616;
+                                        phi_5084_ = _e1616;
                                     }
-                                    let _e1622 = phi_5042_;
+                                    let _e1622 = phi_5084_;
                                     if (_e1617 < 0f) {
-                                        phi_5048_ = -(_e1617);
+                                        phi_5090_ = -(_e1617);
                                     } else {
-                                        phi_5048_ = _e1617;
+                                        phi_5090_ = _e1617;
                                     }
-                                    let _e1626 = phi_5048_;
+                                    let _e1626 = phi_5090_;
                                     if (_e1622 > _e1626) {
-                                        phi_5053_ = _e1622;
+                                        phi_5095_ = _e1622;
                                     } else {
-                                        phi_5053_ = _e1626;
+                                        phi_5095_ = _e1626;
                                     }
-                                    let _e1629 = phi_5053_;
+                                    let _e1629 = phi_5095_;
                                     if (_e1618 < 0f) {
-                                        phi_5059_ = -(_e1618);
+                                        phi_5101_ = -(_e1618);
                                     } else {
-                                        phi_5059_ = _e1618;
+                                        phi_5101_ = _e1618;
                                     }
-                                    let _e1633 = phi_5059_;
+                                    let _e1633 = phi_5101_;
                                     if (_e1629 > _e1633) {
-                                        phi_5064_ = _e1629;
+                                        phi_5106_ = _e1629;
                                     } else {
-                                        phi_5064_ = _e1633;
+                                        phi_5106_ = _e1633;
                                     }
-                                    let _e1636 = phi_5064_;
+                                    let _e1636 = phi_5106_;
                                     let _e1642 = ((((_e1403 * _e1636) * 1.01f) + ((_e1585 + _e1536) * (0.000000059604645f * 8f))) + _e1536);
                                     if (_e1603 < 0f) {
-                                        phi_5076_ = -(_e1603);
+                                        phi_5118_ = -(_e1603);
                                     } else {
-                                        phi_5076_ = _e1603;
+                                        phi_5118_ = _e1603;
                                     }
-                                    let _e1646 = phi_5076_;
+                                    let _e1646 = phi_5118_;
                                     if (_e1604 < 0f) {
-                                        phi_5082_ = -(_e1604);
+                                        phi_5124_ = -(_e1604);
                                     } else {
-                                        phi_5082_ = _e1604;
+                                        phi_5124_ = _e1604;
                                     }
-                                    let _e1650 = phi_5082_;
+                                    let _e1650 = phi_5124_;
                                     if (_e1646 > _e1650) {
-                                        phi_5087_ = _e1646;
+                                        phi_5129_ = _e1646;
                                     } else {
-                                        phi_5087_ = _e1650;
+                                        phi_5129_ = _e1650;
                                     }
-                                    let _e1653 = phi_5087_;
+                                    let _e1653 = phi_5129_;
                                     if (_e1605 < 0f) {
-                                        phi_5093_ = -(_e1605);
+                                        phi_5135_ = -(_e1605);
                                     } else {
-                                        phi_5093_ = _e1605;
+                                        phi_5135_ = _e1605;
                                     }
-                                    let _e1657 = phi_5093_;
+                                    let _e1657 = phi_5135_;
                                     if (_e1653 > _e1657) {
-                                        phi_5098_ = _e1653;
+                                        phi_5140_ = _e1653;
                                     } else {
-                                        phi_5098_ = _e1657;
+                                        phi_5140_ = _e1657;
                                     }
-                                    let _e1660 = phi_5098_;
+                                    let _e1660 = phi_5140_;
                                     local_3 = type_29(array<f32, 3>(_e1603, _e1604, _e1605), _e1642, (_e1660 + _e1642));
                                     let _e1666 = local_12.member_3;
                                     let _e1668 = local_12.member_2[0u];
                                     if (_e1668[0] < 0f) {
-                                        phi_5124_ = -(_e1668[0]);
+                                        phi_5166_ = -(_e1668[0]);
                                     } else {
-                                        phi_5124_ = _e1668[0];
+                                        phi_5166_ = _e1668[0];
                                     }
-                                    let _e1675 = phi_5124_;
+                                    let _e1675 = phi_5166_;
                                     if (_e1668[1] < 0f) {
-                                        phi_5131_ = -(_e1668[1]);
+                                        phi_5173_ = -(_e1668[1]);
                                     } else {
-                                        phi_5131_ = _e1668[1];
+                                        phi_5173_ = _e1668[1];
                                     }
-                                    let _e1679 = phi_5131_;
+                                    let _e1679 = phi_5173_;
                                     if (_e1675 > _e1679) {
-                                        phi_5136_ = _e1675;
+                                        phi_5178_ = _e1675;
                                     } else {
-                                        phi_5136_ = _e1679;
+                                        phi_5178_ = _e1679;
                                     }
-                                    let _e1682 = phi_5136_;
+                                    let _e1682 = phi_5178_;
                                     if (_e1668[2] < 0f) {
-                                        phi_5143_ = -(_e1668[2]);
+                                        phi_5185_ = -(_e1668[2]);
                                     } else {
-                                        phi_5143_ = _e1668[2];
+                                        phi_5185_ = _e1668[2];
                                     }
-                                    let _e1686 = phi_5143_;
+                                    let _e1686 = phi_5185_;
                                     if (_e1682 > _e1686) {
-                                        phi_5148_ = _e1682;
+                                        phi_5190_ = _e1682;
                                     } else {
-                                        phi_5148_ = _e1686;
+                                        phi_5190_ = _e1686;
                                     }
-                                    let _e1689 = phi_5148_;
+                                    let _e1689 = phi_5190_;
                                     let _e1691 = local_12.member_2[1u];
                                     if (_e1691[0] < 0f) {
-                                        phi_5161_ = -(_e1691[0]);
+                                        phi_5203_ = -(_e1691[0]);
                                     } else {
-                                        phi_5161_ = _e1691[0];
+                                        phi_5203_ = _e1691[0];
                                     }
-                                    let _e1698 = phi_5161_;
+                                    let _e1698 = phi_5203_;
                                     if (_e1691[1] < 0f) {
-                                        phi_5168_ = -(_e1691[1]);
+                                        phi_5210_ = -(_e1691[1]);
                                     } else {
-                                        phi_5168_ = _e1691[1];
+                                        phi_5210_ = _e1691[1];
                                     }
-                                    let _e1702 = phi_5168_;
+                                    let _e1702 = phi_5210_;
                                     if (_e1698 > _e1702) {
-                                        phi_5173_ = _e1698;
+                                        phi_5215_ = _e1698;
                                     } else {
-                                        phi_5173_ = _e1702;
+                                        phi_5215_ = _e1702;
                                     }
-                                    let _e1705 = phi_5173_;
+                                    let _e1705 = phi_5215_;
                                     if (_e1691[2] < 0f) {
-                                        phi_5180_ = -(_e1691[2]);
+                                        phi_5222_ = -(_e1691[2]);
                                     } else {
-                                        phi_5180_ = _e1691[2];
+                                        phi_5222_ = _e1691[2];
                                     }
-                                    let _e1709 = phi_5180_;
+                                    let _e1709 = phi_5222_;
                                     if (_e1705 > _e1709) {
-                                        phi_5185_ = _e1705;
+                                        phi_5227_ = _e1705;
                                     } else {
-                                        phi_5185_ = _e1709;
+                                        phi_5227_ = _e1709;
                                     }
-                                    let _e1712 = phi_5185_;
+                                    let _e1712 = phi_5227_;
                                     if (_e1689 > _e1712) {
-                                        phi_5190_ = _e1689;
+                                        phi_5232_ = _e1689;
                                     } else {
-                                        phi_5190_ = _e1712;
+                                        phi_5232_ = _e1712;
                                     }
-                                    let _e1715 = phi_5190_;
+                                    let _e1715 = phi_5232_;
                                     let _e1718 = local_12.member_2[0u];
                                     let _e1723 = local_12.member_2[1u];
                                     let _e1733 = (_e1718[0] + ((_e1723[0] - _e1718[0]) * _e1401));
@@ -4460,66 +4576,66 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1747 = (_e1737[1] - _e1742[1]);
                                     let _e1748 = (_e1737[2] - _e1742[2]);
                                     if (_e1746 < 0f) {
-                                        phi_5249_ = -(_e1746);
+                                        phi_5291_ = -(_e1746);
                                     } else {
-                                        phi_5249_ = _e1746;
+                                        phi_5291_ = _e1746;
                                     }
-                                    let _e1752 = phi_5249_;
+                                    let _e1752 = phi_5291_;
                                     if (_e1747 < 0f) {
-                                        phi_5255_ = -(_e1747);
+                                        phi_5297_ = -(_e1747);
                                     } else {
-                                        phi_5255_ = _e1747;
+                                        phi_5297_ = _e1747;
                                     }
-                                    let _e1756 = phi_5255_;
+                                    let _e1756 = phi_5297_;
                                     if (_e1752 > _e1756) {
-                                        phi_5260_ = _e1752;
+                                        phi_5302_ = _e1752;
                                     } else {
-                                        phi_5260_ = _e1756;
+                                        phi_5302_ = _e1756;
                                     }
-                                    let _e1759 = phi_5260_;
+                                    let _e1759 = phi_5302_;
                                     if (_e1748 < 0f) {
-                                        phi_5266_ = -(_e1748);
+                                        phi_5308_ = -(_e1748);
                                     } else {
-                                        phi_5266_ = _e1748;
+                                        phi_5308_ = _e1748;
                                     }
-                                    let _e1763 = phi_5266_;
+                                    let _e1763 = phi_5308_;
                                     if (_e1759 > _e1763) {
-                                        phi_5271_ = _e1759;
+                                        phi_5313_ = _e1759;
                                     } else {
-                                        phi_5271_ = _e1763;
+                                        phi_5313_ = _e1763;
                                     }
-                                    let _e1766 = phi_5271_;
+                                    let _e1766 = phi_5313_;
                                     let _e1772 = ((((_e1403 * _e1766) * 1.01f) + ((_e1715 + _e1666) * (0.000000059604645f * 8f))) + _e1666);
                                     if (_e1733 < 0f) {
-                                        phi_5283_ = -(_e1733);
+                                        phi_5325_ = -(_e1733);
                                     } else {
-                                        phi_5283_ = _e1733;
+                                        phi_5325_ = _e1733;
                                     }
-                                    let _e1776 = phi_5283_;
+                                    let _e1776 = phi_5325_;
                                     if (_e1734 < 0f) {
-                                        phi_5289_ = -(_e1734);
+                                        phi_5331_ = -(_e1734);
                                     } else {
-                                        phi_5289_ = _e1734;
+                                        phi_5331_ = _e1734;
                                     }
-                                    let _e1780 = phi_5289_;
+                                    let _e1780 = phi_5331_;
                                     if (_e1776 > _e1780) {
-                                        phi_5294_ = _e1776;
+                                        phi_5336_ = _e1776;
                                     } else {
-                                        phi_5294_ = _e1780;
+                                        phi_5336_ = _e1780;
                                     }
-                                    let _e1783 = phi_5294_;
+                                    let _e1783 = phi_5336_;
                                     if (_e1735 < 0f) {
-                                        phi_5300_ = -(_e1735);
+                                        phi_5342_ = -(_e1735);
                                     } else {
-                                        phi_5300_ = _e1735;
+                                        phi_5342_ = _e1735;
                                     }
-                                    let _e1787 = phi_5300_;
+                                    let _e1787 = phi_5342_;
                                     if (_e1783 > _e1787) {
-                                        phi_5305_ = _e1783;
+                                        phi_5347_ = _e1783;
                                     } else {
-                                        phi_5305_ = _e1787;
+                                        phi_5347_ = _e1787;
                                     }
-                                    let _e1790 = phi_5305_;
+                                    let _e1790 = phi_5347_;
                                     local_4 = type_29(array<f32, 3>(_e1733, _e1734, _e1735), _e1772, (_e1790 + _e1772));
                                     let _e1795 = local_3.member;
                                     let _e1800 = local_4.member;
@@ -4527,68 +4643,68 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1809 = ((_e1795[2] * _e1800[0]) - (_e1795[0] * _e1800[2]));
                                     let _e1812 = ((_e1795[0] * _e1800[1]) - (_e1795[1] * _e1800[0]));
                                     if (_e1806 < 0f) {
-                                        phi_5354_ = -(_e1806);
+                                        phi_5396_ = -(_e1806);
                                     } else {
-                                        phi_5354_ = _e1806;
+                                        phi_5396_ = _e1806;
                                     }
-                                    let _e1816 = phi_5354_;
+                                    let _e1816 = phi_5396_;
                                     if (_e1809 < 0f) {
-                                        phi_5360_ = -(_e1809);
+                                        phi_5402_ = -(_e1809);
                                     } else {
-                                        phi_5360_ = _e1809;
+                                        phi_5402_ = _e1809;
                                     }
-                                    let _e1820 = phi_5360_;
+                                    let _e1820 = phi_5402_;
                                     if (_e1816 > _e1820) {
                                         if (_e1806 < 0f) {
-                                            phi_5370_ = -(_e1806);
+                                            phi_5412_ = -(_e1806);
                                         } else {
-                                            phi_5370_ = _e1806;
+                                            phi_5412_ = _e1806;
                                         }
-                                        let _e1838 = phi_5370_;
+                                        let _e1838 = phi_5412_;
                                         if (_e1812 < 0f) {
-                                            phi_5376_ = -(_e1812);
+                                            phi_5418_ = -(_e1812);
                                         } else {
-                                            phi_5376_ = _e1812;
+                                            phi_5418_ = _e1812;
                                         }
-                                        let _e1842 = phi_5376_;
+                                        let _e1842 = phi_5418_;
                                         if (_e1838 > _e1842) {
-                                            phi_5381_ = 2u;
-                                            phi_5382_ = 1u;
+                                            phi_5423_ = 2u;
+                                            phi_5424_ = 1u;
                                         } else {
-                                            phi_5381_ = 1u;
-                                            phi_5382_ = 0u;
+                                            phi_5423_ = 1u;
+                                            phi_5424_ = 0u;
                                         }
-                                        let _e1845 = phi_5381_;
-                                        let _e1847 = phi_5382_;
-                                        phi_5401_ = _e1845;
-                                        phi_5402_ = _e1847;
+                                        let _e1845 = phi_5423_;
+                                        let _e1847 = phi_5424_;
+                                        phi_5443_ = _e1845;
+                                        phi_5444_ = _e1847;
                                     } else {
                                         if (_e1809 < 0f) {
-                                            phi_5388_ = -(_e1809);
+                                            phi_5430_ = -(_e1809);
                                         } else {
-                                            phi_5388_ = _e1809;
+                                            phi_5430_ = _e1809;
                                         }
-                                        let _e1825 = phi_5388_;
+                                        let _e1825 = phi_5430_;
                                         if (_e1812 < 0f) {
-                                            phi_5394_ = -(_e1812);
+                                            phi_5436_ = -(_e1812);
                                         } else {
-                                            phi_5394_ = _e1812;
+                                            phi_5436_ = _e1812;
                                         }
-                                        let _e1829 = phi_5394_;
+                                        let _e1829 = phi_5436_;
                                         if (_e1825 > _e1829) {
-                                            phi_5399_ = 0u;
-                                            phi_5400_ = 2u;
+                                            phi_5441_ = 0u;
+                                            phi_5442_ = 2u;
                                         } else {
-                                            phi_5399_ = 1u;
-                                            phi_5400_ = 0u;
+                                            phi_5441_ = 1u;
+                                            phi_5442_ = 0u;
                                         }
-                                        let _e1832 = phi_5399_;
-                                        let _e1834 = phi_5400_;
-                                        phi_5401_ = _e1832;
-                                        phi_5402_ = _e1834;
+                                        let _e1832 = phi_5441_;
+                                        let _e1834 = phi_5442_;
+                                        phi_5443_ = _e1832;
+                                        phi_5444_ = _e1834;
                                     }
-                                    let _e1849 = phi_5401_;
-                                    let _e1851 = phi_5402_;
+                                    let _e1849 = phi_5443_;
+                                    let _e1851 = phi_5444_;
                                     let _e1854 = local_3.member[_e1851];
                                     let _e1857 = local_4.member[_e1849];
                                     let _e1861 = local_3.member[_e1849];
@@ -4604,18 +4720,18 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1894 = local_4.member_2;
                                     let _e1898 = (((((_e1868 * _e1870) + (_e1873 * _e1875)) * 2.01f) + (((_e1880 * 2f) * (_e1883 * 2f)) * (0.000000059604645f * 2f))) + ((0.000000000000000000000000000000000000011754944f * 256f) * ((1f + _e1891) * (1f + _e1894))));
                                     if (_e1866 < 0f) {
-                                        phi_5471_ = -(_e1866);
+                                        phi_5513_ = -(_e1866);
                                     } else {
-                                        phi_5471_ = _e1866;
+                                        phi_5513_ = _e1866;
                                     }
-                                    let _e1902 = phi_5471_;
+                                    let _e1902 = phi_5513_;
                                     if (_e1902 > _e1898) {
                                         if (_e1866 < 0f) {
-                                            phi_5480_ = -1f;
+                                            phi_5522_ = -1f;
                                         } else {
-                                            phi_5480_ = 1f;
+                                            phi_5522_ = 1f;
                                         }
-                                        let _e1906 = phi_5480_;
+                                        let _e1906 = phi_5522_;
                                         let _e1909 = local_2.member[_e1851];
                                         let _e1912 = local_4.member[_e1849];
                                         let _e1916 = local_2.member[_e1849];
@@ -4646,23 +4762,23 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2002 = (((_e1909 * _e1912) - (_e1916 * _e1919)) * _e1906);
                                         let _e2003 = (((_e1956 * _e1959) - (_e1963 * _e1966)) * _e1906);
                                         if (_e2001 < 0f) {
-                                            phi_5615_ = -(_e2001);
+                                            phi_5657_ = -(_e2001);
                                         } else {
-                                            phi_5615_ = _e2001;
+                                            phi_5657_ = _e2001;
                                         }
-                                        let _e2007 = phi_5615_;
+                                        let _e2007 = phi_5657_;
                                         if (_e2002 < 0f) {
-                                            phi_5621_ = -(_e2002);
+                                            phi_5663_ = -(_e2002);
                                         } else {
-                                            phi_5621_ = _e2002;
+                                            phi_5663_ = _e2002;
                                         }
-                                        let _e2011 = phi_5621_;
+                                        let _e2011 = phi_5663_;
                                         if (_e2003 < 0f) {
-                                            phi_5628_ = -(_e2003);
+                                            phi_5670_ = -(_e2003);
                                         } else {
-                                            phi_5628_ = _e2003;
+                                            phi_5670_ = _e2003;
                                         }
-                                        let _e2016 = phi_5628_;
+                                        let _e2016 = phi_5670_;
                                         let _e2019 = (((_e2007 + _e2011) + _e2016) * (0.000000059604645f * 4f));
                                         local_5[0u].member = _e2002;
                                         local_5[0u].member_1 = _e1953;
@@ -4672,118 +4788,118 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         local_5[2u].member_1 = ((_e1898 + _e1953) + _e2019);
                                         local_5[3u].member = (_e2001 - _e2003);
                                         local_5[3u].member_1 = ((_e1898 + _e2000) + _e2019);
-                                        phi_5671_ = type_9(0u, 4u);
-                                        phi_5674_ = true;
+                                        phi_5713_ = type_9(0u, 4u);
+                                        phi_5716_ = true;
                                         loop {
-                                            let _e2040 = phi_5671_;
-                                            let _e2042 = phi_5674_;
+                                            let _e2040 = phi_5713_;
+                                            let _e2042 = phi_5716_;
                                             local_17 = _e2042;
                                             if (_e2040.member < _e2040.member_1) {
-                                                phi_5672_ = type_9((_e2040.member + 1u), _e2040.member_1);
-                                                phi_5697_ = type_9(1u, _e2040.member);
+                                                phi_5714_ = type_9((_e2040.member + 1u), _e2040.member_1);
+                                                phi_5739_ = type_9(1u, _e2040.member);
                                             } else {
-                                                phi_5672_ = _e2040;
-                                                phi_5697_ = type_9(0u, type_9().member_1);
+                                                phi_5714_ = _e2040;
+                                                phi_5739_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2054 = phi_5672_;
-                                            let _e2056 = phi_5697_;
+                                            let _e2054 = phi_5714_;
+                                            let _e2056 = phi_5739_;
                                             if (bitcast<i32>(_e2056.member) != 0i) {
                                                 let _e2063 = local_5[_e2056.member_1].member;
                                                 let _e2066 = local_5[_e2056.member_1].member_1;
                                                 let _e2068 = (_e2063 < -(_e2066));
                                                 if _e2068 {
-                                                    phi_5724_ = bool();
-                                                    phi_5725_ = false;
+                                                    phi_5766_ = bool();
+                                                    phi_5767_ = false;
                                                 } else {
-                                                    phi_5724_ = (_e2042 && (_e2063 > _e2066));
-                                                    phi_5725_ = true;
+                                                    phi_5766_ = (_e2042 && (_e2063 > _e2066));
+                                                    phi_5767_ = true;
                                                 }
-                                                let _e2072 = phi_5724_;
-                                                let _e2074 = phi_5725_;
-                                                phi_5675_ = _e2072;
-                                                phi_5726_ = _e2074;
-                                                phi_5727_ = _e2068;
+                                                let _e2072 = phi_5766_;
+                                                let _e2074 = phi_5767_;
+                                                phi_5717_ = _e2072;
+                                                phi_5768_ = _e2074;
+                                                phi_5769_ = _e2068;
                                             } else {
-                                                phi_5675_ = bool();
-                                                phi_5726_ = false;
-                                                phi_5727_ = false;
+                                                phi_5717_ = bool();
+                                                phi_5768_ = false;
+                                                phi_5769_ = false;
                                             }
-                                            let _e2076 = phi_5675_;
-                                            let _e2078 = phi_5726_;
-                                            let _e2080 = phi_5727_;
+                                            let _e2076 = phi_5717_;
+                                            let _e2078 = phi_5768_;
+                                            let _e2080 = phi_5769_;
                                             local_16 = _e2080;
                                             continue;
                                             continuing {
-                                                phi_5671_ = _e2054;
-                                                phi_5674_ = _e2076;
+                                                phi_5713_ = _e2054;
+                                                phi_5716_ = _e2076;
                                                 break if !(_e2078);
                                             }
                                         }
                                         let _e2083 = local_16;
                                         if _e2083 {
-                                            phi_5731_ = false;
+                                            phi_5773_ = false;
                                         } else {
-                                            phi_5731_ = true;
+                                            phi_5773_ = true;
                                         }
-                                        let _e2085 = phi_5731_;
+                                        let _e2085 = phi_5773_;
                                         if _e2085 {
                                             let _e2087 = local_17;
                                             if _e2087 {
-                                                phi_5738_ = 1u;
+                                                phi_5780_ = 1u;
                                             } else {
-                                                phi_5738_ = 2u;
+                                                phi_5780_ = 2u;
                                             }
-                                            let _e2089 = phi_5738_;
-                                            phi_5739_ = _e2089;
-                                            phi_5740_ = false;
+                                            let _e2089 = phi_5780_;
+                                            phi_5781_ = _e2089;
+                                            phi_5782_ = false;
                                         } else {
-                                            phi_5739_ = u32();
-                                            phi_5740_ = true;
+                                            phi_5781_ = u32();
+                                            phi_5782_ = true;
                                         }
-                                        let _e2091 = phi_5739_;
-                                        let _e2093 = phi_5740_;
-                                        phi_5741_ = _e2091;
-                                        phi_5742_ = 0u;
-                                        phi_5743_ = _e2093;
+                                        let _e2091 = phi_5781_;
+                                        let _e2093 = phi_5782_;
+                                        phi_5783_ = _e2091;
+                                        phi_5784_ = 0u;
+                                        phi_5785_ = _e2093;
                                     } else {
-                                        phi_5741_ = u32();
-                                        phi_5742_ = 2u;
-                                        phi_5743_ = true;
+                                        phi_5783_ = u32();
+                                        phi_5784_ = 2u;
+                                        phi_5785_ = true;
                                     }
-                                    let _e2095 = phi_5741_;
-                                    let _e2097 = phi_5742_;
-                                    let _e2099 = phi_5743_;
+                                    let _e2095 = phi_5783_;
+                                    let _e2097 = phi_5784_;
+                                    let _e2099 = phi_5785_;
                                     if _e2099 {
-                                        phi_5747_ = _e2097;
+                                        phi_5789_ = _e2097;
                                     } else {
-                                        phi_5747_ = _e2095;
+                                        phi_5789_ = _e2095;
                                     }
-                                    let _e2101 = phi_5747_;
+                                    let _e2101 = phi_5789_;
                                     let _e2102 = (_e2101 == 0u);
                                     if _e2102 {
-                                        phi_7878_ = f32();
-                                        phi_7879_ = false;
-                                        phi_7880_ = false;
-                                        phi_7881_ = false;
+                                        phi_7962_ = f32();
+                                        phi_7963_ = false;
+                                        phi_7964_ = false;
+                                        phi_7965_ = false;
                                     } else {
                                         if (_e2101 == 1u) {
                                             if _e1393.member_2 {
                                                 if ((_e1393.member_1 - _e1393.member) <= 0.0000005f) {
-                                                    phi_5767_ = false;
+                                                    phi_5809_ = false;
                                                 } else {
-                                                    phi_5767_ = true;
+                                                    phi_5809_ = true;
                                                 }
-                                                let _e2110 = phi_5767_;
-                                                phi_5768_ = _e2110;
+                                                let _e2110 = phi_5809_;
+                                                phi_5810_ = _e2110;
                                             } else {
-                                                phi_5768_ = true;
+                                                phi_5810_ = true;
                                             }
-                                            let _e2112 = phi_5768_;
-                                            phi_5769_ = _e2112;
+                                            let _e2112 = phi_5810_;
+                                            phi_5811_ = _e2112;
                                         } else {
-                                            phi_5769_ = true;
+                                            phi_5811_ = true;
                                         }
-                                        let _e2114 = phi_5769_;
+                                        let _e2114 = phi_5811_;
                                         if _e2114 {
                                             let _e2119 = local_12.member[0u];
                                             let _e2125 = local_12.member_1[0u];
@@ -4799,1396 +4915,1472 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2164 = (_e2146[2] - _e2152[2]);
                                             let _e2173 = local_12.member[0u];
                                             if (_e2173[0] < 0f) {
-                                                phi_5917_ = -(_e2173[0]);
+                                                phi_5959_ = -(_e2173[0]);
                                             } else {
-                                                phi_5917_ = _e2173[0];
+                                                phi_5959_ = _e2173[0];
                                             }
-                                            let _e2180 = phi_5917_;
+                                            let _e2180 = phi_5959_;
                                             if (_e2173[1] < 0f) {
-                                                phi_5924_ = -(_e2173[1]);
+                                                phi_5966_ = -(_e2173[1]);
                                             } else {
-                                                phi_5924_ = _e2173[1];
+                                                phi_5966_ = _e2173[1];
                                             }
-                                            let _e2184 = phi_5924_;
+                                            let _e2184 = phi_5966_;
                                             if (_e2180 > _e2184) {
-                                                phi_5929_ = _e2180;
+                                                phi_5971_ = _e2180;
                                             } else {
-                                                phi_5929_ = _e2184;
+                                                phi_5971_ = _e2184;
                                             }
-                                            let _e2187 = phi_5929_;
+                                            let _e2187 = phi_5971_;
                                             if (_e2173[2] < 0f) {
-                                                phi_5936_ = -(_e2173[2]);
+                                                phi_5978_ = -(_e2173[2]);
                                             } else {
-                                                phi_5936_ = _e2173[2];
+                                                phi_5978_ = _e2173[2];
                                             }
-                                            let _e2191 = phi_5936_;
+                                            let _e2191 = phi_5978_;
                                             if (_e2187 > _e2191) {
-                                                phi_5941_ = _e2187;
+                                                phi_5983_ = _e2187;
                                             } else {
-                                                phi_5941_ = _e2191;
+                                                phi_5983_ = _e2191;
                                             }
-                                            let _e2194 = phi_5941_;
+                                            let _e2194 = phi_5983_;
                                             let _e2197 = local_12.member[1u];
                                             if (_e2197[0] < 0f) {
-                                                phi_5954_ = -(_e2197[0]);
+                                                phi_5996_ = -(_e2197[0]);
                                             } else {
-                                                phi_5954_ = _e2197[0];
+                                                phi_5996_ = _e2197[0];
                                             }
-                                            let _e2204 = phi_5954_;
+                                            let _e2204 = phi_5996_;
                                             if (_e2197[1] < 0f) {
-                                                phi_5961_ = -(_e2197[1]);
+                                                phi_6003_ = -(_e2197[1]);
                                             } else {
-                                                phi_5961_ = _e2197[1];
+                                                phi_6003_ = _e2197[1];
                                             }
-                                            let _e2208 = phi_5961_;
+                                            let _e2208 = phi_6003_;
                                             if (_e2204 > _e2208) {
-                                                phi_5966_ = _e2204;
+                                                phi_6008_ = _e2204;
                                             } else {
-                                                phi_5966_ = _e2208;
+                                                phi_6008_ = _e2208;
                                             }
-                                            let _e2211 = phi_5966_;
+                                            let _e2211 = phi_6008_;
                                             if (_e2197[2] < 0f) {
-                                                phi_5973_ = -(_e2197[2]);
+                                                phi_6015_ = -(_e2197[2]);
                                             } else {
-                                                phi_5973_ = _e2197[2];
+                                                phi_6015_ = _e2197[2];
                                             }
-                                            let _e2215 = phi_5973_;
+                                            let _e2215 = phi_6015_;
                                             if (_e2211 > _e2215) {
-                                                phi_5978_ = _e2211;
+                                                phi_6020_ = _e2211;
                                             } else {
-                                                phi_5978_ = _e2215;
+                                                phi_6020_ = _e2215;
                                             }
-                                            let _e2218 = phi_5978_;
+                                            let _e2218 = phi_6020_;
                                             if (_e2194 > _e2218) {
-                                                phi_5983_ = _e2194;
+                                                phi_6025_ = _e2194;
                                             } else {
-                                                phi_5983_ = _e2218;
+                                                phi_6025_ = _e2218;
                                             }
-                                            let _e2221 = phi_5983_;
+                                            let _e2221 = phi_6025_;
                                             let _e2223 = local_12.member_3;
                                             let _e2227 = local_12.member_1[0u];
                                             if (_e2227[0] < 0f) {
-                                                phi_6000_ = -(_e2227[0]);
+                                                phi_6042_ = -(_e2227[0]);
                                             } else {
-                                                phi_6000_ = _e2227[0];
+                                                phi_6042_ = _e2227[0];
                                             }
-                                            let _e2234 = phi_6000_;
+                                            let _e2234 = phi_6042_;
                                             if (_e2227[1] < 0f) {
-                                                phi_6007_ = -(_e2227[1]);
+                                                phi_6049_ = -(_e2227[1]);
                                             } else {
-                                                phi_6007_ = _e2227[1];
+                                                phi_6049_ = _e2227[1];
                                             }
-                                            let _e2238 = phi_6007_;
+                                            let _e2238 = phi_6049_;
                                             if (_e2234 > _e2238) {
-                                                phi_6012_ = _e2234;
+                                                phi_6054_ = _e2234;
                                             } else {
-                                                phi_6012_ = _e2238;
+                                                phi_6054_ = _e2238;
                                             }
-                                            let _e2241 = phi_6012_;
+                                            let _e2241 = phi_6054_;
                                             if (_e2227[2] < 0f) {
-                                                phi_6019_ = -(_e2227[2]);
+                                                phi_6061_ = -(_e2227[2]);
                                             } else {
-                                                phi_6019_ = _e2227[2];
+                                                phi_6061_ = _e2227[2];
                                             }
-                                            let _e2245 = phi_6019_;
+                                            let _e2245 = phi_6061_;
                                             if (_e2241 > _e2245) {
-                                                phi_6024_ = _e2241;
+                                                phi_6066_ = _e2241;
                                             } else {
-                                                phi_6024_ = _e2245;
+                                                phi_6066_ = _e2245;
                                             }
-                                            let _e2248 = phi_6024_;
+                                            let _e2248 = phi_6066_;
                                             let _e2251 = local_12.member_1[1u];
                                             if (_e2251[0] < 0f) {
-                                                phi_6038_ = -(_e2251[0]);
+                                                phi_6080_ = -(_e2251[0]);
                                             } else {
-                                                phi_6038_ = _e2251[0];
+                                                phi_6080_ = _e2251[0];
                                             }
-                                            let _e2258 = phi_6038_;
+                                            let _e2258 = phi_6080_;
                                             if (_e2251[1] < 0f) {
-                                                phi_6045_ = -(_e2251[1]);
+                                                phi_6087_ = -(_e2251[1]);
                                             } else {
-                                                phi_6045_ = _e2251[1];
+                                                phi_6087_ = _e2251[1];
                                             }
-                                            let _e2262 = phi_6045_;
+                                            let _e2262 = phi_6087_;
                                             if (_e2258 > _e2262) {
-                                                phi_6050_ = _e2258;
+                                                phi_6092_ = _e2258;
                                             } else {
-                                                phi_6050_ = _e2262;
+                                                phi_6092_ = _e2262;
                                             }
-                                            let _e2265 = phi_6050_;
+                                            let _e2265 = phi_6092_;
                                             if (_e2251[2] < 0f) {
-                                                phi_6057_ = -(_e2251[2]);
+                                                phi_6099_ = -(_e2251[2]);
                                             } else {
-                                                phi_6057_ = _e2251[2];
+                                                phi_6099_ = _e2251[2];
                                             }
-                                            let _e2269 = phi_6057_;
+                                            let _e2269 = phi_6099_;
                                             if (_e2265 > _e2269) {
-                                                phi_6062_ = _e2265;
+                                                phi_6104_ = _e2265;
                                             } else {
-                                                phi_6062_ = _e2269;
+                                                phi_6104_ = _e2269;
                                             }
-                                            let _e2272 = phi_6062_;
+                                            let _e2272 = phi_6104_;
                                             if (_e2248 > _e2272) {
-                                                phi_6067_ = _e2248;
+                                                phi_6109_ = _e2248;
                                             } else {
-                                                phi_6067_ = _e2272;
+                                                phi_6109_ = _e2272;
                                             }
-                                            let _e2275 = phi_6067_;
+                                            let _e2275 = phi_6109_;
                                             let _e2277 = local_12.member_3;
                                             let _e2281 = local_12.member_2[0u];
                                             if (_e2281[0] < 0f) {
-                                                phi_6084_ = -(_e2281[0]);
+                                                phi_6126_ = -(_e2281[0]);
                                             } else {
-                                                phi_6084_ = _e2281[0];
+                                                phi_6126_ = _e2281[0];
                                             }
-                                            let _e2288 = phi_6084_;
+                                            let _e2288 = phi_6126_;
                                             if (_e2281[1] < 0f) {
-                                                phi_6091_ = -(_e2281[1]);
+                                                phi_6133_ = -(_e2281[1]);
                                             } else {
-                                                phi_6091_ = _e2281[1];
+                                                phi_6133_ = _e2281[1];
                                             }
-                                            let _e2292 = phi_6091_;
+                                            let _e2292 = phi_6133_;
                                             if (_e2288 > _e2292) {
-                                                phi_6096_ = _e2288;
+                                                phi_6138_ = _e2288;
                                             } else {
-                                                phi_6096_ = _e2292;
+                                                phi_6138_ = _e2292;
                                             }
-                                            let _e2295 = phi_6096_;
+                                            let _e2295 = phi_6138_;
                                             if (_e2281[2] < 0f) {
-                                                phi_6103_ = -(_e2281[2]);
+                                                phi_6145_ = -(_e2281[2]);
                                             } else {
-                                                phi_6103_ = _e2281[2];
+                                                phi_6145_ = _e2281[2];
                                             }
-                                            let _e2299 = phi_6103_;
+                                            let _e2299 = phi_6145_;
                                             if (_e2295 > _e2299) {
-                                                phi_6108_ = _e2295;
+                                                phi_6150_ = _e2295;
                                             } else {
-                                                phi_6108_ = _e2299;
+                                                phi_6150_ = _e2299;
                                             }
-                                            let _e2302 = phi_6108_;
+                                            let _e2302 = phi_6150_;
                                             let _e2305 = local_12.member_2[1u];
                                             if (_e2305[0] < 0f) {
-                                                phi_6122_ = -(_e2305[0]);
+                                                phi_6164_ = -(_e2305[0]);
                                             } else {
-                                                phi_6122_ = _e2305[0];
+                                                phi_6164_ = _e2305[0];
                                             }
-                                            let _e2312 = phi_6122_;
+                                            let _e2312 = phi_6164_;
                                             if (_e2305[1] < 0f) {
-                                                phi_6129_ = -(_e2305[1]);
+                                                phi_6171_ = -(_e2305[1]);
                                             } else {
-                                                phi_6129_ = _e2305[1];
+                                                phi_6171_ = _e2305[1];
                                             }
-                                            let _e2316 = phi_6129_;
+                                            let _e2316 = phi_6171_;
                                             if (_e2312 > _e2316) {
-                                                phi_6134_ = _e2312;
+                                                phi_6176_ = _e2312;
                                             } else {
-                                                phi_6134_ = _e2316;
+                                                phi_6176_ = _e2316;
                                             }
-                                            let _e2319 = phi_6134_;
+                                            let _e2319 = phi_6176_;
                                             if (_e2305[2] < 0f) {
-                                                phi_6141_ = -(_e2305[2]);
+                                                phi_6183_ = -(_e2305[2]);
                                             } else {
-                                                phi_6141_ = _e2305[2];
+                                                phi_6183_ = _e2305[2];
                                             }
-                                            let _e2323 = phi_6141_;
+                                            let _e2323 = phi_6183_;
                                             if (_e2319 > _e2323) {
-                                                phi_6146_ = _e2319;
+                                                phi_6188_ = _e2319;
                                             } else {
-                                                phi_6146_ = _e2323;
+                                                phi_6188_ = _e2323;
                                             }
-                                            let _e2326 = phi_6146_;
+                                            let _e2326 = phi_6188_;
                                             if (_e2302 > _e2326) {
-                                                phi_6151_ = _e2302;
+                                                phi_6193_ = _e2302;
                                             } else {
-                                                phi_6151_ = _e2326;
+                                                phi_6193_ = _e2326;
                                             }
-                                            let _e2329 = phi_6151_;
+                                            let _e2329 = phi_6193_;
                                             let _e2331 = local_12.member_3;
                                             let _e2338 = local_12.member_3;
                                             local = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
-                                            phi_6190_ = type_9(0u, 96u);
-                                            phi_6193_ = _e1393.member;
-                                            phi_6195_ = _e1393.member;
-                                            phi_6197_ = _e1393.member;
+                                            phi_6232_ = type_9(0u, 96u);
+                                            phi_6235_ = _e1393.member;
+                                            phi_6237_ = _e1393.member;
+                                            phi_6239_ = _e1393.member;
+                                            phi_6241_ = false;
+                                            phi_6243_ = 0u;
                                             loop {
-                                                let _e2344 = phi_6190_;
-                                                let _e2346 = phi_6193_;
-                                                let _e2348 = phi_6195_;
-                                                let _e2350 = phi_6197_;
+                                                let _e2344 = phi_6232_;
+                                                let _e2346 = phi_6235_;
+                                                let _e2348 = phi_6237_;
+                                                let _e2350 = phi_6239_;
+                                                let _e2352 = phi_6241_;
+                                                let _e2354 = phi_6243_;
                                                 local_36 = _e2348;
                                                 local_20 = _e2346;
                                                 if (_e2344.member < _e2344.member_1) {
-                                                    phi_6191_ = type_9((_e2344.member + 1u), _e2344.member_1);
-                                                    phi_6220_ = type_9(1u, _e2344.member);
+                                                    phi_6233_ = type_9((_e2344.member + 1u), _e2344.member_1);
+                                                    phi_6266_ = type_9(1u, _e2344.member);
                                                 } else {
-                                                    phi_6191_ = _e2344;
-                                                    phi_6220_ = type_9(0u, type_9().member_1);
+                                                    phi_6233_ = _e2344;
+                                                    phi_6266_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2362 = phi_6191_;
-                                                let _e2364 = phi_6220_;
-                                                if (bitcast<i32>(_e2364.member) != 0i) {
-                                                    let _e2371 = local_12.member[0u];
-                                                    let _e2377 = local_12.member[1u];
-                                                    let _e2393 = local_12.member_1[0u];
-                                                    let _e2399 = local_12.member_1[1u];
-                                                    let _e2415 = local_12.member_2[0u];
-                                                    let _e2421 = local_12.member_2[1u];
-                                                    let _e2435 = function_2(array<f32, 3>((_e2371[0] + ((_e2377[0] - _e2371[0]) * _e2346)), (_e2371[1] + ((_e2377[1] - _e2371[1]) * _e2346)), (_e2371[2] + ((_e2377[2] - _e2371[2]) * _e2346))), array<f32, 3>((_e2393[0] + ((_e2399[0] - _e2393[0]) * _e2346)), (_e2393[1] + ((_e2399[1] - _e2393[1]) * _e2346)), (_e2393[2] + ((_e2399[2] - _e2393[2]) * _e2346))), array<f32, 3>((_e2415[0] + ((_e2421[0] - _e2415[0]) * _e2346)), (_e2415[1] + ((_e2421[1] - _e2415[1]) * _e2346)), (_e2415[2] + ((_e2421[2] - _e2415[2]) * _e2346))), 1u);
-                                                    if (_e2435[0] < 0f) {
-                                                        phi_6332_ = -(_e2435[0]);
+                                                let _e2366 = phi_6233_;
+                                                let _e2368 = phi_6266_;
+                                                if (bitcast<i32>(_e2368.member) != 0i) {
+                                                    let _e2374 = local_12.member[0u];
+                                                    let _e2380 = local_12.member[1u];
+                                                    let _e2396 = local_12.member_1[0u];
+                                                    let _e2402 = local_12.member_1[1u];
+                                                    let _e2418 = local_12.member_2[0u];
+                                                    let _e2424 = local_12.member_2[1u];
+                                                    let _e2438 = function_2(array<f32, 3>((_e2374[0] + ((_e2380[0] - _e2374[0]) * _e2346)), (_e2374[1] + ((_e2380[1] - _e2374[1]) * _e2346)), (_e2374[2] + ((_e2380[2] - _e2374[2]) * _e2346))), array<f32, 3>((_e2396[0] + ((_e2402[0] - _e2396[0]) * _e2346)), (_e2396[1] + ((_e2402[1] - _e2396[1]) * _e2346)), (_e2396[2] + ((_e2402[2] - _e2396[2]) * _e2346))), array<f32, 3>((_e2418[0] + ((_e2424[0] - _e2418[0]) * _e2346)), (_e2418[1] + ((_e2424[1] - _e2418[1]) * _e2346)), (_e2418[2] + ((_e2424[2] - _e2418[2]) * _e2346))), 1u);
+                                                    if (_e2354 == 0u) {
+                                                        phi_6394_ = _e2438;
                                                     } else {
-                                                        phi_6332_ = _e2435[0];
+                                                        if (_e2354 == 1u) {
+                                                            phi_6380_ = _e2438[0];
+                                                        } else {
+                                                            phi_6380_ = 0f;
+                                                        }
+                                                        let _e2443 = phi_6380_;
+                                                        if (_e2354 == 2u) {
+                                                            phi_6386_ = _e2438[1];
+                                                        } else {
+                                                            phi_6386_ = 0f;
+                                                        }
+                                                        let _e2447 = phi_6386_;
+                                                        if (_e2354 == 3u) {
+                                                            phi_6392_ = _e2438[2];
+                                                        } else {
+                                                            phi_6392_ = 0f;
+                                                        }
+                                                        let _e2451 = phi_6392_;
+                                                        phi_6394_ = array<f32, 3>(_e2443, _e2447, _e2451);
                                                     }
-                                                    let _e2440 = phi_6332_;
-                                                    if (_e2435[1] < 0f) {
-                                                        phi_6339_ = -(_e2435[1]);
+                                                    let _e2454 = phi_6394_;
+                                                    if (_e2454[0] < 0f) {
+                                                        phi_6401_ = -(_e2454[0]);
                                                     } else {
-                                                        phi_6339_ = _e2435[1];
+                                                        phi_6401_ = _e2454[0];
                                                     }
-                                                    let _e2445 = phi_6339_;
-                                                    if (_e2435[2] < 0f) {
-                                                        phi_6347_ = -(_e2435[2]);
+                                                    let _e2459 = phi_6401_;
+                                                    if (_e2454[1] < 0f) {
+                                                        phi_6408_ = -(_e2454[1]);
                                                     } else {
-                                                        phi_6347_ = _e2435[2];
+                                                        phi_6408_ = _e2454[1];
                                                     }
-                                                    let _e2451 = phi_6347_;
-                                                    let _e2452 = ((_e2440 + _e2445) + _e2451);
-                                                    if (_e2452 > 0f) {
-                                                        if ((bitcast<u32>(_e2452) & 2139095040u) != 2139095040u) {
-                                                            let _e2457 = (1f / _e2452);
-                                                            let _e2459 = (_e2435[0] * _e2457);
-                                                            let _e2461 = (_e2435[1] * _e2457);
-                                                            let _e2463 = (_e2435[2] * _e2457);
-                                                            let _e2468 = (((_e2459 * _e2459) + (_e2461 * _e2461)) + (_e2463 * _e2463));
-                                                            if (_e2468 <= 0.000000000000000000000000000000000000011754944f) {
-                                                                if (_e2468 > 0f) {
-                                                                    phi_6384_ = (0.000000000000000000106433627f * 2f);
+                                                    let _e2464 = phi_6408_;
+                                                    if (_e2454[2] < 0f) {
+                                                        phi_6416_ = -(_e2454[2]);
+                                                    } else {
+                                                        phi_6416_ = _e2454[2];
+                                                    }
+                                                    let _e2470 = phi_6416_;
+                                                    let _e2471 = ((_e2459 + _e2464) + _e2470);
+                                                    if (_e2471 > 0f) {
+                                                        if ((bitcast<u32>(_e2471) & 2139095040u) != 2139095040u) {
+                                                            let _e2476 = (1f / _e2471);
+                                                            let _e2478 = (_e2454[0] * _e2476);
+                                                            let _e2480 = (_e2454[1] * _e2476);
+                                                            let _e2482 = (_e2454[2] * _e2476);
+                                                            let _e2487 = (((_e2478 * _e2478) + (_e2480 * _e2480)) + (_e2482 * _e2482));
+                                                            if (_e2487 <= 0.000000000000000000000000000000000000011754944f) {
+                                                                if (_e2487 > 0f) {
+                                                                    phi_6453_ = (0.000000000000000000106433627f * 2f);
                                                                 } else {
-                                                                    phi_6384_ = 0f;
+                                                                    phi_6453_ = 0f;
                                                                 }
-                                                                let _e2521 = phi_6384_;
-                                                                phi_6448_ = _e2521;
+                                                                let _e2540 = phi_6453_;
+                                                                phi_6517_ = _e2540;
                                                             } else {
-                                                                phi_6391_ = type_14(0i, 5i);
-                                                                phi_6394_ = bitcast<f32>(((bitcast<u32>(_e2468) >> bitcast<u32>(1i)) + 532369198u));
+                                                                phi_6460_ = type_14(0i, 5i);
+                                                                phi_6463_ = bitcast<f32>(((bitcast<u32>(_e2487) >> bitcast<u32>(1i)) + 532369198u));
                                                                 loop {
-                                                                    let _e2476 = phi_6391_;
-                                                                    let _e2478 = phi_6394_;
-                                                                    local_18 = _e2478;
-                                                                    if (_e2476.member < _e2476.member_1) {
-                                                                        let _e2485 = (_e2476.member + 1i);
-                                                                        if ((false == (_e2485 > _e2476.member)) != false) {
-                                                                            phi_6415_ = true;
+                                                                    let _e2495 = phi_6460_;
+                                                                    let _e2497 = phi_6463_;
+                                                                    local_18 = _e2497;
+                                                                    if (_e2495.member < _e2495.member_1) {
+                                                                        let _e2504 = (_e2495.member + 1i);
+                                                                        if ((false == (_e2504 > _e2495.member)) != false) {
+                                                                            phi_6484_ = true;
                                                                         } else {
-                                                                            phi_6415_ = false;
+                                                                            phi_6484_ = false;
                                                                         }
-                                                                        let _e2490 = phi_6415_;
-                                                                        if _e2490 {
-                                                                            phi_6421_ = type_15(0u, type_15().member_1);
+                                                                        let _e2509 = phi_6484_;
+                                                                        if _e2509 {
+                                                                            phi_6490_ = type_15(0u, type_15().member_1);
                                                                         } else {
-                                                                            phi_6421_ = type_15(1u, _e2485);
+                                                                            phi_6490_ = type_15(1u, _e2504);
                                                                         }
-                                                                        let _e2495 = phi_6421_;
-                                                                        phi_6392_ = type_14(_e2495.member_1, _e2476.member_1);
-                                                                        phi_6435_ = type_15(1u, _e2476.member);
+                                                                        let _e2514 = phi_6490_;
+                                                                        phi_6461_ = type_14(_e2514.member_1, _e2495.member_1);
+                                                                        phi_6504_ = type_15(1u, _e2495.member);
                                                                     } else {
-                                                                        phi_6392_ = _e2476;
-                                                                        phi_6435_ = type_15(0u, type_15().member_1);
+                                                                        phi_6461_ = _e2495;
+                                                                        phi_6504_ = type_15(0u, type_15().member_1);
                                                                     }
-                                                                    let _e2501 = phi_6392_;
-                                                                    let _e2503 = phi_6435_;
-                                                                    let _e2506 = (bitcast<i32>(_e2503.member) != 0i);
-                                                                    if _e2506 {
-                                                                        phi_6395_ = (0.5f * (_e2478 + (_e2468 / _e2478)));
+                                                                    let _e2520 = phi_6461_;
+                                                                    let _e2522 = phi_6504_;
+                                                                    let _e2525 = (bitcast<i32>(_e2522.member) != 0i);
+                                                                    if _e2525 {
+                                                                        phi_6464_ = (0.5f * (_e2497 + (_e2487 / _e2497)));
                                                                     } else {
-                                                                        phi_6395_ = f32();
+                                                                        phi_6464_ = f32();
                                                                     }
-                                                                    let _e2511 = phi_6395_;
+                                                                    let _e2530 = phi_6464_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_6391_ = _e2501;
-                                                                        phi_6394_ = _e2511;
-                                                                        break if !(_e2506);
+                                                                        phi_6460_ = _e2520;
+                                                                        phi_6463_ = _e2530;
+                                                                        break if !(_e2525);
                                                                     }
                                                                 }
-                                                                let _e2516 = local_18;
-                                                                phi_6448_ = (_e2516 * (1f + (8f * 0.000000059604645f)));
+                                                                let _e2535 = local_18;
+                                                                phi_6517_ = (_e2535 * (1f + (8f * 0.000000059604645f)));
                                                             }
-                                                            let _e2523 = phi_6448_;
-                                                            let _e2524 = (0.000000059604645f * 12f);
-                                                            let _e2529 = ((((((((_e2221 + _e2223) + (_e2275 + _e2277)) + (_e2329 + _e2331)) * (0.000000059604645f * 16f)) + (_e2338 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2523) * (1f + _e2524)));
-                                                            let _e2534 = (((_e2459 * _e2119[0]) + (_e2461 * _e2119[1])) + (_e2463 * _e2119[2]));
-                                                            let _e2539 = (((_e2459 * _e2135) + (_e2461 * _e2136)) + (_e2463 * _e2137));
-                                                            let _e2544 = (((_e2459 * (_e2119[0] - _e2131[0])) + (_e2461 * (_e2119[1] - _e2131[1]))) + (_e2463 * (_e2119[2] - _e2131[2])));
-                                                            let _e2549 = (((_e2459 * (_e2135 - _e2131[0])) + (_e2461 * (_e2136 - _e2131[1]))) + (_e2463 * (_e2137 - _e2131[2])));
-                                                            let _e2555 = (((_e2459 * _e2146[0]) + (_e2461 * _e2146[1])) + (_e2463 * _e2146[2]));
-                                                            let _e2560 = (((_e2459 * _e2162) + (_e2461 * _e2163)) + (_e2463 * _e2164));
-                                                            let _e2565 = (((_e2459 * (_e2146[0] - _e2158[0])) + (_e2461 * (_e2146[1] - _e2158[1]))) + (_e2463 * (_e2146[2] - _e2158[2])));
-                                                            let _e2570 = (((_e2459 * (_e2162 - _e2158[0])) + (_e2461 * (_e2163 - _e2158[1]))) + (_e2463 * (_e2164 - _e2158[2])));
-                                                            if (_e2534 < 0f) {
-                                                                phi_6514_ = -(_e2534);
+                                                            let _e2542 = phi_6517_;
+                                                            let _e2543 = (0.000000059604645f * 12f);
+                                                            let _e2548 = ((((((((_e2221 + _e2223) + (_e2275 + _e2277)) + (_e2329 + _e2331)) * (0.000000059604645f * 16f)) + (_e2338 * 3f)) + (0.000000000000000000000000000000000000011754944f * 256f)) * 1.01f) + ((0f * _e2542) * (1f + _e2543)));
+                                                            let _e2553 = (((_e2478 * _e2119[0]) + (_e2480 * _e2119[1])) + (_e2482 * _e2119[2]));
+                                                            let _e2558 = (((_e2478 * _e2135) + (_e2480 * _e2136)) + (_e2482 * _e2137));
+                                                            let _e2563 = (((_e2478 * (_e2119[0] - _e2131[0])) + (_e2480 * (_e2119[1] - _e2131[1]))) + (_e2482 * (_e2119[2] - _e2131[2])));
+                                                            let _e2568 = (((_e2478 * (_e2135 - _e2131[0])) + (_e2480 * (_e2136 - _e2131[1]))) + (_e2482 * (_e2137 - _e2131[2])));
+                                                            let _e2574 = (((_e2478 * _e2146[0]) + (_e2480 * _e2146[1])) + (_e2482 * _e2146[2]));
+                                                            let _e2579 = (((_e2478 * _e2162) + (_e2480 * _e2163)) + (_e2482 * _e2164));
+                                                            let _e2584 = (((_e2478 * (_e2146[0] - _e2158[0])) + (_e2480 * (_e2146[1] - _e2158[1]))) + (_e2482 * (_e2146[2] - _e2158[2])));
+                                                            let _e2589 = (((_e2478 * (_e2162 - _e2158[0])) + (_e2480 * (_e2163 - _e2158[1]))) + (_e2482 * (_e2164 - _e2158[2])));
+                                                            if (_e2553 < 0f) {
+                                                                phi_6583_ = -(_e2553);
                                                             } else {
-                                                                phi_6514_ = _e2534;
+                                                                phi_6583_ = _e2553;
                                                             }
-                                                            let _e2575 = phi_6514_;
-                                                            if (_e2555 < 0f) {
-                                                                phi_6520_ = -(_e2555);
+                                                            let _e2594 = phi_6583_;
+                                                            if (_e2574 < 0f) {
+                                                                phi_6589_ = -(_e2574);
                                                             } else {
-                                                                phi_6520_ = _e2555;
+                                                                phi_6589_ = _e2574;
                                                             }
-                                                            let _e2579 = phi_6520_;
-                                                            if (_e2539 < 0f) {
-                                                                phi_6529_ = -(_e2539);
+                                                            let _e2598 = phi_6589_;
+                                                            if (_e2558 < 0f) {
+                                                                phi_6598_ = -(_e2558);
                                                             } else {
-                                                                phi_6529_ = _e2539;
+                                                                phi_6598_ = _e2558;
                                                             }
-                                                            let _e2586 = phi_6529_;
-                                                            if (_e2560 < 0f) {
-                                                                phi_6535_ = -(_e2560);
+                                                            let _e2605 = phi_6598_;
+                                                            if (_e2579 < 0f) {
+                                                                phi_6604_ = -(_e2579);
                                                             } else {
-                                                                phi_6535_ = _e2560;
+                                                                phi_6604_ = _e2579;
                                                             }
-                                                            let _e2590 = phi_6535_;
-                                                            if (_e2544 < 0f) {
-                                                                phi_6544_ = -(_e2544);
+                                                            let _e2609 = phi_6604_;
+                                                            if (_e2563 < 0f) {
+                                                                phi_6613_ = -(_e2563);
                                                             } else {
-                                                                phi_6544_ = _e2544;
+                                                                phi_6613_ = _e2563;
                                                             }
-                                                            let _e2597 = phi_6544_;
-                                                            if (_e2565 < 0f) {
-                                                                phi_6550_ = -(_e2565);
+                                                            let _e2616 = phi_6613_;
+                                                            if (_e2584 < 0f) {
+                                                                phi_6619_ = -(_e2584);
                                                             } else {
-                                                                phi_6550_ = _e2565;
+                                                                phi_6619_ = _e2584;
                                                             }
-                                                            let _e2601 = phi_6550_;
-                                                            if (_e2549 < 0f) {
-                                                                phi_6559_ = -(_e2549);
+                                                            let _e2620 = phi_6619_;
+                                                            if (_e2568 < 0f) {
+                                                                phi_6628_ = -(_e2568);
                                                             } else {
-                                                                phi_6559_ = _e2549;
+                                                                phi_6628_ = _e2568;
                                                             }
-                                                            let _e2608 = phi_6559_;
-                                                            if (_e2570 < 0f) {
-                                                                phi_6565_ = -(_e2570);
+                                                            let _e2627 = phi_6628_;
+                                                            if (_e2589 < 0f) {
+                                                                phi_6634_ = -(_e2589);
                                                             } else {
-                                                                phi_6565_ = _e2570;
+                                                                phi_6634_ = _e2589;
                                                             }
-                                                            let _e2612 = phi_6565_;
-                                                            phi_6571_ = type_30(array<f32, 4>(_e2534, _e2539, _e2544, _e2549), array<f32, 4>(_e2555, _e2560, _e2565, _e2570), array<f32, 4>((_e2529 + ((_e2575 + _e2579) * _e2524)), (_e2529 + ((_e2586 + _e2590) * _e2524)), (_e2529 + ((_e2597 + _e2601) * _e2524)), (_e2529 + ((_e2608 + _e2612) * _e2524))));
-                                                            phi_6572_ = false;
+                                                            let _e2631 = phi_6634_;
+                                                            phi_6640_ = type_30(array<f32, 4>(_e2553, _e2558, _e2563, _e2568), array<f32, 4>(_e2574, _e2579, _e2584, _e2589), array<f32, 4>((_e2548 + ((_e2594 + _e2598) * _e2543)), (_e2548 + ((_e2605 + _e2609) * _e2543)), (_e2548 + ((_e2616 + _e2620) * _e2543)), (_e2548 + ((_e2627 + _e2631) * _e2543))));
+                                                            phi_6641_ = false;
                                                         } else {
-                                                            phi_6571_ = type_30();
-                                                            phi_6572_ = true;
+                                                            phi_6640_ = type_30();
+                                                            phi_6641_ = true;
                                                         }
-                                                        let _e2619 = phi_6571_;
-                                                        let _e2621 = phi_6572_;
-                                                        phi_6573_ = _e2619;
-                                                        phi_6574_ = _e2621;
+                                                        let _e2638 = phi_6640_;
+                                                        let _e2640 = phi_6641_;
+                                                        phi_6642_ = _e2638;
+                                                        phi_6643_ = _e2640;
                                                     } else {
-                                                        phi_6573_ = type_30();
-                                                        phi_6574_ = true;
+                                                        phi_6642_ = type_30();
+                                                        phi_6643_ = true;
                                                     }
-                                                    let _e2623 = phi_6573_;
-                                                    let _e2625 = phi_6574_;
-                                                    if _e2625 {
-                                                        phi_6582_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
+                                                    let _e2642 = phi_6642_;
+                                                    let _e2644 = phi_6643_;
+                                                    if _e2644 {
+                                                        phi_6651_ = type_30(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(1f, 1f, 1f, 1f));
                                                     } else {
-                                                        phi_6582_ = _e2623;
+                                                        phi_6651_ = _e2642;
                                                     }
-                                                    let _e2627 = phi_6582_;
-                                                    local_1 = type_30(array<f32, 4>(_e2627.member[0], _e2627.member[1], _e2627.member[2], _e2627.member[3]), array<f32, 4>(_e2627.member_1[0], _e2627.member_1[1], _e2627.member_1[2], _e2627.member_1[3]), array<f32, 4>(_e2627.member_2[0], _e2627.member_2[1], _e2627.member_2[2], _e2627.member_2[3]));
-                                                    let _e2647 = (_e2346 - _e2350);
-                                                    let _e2650 = local_1.member[0u];
-                                                    let _e2653 = local_1.member_1[0u];
-                                                    let _e2656 = local_1.member[0u];
-                                                    let _e2662 = local_1.member_2[0u];
-                                                    if (((_e2650 + ((_e2653 - _e2656) * _e2346)) - _e2662) > 0f) {
-                                                        let _e2667 = local_1.member[1u];
-                                                        let _e2670 = local_1.member_1[1u];
-                                                        let _e2673 = local_1.member[1u];
-                                                        let _e2679 = local_1.member_2[1u];
-                                                        if (((_e2667 + ((_e2670 - _e2673) * _e2346)) - _e2679) > 0f) {
-                                                            let _e2684 = local_1.member[2u];
-                                                            let _e2687 = local_1.member_1[2u];
-                                                            let _e2690 = local_1.member[2u];
-                                                            let _e2696 = local_1.member_2[2u];
-                                                            if (((_e2684 + ((_e2687 - _e2690) * _e2346)) - _e2696) > 0f) {
-                                                                let _e2701 = local_1.member[3u];
-                                                                let _e2704 = local_1.member_1[3u];
-                                                                let _e2707 = local_1.member[3u];
-                                                                let _e2713 = local_1.member_2[3u];
-                                                                phi_6752_ = (((_e2701 + ((_e2704 - _e2707) * _e2346)) - _e2713) > 0f);
-                                                                phi_6753_ = false;
+                                                    let _e2646 = phi_6651_;
+                                                    local_1 = type_30(array<f32, 4>(_e2646.member[0], _e2646.member[1], _e2646.member[2], _e2646.member[3]), array<f32, 4>(_e2646.member_1[0], _e2646.member_1[1], _e2646.member_1[2], _e2646.member_1[3]), array<f32, 4>(_e2646.member_2[0], _e2646.member_2[1], _e2646.member_2[2], _e2646.member_2[3]));
+                                                    let _e2666 = (_e2346 - _e2350);
+                                                    let _e2670 = local_1.member[0u];
+                                                    let _e2673 = local_1.member_1[0u];
+                                                    let _e2676 = local_1.member[0u];
+                                                    let _e2682 = local_1.member_2[0u];
+                                                    if (((_e2670 + ((_e2673 - _e2676) * _e2346)) - _e2682) > 0f) {
+                                                        let _e2687 = local_1.member[1u];
+                                                        let _e2690 = local_1.member_1[1u];
+                                                        let _e2693 = local_1.member[1u];
+                                                        let _e2699 = local_1.member_2[1u];
+                                                        if (((_e2687 + ((_e2690 - _e2693) * _e2346)) - _e2699) > 0f) {
+                                                            let _e2704 = local_1.member[2u];
+                                                            let _e2707 = local_1.member_1[2u];
+                                                            let _e2710 = local_1.member[2u];
+                                                            let _e2716 = local_1.member_2[2u];
+                                                            if (((_e2704 + ((_e2707 - _e2710) * _e2346)) - _e2716) > 0f) {
+                                                                let _e2721 = local_1.member[3u];
+                                                                let _e2724 = local_1.member_1[3u];
+                                                                let _e2727 = local_1.member[3u];
+                                                                let _e2733 = local_1.member_2[3u];
+                                                                phi_6822_ = (((_e2721 + ((_e2724 - _e2727) * _e2346)) - _e2733) > 0f);
+                                                                phi_6823_ = false;
                                                             } else {
-                                                                phi_6752_ = bool();
-                                                                phi_6753_ = true;
+                                                                phi_6822_ = bool();
+                                                                phi_6823_ = true;
                                                             }
-                                                            let _e2717 = phi_6752_;
-                                                            let _e2719 = phi_6753_;
-                                                            phi_6754_ = _e2717;
-                                                            phi_6755_ = _e2719;
+                                                            let _e2737 = phi_6822_;
+                                                            let _e2739 = phi_6823_;
+                                                            phi_6824_ = _e2737;
+                                                            phi_6825_ = _e2739;
                                                         } else {
-                                                            phi_6754_ = bool();
-                                                            phi_6755_ = true;
+                                                            phi_6824_ = bool();
+                                                            phi_6825_ = true;
                                                         }
-                                                        let _e2721 = phi_6754_;
-                                                        let _e2723 = phi_6755_;
-                                                        phi_6756_ = _e2721;
-                                                        phi_6757_ = _e2723;
+                                                        let _e2741 = phi_6824_;
+                                                        let _e2743 = phi_6825_;
+                                                        phi_6826_ = _e2741;
+                                                        phi_6827_ = _e2743;
                                                     } else {
-                                                        phi_6756_ = bool();
-                                                        phi_6757_ = true;
+                                                        phi_6826_ = bool();
+                                                        phi_6827_ = true;
                                                     }
-                                                    let _e2725 = phi_6756_;
-                                                    let _e2727 = phi_6757_;
-                                                    if _e2727 {
-                                                        phi_6761_ = false;
+                                                    let _e2745 = phi_6826_;
+                                                    let _e2747 = phi_6827_;
+                                                    if _e2747 {
+                                                        phi_6831_ = false;
                                                     } else {
-                                                        phi_6761_ = _e2725;
+                                                        phi_6831_ = _e2745;
                                                     }
-                                                    let _e2729 = phi_6761_;
-                                                    if _e2729 {
+                                                    let _e2749 = phi_6831_;
+                                                    if _e2749 {
                                                         if (_e2346 <= _e2348) {
-                                                            phi_7071_ = true;
+                                                            phi_7141_ = true;
                                                         } else {
-                                                            let _e2733 = local.member[0u];
-                                                            let _e2736 = local.member_1[0u];
-                                                            let _e2739 = local.member[0u];
-                                                            let _e2745 = local.member_2[0u];
-                                                            let _e2749 = local_1.member[0u];
-                                                            let _e2752 = local_1.member_1[0u];
-                                                            let _e2755 = local_1.member[0u];
-                                                            let _e2761 = local_1.member_2[0u];
-                                                            if ((((_e2733 + ((_e2736 - _e2739) * _e2346)) - _e2745) + ((_e2749 + ((_e2752 - _e2755) * _e2350)) - _e2761)) > 0f) {
-                                                                let _e2767 = local.member[1u];
-                                                                let _e2770 = local.member_1[1u];
-                                                                let _e2773 = local.member[1u];
-                                                                let _e2779 = local.member_2[1u];
-                                                                let _e2783 = local_1.member[1u];
-                                                                let _e2786 = local_1.member_1[1u];
-                                                                let _e2789 = local_1.member[1u];
-                                                                let _e2795 = local_1.member_2[1u];
-                                                                if ((((_e2767 + ((_e2770 - _e2773) * _e2346)) - _e2779) + ((_e2783 + ((_e2786 - _e2789) * _e2350)) - _e2795)) > 0f) {
-                                                                    let _e2801 = local.member[2u];
-                                                                    let _e2804 = local.member_1[2u];
-                                                                    let _e2807 = local.member[2u];
-                                                                    let _e2813 = local.member_2[2u];
-                                                                    let _e2817 = local_1.member[2u];
-                                                                    let _e2820 = local_1.member_1[2u];
-                                                                    let _e2823 = local_1.member[2u];
-                                                                    let _e2829 = local_1.member_2[2u];
-                                                                    if ((((_e2801 + ((_e2804 - _e2807) * _e2346)) - _e2813) + ((_e2817 + ((_e2820 - _e2823) * _e2350)) - _e2829)) > 0f) {
-                                                                        let _e2835 = local.member[3u];
-                                                                        let _e2838 = local.member_1[3u];
-                                                                        let _e2841 = local.member[3u];
-                                                                        let _e2847 = local.member_2[3u];
-                                                                        let _e2851 = local_1.member[3u];
-                                                                        let _e2854 = local_1.member_1[3u];
-                                                                        let _e2857 = local_1.member[3u];
-                                                                        let _e2863 = local_1.member_2[3u];
-                                                                        phi_7058_ = ((((_e2835 + ((_e2838 - _e2841) * _e2346)) - _e2847) + ((_e2851 + ((_e2854 - _e2857) * _e2350)) - _e2863)) > 0f);
-                                                                        phi_7059_ = false;
+                                                            let _e2753 = local.member[0u];
+                                                            let _e2756 = local.member_1[0u];
+                                                            let _e2759 = local.member[0u];
+                                                            let _e2765 = local.member_2[0u];
+                                                            let _e2769 = local_1.member[0u];
+                                                            let _e2772 = local_1.member_1[0u];
+                                                            let _e2775 = local_1.member[0u];
+                                                            let _e2781 = local_1.member_2[0u];
+                                                            if ((((_e2753 + ((_e2756 - _e2759) * _e2346)) - _e2765) + ((_e2769 + ((_e2772 - _e2775) * _e2350)) - _e2781)) > 0f) {
+                                                                let _e2787 = local.member[1u];
+                                                                let _e2790 = local.member_1[1u];
+                                                                let _e2793 = local.member[1u];
+                                                                let _e2799 = local.member_2[1u];
+                                                                let _e2803 = local_1.member[1u];
+                                                                let _e2806 = local_1.member_1[1u];
+                                                                let _e2809 = local_1.member[1u];
+                                                                let _e2815 = local_1.member_2[1u];
+                                                                if ((((_e2787 + ((_e2790 - _e2793) * _e2346)) - _e2799) + ((_e2803 + ((_e2806 - _e2809) * _e2350)) - _e2815)) > 0f) {
+                                                                    let _e2821 = local.member[2u];
+                                                                    let _e2824 = local.member_1[2u];
+                                                                    let _e2827 = local.member[2u];
+                                                                    let _e2833 = local.member_2[2u];
+                                                                    let _e2837 = local_1.member[2u];
+                                                                    let _e2840 = local_1.member_1[2u];
+                                                                    let _e2843 = local_1.member[2u];
+                                                                    let _e2849 = local_1.member_2[2u];
+                                                                    if ((((_e2821 + ((_e2824 - _e2827) * _e2346)) - _e2833) + ((_e2837 + ((_e2840 - _e2843) * _e2350)) - _e2849)) > 0f) {
+                                                                        let _e2855 = local.member[3u];
+                                                                        let _e2858 = local.member_1[3u];
+                                                                        let _e2861 = local.member[3u];
+                                                                        let _e2867 = local.member_2[3u];
+                                                                        let _e2871 = local_1.member[3u];
+                                                                        let _e2874 = local_1.member_1[3u];
+                                                                        let _e2877 = local_1.member[3u];
+                                                                        let _e2883 = local_1.member_2[3u];
+                                                                        phi_7128_ = ((((_e2855 + ((_e2858 - _e2861) * _e2346)) - _e2867) + ((_e2871 + ((_e2874 - _e2877) * _e2350)) - _e2883)) > 0f);
+                                                                        phi_7129_ = false;
                                                                     } else {
-                                                                        phi_7058_ = bool();
-                                                                        phi_7059_ = true;
+                                                                        phi_7128_ = bool();
+                                                                        phi_7129_ = true;
                                                                     }
-                                                                    let _e2868 = phi_7058_;
-                                                                    let _e2870 = phi_7059_;
-                                                                    phi_7060_ = _e2868;
-                                                                    phi_7061_ = _e2870;
+                                                                    let _e2888 = phi_7128_;
+                                                                    let _e2890 = phi_7129_;
+                                                                    phi_7130_ = _e2888;
+                                                                    phi_7131_ = _e2890;
                                                                 } else {
-                                                                    phi_7060_ = bool();
-                                                                    phi_7061_ = true;
+                                                                    phi_7130_ = bool();
+                                                                    phi_7131_ = true;
                                                                 }
-                                                                let _e2872 = phi_7060_;
-                                                                let _e2874 = phi_7061_;
-                                                                phi_7062_ = _e2872;
-                                                                phi_7063_ = _e2874;
+                                                                let _e2892 = phi_7130_;
+                                                                let _e2894 = phi_7131_;
+                                                                phi_7132_ = _e2892;
+                                                                phi_7133_ = _e2894;
                                                             } else {
-                                                                phi_7062_ = bool();
-                                                                phi_7063_ = true;
+                                                                phi_7132_ = bool();
+                                                                phi_7133_ = true;
                                                             }
-                                                            let _e2876 = phi_7062_;
-                                                            let _e2878 = phi_7063_;
-                                                            if _e2878 {
-                                                                phi_7067_ = false;
+                                                            let _e2896 = phi_7132_;
+                                                            let _e2898 = phi_7133_;
+                                                            if _e2898 {
+                                                                phi_7137_ = false;
                                                             } else {
-                                                                phi_7067_ = _e2876;
+                                                                phi_7137_ = _e2896;
                                                             }
-                                                            let _e2880 = phi_7067_;
-                                                            phi_7071_ = _e2880;
+                                                            let _e2900 = phi_7137_;
+                                                            phi_7141_ = _e2900;
                                                         }
-                                                        let _e2882 = phi_7071_;
-                                                        if _e2882 {
-                                                            if (_e2364.member_1 > 0u) {
+                                                        let _e2902 = phi_7141_;
+                                                        if _e2902 {
+                                                            if _e2352 {
                                                                 if (_e2346 >= _e1393.member_1) {
-                                                                    phi_7083_ = false;
+                                                                    phi_7152_ = false;
                                                                 } else {
-                                                                    phi_7083_ = true;
+                                                                    phi_7152_ = true;
                                                                 }
-                                                                let _e2886 = phi_7083_;
-                                                                phi_7084_ = _e2886;
+                                                                let _e2905 = phi_7152_;
+                                                                phi_7153_ = _e2905;
                                                             } else {
-                                                                phi_7084_ = true;
+                                                                phi_7153_ = true;
                                                             }
-                                                            let _e2888 = phi_7084_;
-                                                            if _e2888 {
-                                                                local = type_30(array<f32, 4>(_e2627.member[0], _e2627.member[1], _e2627.member[2], _e2627.member[3]), array<f32, 4>(_e2627.member_1[0], _e2627.member_1[1], _e2627.member_1[2], _e2627.member_1[3]), array<f32, 4>(_e2627.member_2[0], _e2627.member_2[1], _e2627.member_2[2], _e2627.member_2[3]));
-                                                                let _e2910 = local.member[0u];
-                                                                let _e2913 = local.member_1[0u];
-                                                                let _e2916 = local.member_2[0u];
-                                                                if (_e2910 > _e2916) {
-                                                                    if (_e2913 > _e2916) {
-                                                                        phi_7158_ = false;
+                                                            let _e2907 = phi_7153_;
+                                                            if _e2907 {
+                                                                local = type_30(array<f32, 4>(_e2646.member[0], _e2646.member[1], _e2646.member[2], _e2646.member[3]), array<f32, 4>(_e2646.member_1[0], _e2646.member_1[1], _e2646.member_1[2], _e2646.member_1[3]), array<f32, 4>(_e2646.member_2[0], _e2646.member_2[1], _e2646.member_2[2], _e2646.member_2[3]));
+                                                                let _e2929 = local.member[0u];
+                                                                let _e2932 = local.member_1[0u];
+                                                                let _e2935 = local.member_2[0u];
+                                                                if (_e2929 > _e2935) {
+                                                                    if (_e2932 > _e2935) {
+                                                                        phi_7227_ = false;
                                                                     } else {
-                                                                        phi_7158_ = true;
+                                                                        phi_7227_ = true;
                                                                     }
-                                                                    let _e2920 = phi_7158_;
-                                                                    phi_7159_ = _e2920;
+                                                                    let _e2939 = phi_7227_;
+                                                                    phi_7228_ = _e2939;
                                                                 } else {
-                                                                    phi_7159_ = true;
+                                                                    phi_7228_ = true;
                                                                 }
-                                                                let _e2922 = phi_7159_;
-                                                                if _e2922 {
-                                                                    let _e2923 = (_e2913 >= _e2910);
-                                                                    if _e2923 {
-                                                                        phi_7181_ = f32();
-                                                                        phi_7182_ = false;
+                                                                let _e2941 = phi_7228_;
+                                                                if _e2941 {
+                                                                    let _e2942 = (_e2932 >= _e2929);
+                                                                    if _e2942 {
+                                                                        phi_7250_ = f32();
+                                                                        phi_7251_ = false;
                                                                     } else {
-                                                                        if ((_e2910 - _e2913) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7179_ = (((_e2910 - _e2916) / (_e2910 - _e2913)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7180_ = false;
+                                                                        if ((_e2929 - _e2932) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7248_ = (((_e2929 - _e2935) / (_e2929 - _e2932)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7249_ = false;
                                                                         } else {
-                                                                            phi_7179_ = f32();
-                                                                            phi_7180_ = true;
+                                                                            phi_7248_ = f32();
+                                                                            phi_7249_ = true;
                                                                         }
-                                                                        let _e2934 = phi_7179_;
-                                                                        let _e2936 = phi_7180_;
-                                                                        phi_7181_ = _e2934;
-                                                                        phi_7182_ = _e2936;
+                                                                        let _e2953 = phi_7248_;
+                                                                        let _e2955 = phi_7249_;
+                                                                        phi_7250_ = _e2953;
+                                                                        phi_7251_ = _e2955;
                                                                     }
-                                                                    let _e2938 = phi_7181_;
-                                                                    let _e2940 = phi_7182_;
-                                                                    phi_7183_ = _e2938;
-                                                                    phi_7184_ = _e2923;
-                                                                    phi_7185_ = _e2940;
+                                                                    let _e2957 = phi_7250_;
+                                                                    let _e2959 = phi_7251_;
+                                                                    phi_7252_ = _e2957;
+                                                                    phi_7253_ = _e2942;
+                                                                    phi_7254_ = _e2959;
                                                                 } else {
-                                                                    phi_7183_ = f32();
-                                                                    phi_7184_ = true;
-                                                                    phi_7185_ = false;
+                                                                    phi_7252_ = f32();
+                                                                    phi_7253_ = true;
+                                                                    phi_7254_ = false;
                                                                 }
-                                                                let _e2942 = phi_7183_;
-                                                                let _e2944 = phi_7184_;
-                                                                let _e2946 = phi_7185_;
-                                                                if _e2944 {
-                                                                    phi_7189_ = 2f;
-                                                                    phi_7190_ = true;
+                                                                let _e2961 = phi_7252_;
+                                                                let _e2963 = phi_7253_;
+                                                                let _e2965 = phi_7254_;
+                                                                if _e2963 {
+                                                                    phi_7258_ = 2f;
+                                                                    phi_7259_ = true;
                                                                 } else {
-                                                                    phi_7189_ = _e2346;
-                                                                    phi_7190_ = _e2946;
+                                                                    phi_7258_ = _e2346;
+                                                                    phi_7259_ = _e2965;
                                                                 }
-                                                                let _e2948 = phi_7189_;
-                                                                let _e2950 = phi_7190_;
-                                                                if _e2950 {
-                                                                    phi_7194_ = _e2948;
+                                                                let _e2967 = phi_7258_;
+                                                                let _e2969 = phi_7259_;
+                                                                if _e2969 {
+                                                                    phi_7263_ = _e2967;
                                                                 } else {
-                                                                    phi_7194_ = _e2942;
+                                                                    phi_7263_ = _e2961;
                                                                 }
-                                                                let _e2952 = phi_7194_;
-                                                                let _e2955 = local.member[1u];
-                                                                let _e2958 = local.member_1[1u];
-                                                                let _e2961 = local.member_2[1u];
-                                                                if (_e2955 > _e2961) {
-                                                                    if (_e2958 > _e2961) {
-                                                                        phi_7226_ = false;
+                                                                let _e2971 = phi_7263_;
+                                                                let _e2974 = local.member[1u];
+                                                                let _e2977 = local.member_1[1u];
+                                                                let _e2980 = local.member_2[1u];
+                                                                if (_e2974 > _e2980) {
+                                                                    if (_e2977 > _e2980) {
+                                                                        phi_7295_ = false;
                                                                     } else {
-                                                                        phi_7226_ = true;
+                                                                        phi_7295_ = true;
                                                                     }
-                                                                    let _e2965 = phi_7226_;
-                                                                    phi_7227_ = _e2965;
+                                                                    let _e2984 = phi_7295_;
+                                                                    phi_7296_ = _e2984;
                                                                 } else {
-                                                                    phi_7227_ = true;
+                                                                    phi_7296_ = true;
                                                                 }
-                                                                let _e2967 = phi_7227_;
-                                                                if _e2967 {
-                                                                    let _e2968 = (_e2958 >= _e2955);
-                                                                    if _e2968 {
-                                                                        phi_7249_ = f32();
-                                                                        phi_7250_ = false;
+                                                                let _e2986 = phi_7296_;
+                                                                if _e2986 {
+                                                                    let _e2987 = (_e2977 >= _e2974);
+                                                                    if _e2987 {
+                                                                        phi_7318_ = f32();
+                                                                        phi_7319_ = false;
                                                                     } else {
-                                                                        if ((_e2955 - _e2958) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7247_ = (((_e2955 - _e2961) / (_e2955 - _e2958)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7248_ = false;
+                                                                        if ((_e2974 - _e2977) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7316_ = (((_e2974 - _e2980) / (_e2974 - _e2977)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7317_ = false;
                                                                         } else {
-                                                                            phi_7247_ = f32();
-                                                                            phi_7248_ = true;
+                                                                            phi_7316_ = f32();
+                                                                            phi_7317_ = true;
                                                                         }
-                                                                        let _e2979 = phi_7247_;
-                                                                        let _e2981 = phi_7248_;
-                                                                        phi_7249_ = _e2979;
-                                                                        phi_7250_ = _e2981;
+                                                                        let _e2998 = phi_7316_;
+                                                                        let _e3000 = phi_7317_;
+                                                                        phi_7318_ = _e2998;
+                                                                        phi_7319_ = _e3000;
                                                                     }
-                                                                    let _e2983 = phi_7249_;
-                                                                    let _e2985 = phi_7250_;
-                                                                    phi_7251_ = _e2983;
-                                                                    phi_7252_ = _e2968;
-                                                                    phi_7253_ = _e2985;
+                                                                    let _e3002 = phi_7318_;
+                                                                    let _e3004 = phi_7319_;
+                                                                    phi_7320_ = _e3002;
+                                                                    phi_7321_ = _e2987;
+                                                                    phi_7322_ = _e3004;
                                                                 } else {
-                                                                    phi_7251_ = f32();
-                                                                    phi_7252_ = true;
-                                                                    phi_7253_ = false;
+                                                                    phi_7320_ = f32();
+                                                                    phi_7321_ = true;
+                                                                    phi_7322_ = false;
                                                                 }
-                                                                let _e2987 = phi_7251_;
-                                                                let _e2989 = phi_7252_;
-                                                                let _e2991 = phi_7253_;
-                                                                if _e2989 {
-                                                                    phi_7257_ = 2f;
-                                                                    phi_7258_ = true;
+                                                                let _e3006 = phi_7320_;
+                                                                let _e3008 = phi_7321_;
+                                                                let _e3010 = phi_7322_;
+                                                                if _e3008 {
+                                                                    phi_7326_ = 2f;
+                                                                    phi_7327_ = true;
                                                                 } else {
-                                                                    phi_7257_ = _e2346;
-                                                                    phi_7258_ = _e2991;
+                                                                    phi_7326_ = _e2346;
+                                                                    phi_7327_ = _e3010;
                                                                 }
-                                                                let _e2993 = phi_7257_;
-                                                                let _e2995 = phi_7258_;
-                                                                if _e2995 {
-                                                                    phi_7262_ = _e2993;
+                                                                let _e3012 = phi_7326_;
+                                                                let _e3014 = phi_7327_;
+                                                                if _e3014 {
+                                                                    phi_7331_ = _e3012;
                                                                 } else {
-                                                                    phi_7262_ = _e2987;
+                                                                    phi_7331_ = _e3006;
                                                                 }
-                                                                let _e2997 = phi_7262_;
-                                                                if (_e2952 < _e2997) {
-                                                                    phi_7267_ = _e2952;
+                                                                let _e3016 = phi_7331_;
+                                                                if (_e2971 < _e3016) {
+                                                                    phi_7336_ = _e2971;
                                                                 } else {
-                                                                    phi_7267_ = _e2997;
+                                                                    phi_7336_ = _e3016;
                                                                 }
-                                                                let _e3000 = phi_7267_;
-                                                                let _e3003 = local.member[2u];
-                                                                let _e3006 = local.member_1[2u];
-                                                                let _e3009 = local.member_2[2u];
-                                                                if (_e3003 > _e3009) {
-                                                                    if (_e3006 > _e3009) {
-                                                                        phi_7299_ = false;
+                                                                let _e3019 = phi_7336_;
+                                                                let _e3022 = local.member[2u];
+                                                                let _e3025 = local.member_1[2u];
+                                                                let _e3028 = local.member_2[2u];
+                                                                if (_e3022 > _e3028) {
+                                                                    if (_e3025 > _e3028) {
+                                                                        phi_7368_ = false;
                                                                     } else {
-                                                                        phi_7299_ = true;
+                                                                        phi_7368_ = true;
                                                                     }
-                                                                    let _e3013 = phi_7299_;
-                                                                    phi_7300_ = _e3013;
+                                                                    let _e3032 = phi_7368_;
+                                                                    phi_7369_ = _e3032;
                                                                 } else {
-                                                                    phi_7300_ = true;
+                                                                    phi_7369_ = true;
                                                                 }
-                                                                let _e3015 = phi_7300_;
-                                                                if _e3015 {
-                                                                    let _e3016 = (_e3006 >= _e3003);
-                                                                    if _e3016 {
-                                                                        phi_7322_ = f32();
-                                                                        phi_7323_ = false;
+                                                                let _e3034 = phi_7369_;
+                                                                if _e3034 {
+                                                                    let _e3035 = (_e3025 >= _e3022);
+                                                                    if _e3035 {
+                                                                        phi_7391_ = f32();
+                                                                        phi_7392_ = false;
                                                                     } else {
-                                                                        if ((_e3003 - _e3006) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7320_ = (((_e3003 - _e3009) / (_e3003 - _e3006)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7321_ = false;
+                                                                        if ((_e3022 - _e3025) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7389_ = (((_e3022 - _e3028) / (_e3022 - _e3025)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7390_ = false;
                                                                         } else {
-                                                                            phi_7320_ = f32();
-                                                                            phi_7321_ = true;
+                                                                            phi_7389_ = f32();
+                                                                            phi_7390_ = true;
                                                                         }
-                                                                        let _e3027 = phi_7320_;
-                                                                        let _e3029 = phi_7321_;
-                                                                        phi_7322_ = _e3027;
-                                                                        phi_7323_ = _e3029;
+                                                                        let _e3046 = phi_7389_;
+                                                                        let _e3048 = phi_7390_;
+                                                                        phi_7391_ = _e3046;
+                                                                        phi_7392_ = _e3048;
                                                                     }
-                                                                    let _e3031 = phi_7322_;
-                                                                    let _e3033 = phi_7323_;
-                                                                    phi_7324_ = _e3031;
-                                                                    phi_7325_ = _e3016;
-                                                                    phi_7326_ = _e3033;
+                                                                    let _e3050 = phi_7391_;
+                                                                    let _e3052 = phi_7392_;
+                                                                    phi_7393_ = _e3050;
+                                                                    phi_7394_ = _e3035;
+                                                                    phi_7395_ = _e3052;
                                                                 } else {
-                                                                    phi_7324_ = f32();
-                                                                    phi_7325_ = true;
-                                                                    phi_7326_ = false;
+                                                                    phi_7393_ = f32();
+                                                                    phi_7394_ = true;
+                                                                    phi_7395_ = false;
                                                                 }
-                                                                let _e3035 = phi_7324_;
-                                                                let _e3037 = phi_7325_;
-                                                                let _e3039 = phi_7326_;
-                                                                if _e3037 {
-                                                                    phi_7330_ = 2f;
-                                                                    phi_7331_ = true;
+                                                                let _e3054 = phi_7393_;
+                                                                let _e3056 = phi_7394_;
+                                                                let _e3058 = phi_7395_;
+                                                                if _e3056 {
+                                                                    phi_7399_ = 2f;
+                                                                    phi_7400_ = true;
                                                                 } else {
-                                                                    phi_7330_ = _e2346;
-                                                                    phi_7331_ = _e3039;
+                                                                    phi_7399_ = _e2346;
+                                                                    phi_7400_ = _e3058;
                                                                 }
-                                                                let _e3041 = phi_7330_;
-                                                                let _e3043 = phi_7331_;
-                                                                if _e3043 {
-                                                                    phi_7335_ = _e3041;
+                                                                let _e3060 = phi_7399_;
+                                                                let _e3062 = phi_7400_;
+                                                                if _e3062 {
+                                                                    phi_7404_ = _e3060;
                                                                 } else {
-                                                                    phi_7335_ = _e3035;
+                                                                    phi_7404_ = _e3054;
                                                                 }
-                                                                let _e3045 = phi_7335_;
-                                                                let _e3048 = local.member[3u];
-                                                                let _e3051 = local.member_1[3u];
-                                                                let _e3054 = local.member_2[3u];
-                                                                if (_e3048 > _e3054) {
-                                                                    if (_e3051 > _e3054) {
-                                                                        phi_7367_ = false;
+                                                                let _e3064 = phi_7404_;
+                                                                let _e3067 = local.member[3u];
+                                                                let _e3070 = local.member_1[3u];
+                                                                let _e3073 = local.member_2[3u];
+                                                                if (_e3067 > _e3073) {
+                                                                    if (_e3070 > _e3073) {
+                                                                        phi_7436_ = false;
                                                                     } else {
-                                                                        phi_7367_ = true;
+                                                                        phi_7436_ = true;
                                                                     }
-                                                                    let _e3058 = phi_7367_;
-                                                                    phi_7368_ = _e3058;
+                                                                    let _e3077 = phi_7436_;
+                                                                    phi_7437_ = _e3077;
                                                                 } else {
-                                                                    phi_7368_ = true;
+                                                                    phi_7437_ = true;
                                                                 }
-                                                                let _e3060 = phi_7368_;
-                                                                if _e3060 {
-                                                                    let _e3061 = (_e3051 >= _e3048);
-                                                                    if _e3061 {
-                                                                        phi_7390_ = f32();
-                                                                        phi_7391_ = false;
+                                                                let _e3079 = phi_7437_;
+                                                                if _e3079 {
+                                                                    let _e3080 = (_e3070 >= _e3067);
+                                                                    if _e3080 {
+                                                                        phi_7459_ = f32();
+                                                                        phi_7460_ = false;
                                                                     } else {
-                                                                        if ((_e3048 - _e3051) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
-                                                                            phi_7388_ = (((_e3048 - _e3054) / (_e3048 - _e3051)) * (1f - (0.000000059604645f * 16f)));
-                                                                            phi_7389_ = false;
+                                                                        if ((_e3067 - _e3070) <= (0.25f / 0.000000000000000000000000000000000000011754944f)) {
+                                                                            phi_7457_ = (((_e3067 - _e3073) / (_e3067 - _e3070)) * (1f - (0.000000059604645f * 16f)));
+                                                                            phi_7458_ = false;
                                                                         } else {
-                                                                            phi_7388_ = f32();
-                                                                            phi_7389_ = true;
+                                                                            phi_7457_ = f32();
+                                                                            phi_7458_ = true;
                                                                         }
-                                                                        let _e3072 = phi_7388_;
-                                                                        let _e3074 = phi_7389_;
-                                                                        phi_7390_ = _e3072;
-                                                                        phi_7391_ = _e3074;
+                                                                        let _e3091 = phi_7457_;
+                                                                        let _e3093 = phi_7458_;
+                                                                        phi_7459_ = _e3091;
+                                                                        phi_7460_ = _e3093;
                                                                     }
-                                                                    let _e3076 = phi_7390_;
-                                                                    let _e3078 = phi_7391_;
-                                                                    phi_7392_ = _e3076;
-                                                                    phi_7393_ = _e3061;
-                                                                    phi_7394_ = _e3078;
+                                                                    let _e3095 = phi_7459_;
+                                                                    let _e3097 = phi_7460_;
+                                                                    phi_7461_ = _e3095;
+                                                                    phi_7462_ = _e3080;
+                                                                    phi_7463_ = _e3097;
                                                                 } else {
-                                                                    phi_7392_ = f32();
-                                                                    phi_7393_ = true;
-                                                                    phi_7394_ = false;
+                                                                    phi_7461_ = f32();
+                                                                    phi_7462_ = true;
+                                                                    phi_7463_ = false;
                                                                 }
-                                                                let _e3080 = phi_7392_;
-                                                                let _e3082 = phi_7393_;
-                                                                let _e3084 = phi_7394_;
-                                                                if _e3082 {
-                                                                    phi_7398_ = 2f;
-                                                                    phi_7399_ = true;
+                                                                let _e3099 = phi_7461_;
+                                                                let _e3101 = phi_7462_;
+                                                                let _e3103 = phi_7463_;
+                                                                if _e3101 {
+                                                                    phi_7467_ = 2f;
+                                                                    phi_7468_ = true;
                                                                 } else {
-                                                                    phi_7398_ = _e2346;
-                                                                    phi_7399_ = _e3084;
+                                                                    phi_7467_ = _e2346;
+                                                                    phi_7468_ = _e3103;
                                                                 }
-                                                                let _e3086 = phi_7398_;
-                                                                let _e3088 = phi_7399_;
-                                                                if _e3088 {
-                                                                    phi_7403_ = _e3086;
+                                                                let _e3105 = phi_7467_;
+                                                                let _e3107 = phi_7468_;
+                                                                if _e3107 {
+                                                                    phi_7472_ = _e3105;
                                                                 } else {
-                                                                    phi_7403_ = _e3080;
+                                                                    phi_7472_ = _e3099;
                                                                 }
-                                                                let _e3090 = phi_7403_;
-                                                                if (_e3045 < _e3090) {
-                                                                    phi_7408_ = _e3045;
+                                                                let _e3109 = phi_7472_;
+                                                                if (_e3064 < _e3109) {
+                                                                    phi_7477_ = _e3064;
                                                                 } else {
-                                                                    phi_7408_ = _e3090;
+                                                                    phi_7477_ = _e3109;
                                                                 }
-                                                                let _e3093 = phi_7408_;
-                                                                if (_e3000 < _e3093) {
-                                                                    phi_7413_ = _e3000;
+                                                                let _e3112 = phi_7477_;
+                                                                if (_e3019 < _e3112) {
+                                                                    phi_7482_ = _e3019;
                                                                 } else {
-                                                                    phi_7413_ = _e3093;
+                                                                    phi_7482_ = _e3112;
                                                                 }
-                                                                let _e3096 = phi_7413_;
-                                                                if (_e3096 > _e2346) {
-                                                                    phi_7418_ = _e3096;
+                                                                let _e3115 = phi_7482_;
+                                                                if (_e3115 > _e2346) {
+                                                                    phi_7487_ = _e3115;
                                                                 } else {
-                                                                    phi_7418_ = _e2346;
+                                                                    phi_7487_ = _e2346;
                                                                 }
-                                                                let _e3099 = phi_7418_;
-                                                                let _e3100 = (_e3099 > _e1393.member_1);
-                                                                if _e3100 {
-                                                                    phi_7430_ = f32();
-                                                                    phi_7431_ = false;
+                                                                let _e3118 = phi_7487_;
+                                                                let _e3119 = (_e3118 > _e1393.member_1);
+                                                                if _e3119 {
+                                                                    phi_7498_ = f32();
+                                                                    phi_7499_ = false;
                                                                 } else {
-                                                                    if (_e2364.member_1 == 0u) {
-                                                                        phi_7429_ = (_e1393.member_1 - _e2346);
+                                                                    if _e2352 {
+                                                                        phi_7497_ = (_e2666 + _e2666);
                                                                     } else {
-                                                                        phi_7429_ = (_e2647 + _e2647);
+                                                                        phi_7497_ = (_e1393.member_1 - _e2346);
                                                                     }
-                                                                    let _e3105 = phi_7429_;
-                                                                    phi_7430_ = _e3105;
-                                                                    phi_7431_ = true;
+                                                                    let _e3123 = phi_7497_;
+                                                                    phi_7498_ = _e3123;
+                                                                    phi_7499_ = true;
                                                                 }
-                                                                let _e3107 = phi_7430_;
-                                                                let _e3109 = phi_7431_;
-                                                                phi_7432_ = _e3099;
-                                                                phi_7433_ = _e3107;
-                                                                phi_7434_ = _e3109;
-                                                                phi_7435_ = _e3100;
-                                                                phi_7436_ = false;
+                                                                let _e3125 = phi_7498_;
+                                                                let _e3127 = phi_7499_;
+                                                                phi_7500_ = _e3118;
+                                                                phi_7501_ = _e3125;
+                                                                phi_7502_ = _e3127;
+                                                                phi_7503_ = _e3119;
+                                                                phi_7504_ = false;
                                                             } else {
-                                                                phi_7432_ = f32();
-                                                                phi_7433_ = f32();
-                                                                phi_7434_ = false;
-                                                                phi_7435_ = false;
-                                                                phi_7436_ = true;
+                                                                phi_7500_ = f32();
+                                                                phi_7501_ = f32();
+                                                                phi_7502_ = false;
+                                                                phi_7503_ = false;
+                                                                phi_7504_ = true;
                                                             }
-                                                            let _e3111 = phi_7432_;
-                                                            let _e3113 = phi_7433_;
-                                                            let _e3115 = phi_7434_;
-                                                            let _e3117 = phi_7435_;
-                                                            let _e3119 = phi_7436_;
-                                                            phi_7437_ = _e3111;
-                                                            phi_7438_ = _e3113;
-                                                            phi_7439_ = false;
-                                                            phi_7440_ = _e3115;
-                                                            phi_7441_ = _e3117;
-                                                            phi_7442_ = _e3119;
+                                                            let _e3129 = phi_7500_;
+                                                            let _e3131 = phi_7501_;
+                                                            let _e3133 = phi_7502_;
+                                                            let _e3135 = phi_7503_;
+                                                            let _e3137 = phi_7504_;
+                                                            phi_7505_ = _e3129;
+                                                            phi_7506_ = _e3131;
+                                                            phi_7507_ = false;
+                                                            phi_7508_ = _e3133;
+                                                            phi_7509_ = _e3135;
+                                                            phi_7510_ = _e3137;
                                                         } else {
-                                                            phi_7437_ = f32();
-                                                            phi_7438_ = f32();
-                                                            phi_7439_ = true;
-                                                            phi_7440_ = false;
-                                                            phi_7441_ = false;
-                                                            phi_7442_ = false;
+                                                            phi_7505_ = f32();
+                                                            phi_7506_ = f32();
+                                                            phi_7507_ = true;
+                                                            phi_7508_ = false;
+                                                            phi_7509_ = false;
+                                                            phi_7510_ = false;
                                                         }
-                                                        let _e3121 = phi_7437_;
-                                                        let _e3123 = phi_7438_;
-                                                        let _e3125 = phi_7439_;
-                                                        let _e3127 = phi_7440_;
-                                                        let _e3129 = phi_7441_;
-                                                        let _e3131 = phi_7442_;
-                                                        phi_7443_ = _e3121;
-                                                        phi_7444_ = _e3123;
-                                                        phi_7445_ = _e3125;
-                                                        phi_7446_ = _e3127;
-                                                        phi_7447_ = _e3129;
-                                                        phi_7448_ = _e3131;
+                                                        let _e3139 = phi_7505_;
+                                                        let _e3141 = phi_7506_;
+                                                        let _e3143 = phi_7507_;
+                                                        let _e3145 = phi_7508_;
+                                                        let _e3147 = phi_7509_;
+                                                        let _e3149 = phi_7510_;
+                                                        phi_7511_ = _e3139;
+                                                        phi_7512_ = _e3141;
+                                                        phi_7513_ = _e3143;
+                                                        phi_7514_ = _e3145;
+                                                        phi_7515_ = _e3147;
+                                                        phi_7516_ = _e3149;
                                                     } else {
-                                                        phi_7443_ = f32();
-                                                        phi_7444_ = f32();
-                                                        phi_7445_ = true;
-                                                        phi_7446_ = false;
-                                                        phi_7447_ = false;
-                                                        phi_7448_ = false;
+                                                        phi_7511_ = f32();
+                                                        phi_7512_ = f32();
+                                                        phi_7513_ = true;
+                                                        phi_7514_ = false;
+                                                        phi_7515_ = false;
+                                                        phi_7516_ = false;
                                                     }
-                                                    let _e3133 = phi_7443_;
-                                                    let _e3135 = phi_7444_;
-                                                    let _e3137 = phi_7445_;
-                                                    let _e3139 = phi_7446_;
-                                                    let _e3141 = phi_7447_;
-                                                    let _e3143 = phi_7448_;
-                                                    if _e3137 {
-                                                        let _e3144 = (_e2346 <= _e2348);
-                                                        if _e3144 {
-                                                            phi_7777_ = f32();
-                                                            phi_7778_ = false;
+                                                    let _e3151 = phi_7511_;
+                                                    let _e3153 = phi_7512_;
+                                                    let _e3155 = phi_7513_;
+                                                    let _e3157 = phi_7514_;
+                                                    let _e3159 = phi_7515_;
+                                                    let _e3161 = phi_7516_;
+                                                    if _e3155 {
+                                                        if (_e2346 <= _e2348) {
+                                                            let _e3322 = (_e2354 + 1u);
+                                                            let _e3323 = (_e3322 > 3u);
+                                                            if _e3323 {
+                                                                phi_7529_ = false;
+                                                            } else {
+                                                                phi_7529_ = true;
+                                                            }
+                                                            let _e3325 = phi_7529_;
+                                                            phi_7851_ = _e3322;
+                                                            phi_7852_ = f32();
+                                                            phi_7853_ = false;
+                                                            phi_7854_ = _e3325;
+                                                            phi_7855_ = _e3323;
                                                         } else {
-                                                            let _e3147 = local.member[0u];
-                                                            let _e3150 = local.member_1[0u];
-                                                            let _e3153 = local.member[0u];
-                                                            let _e3159 = local.member_2[0u];
-                                                            let _e3160 = ((_e3147 + ((_e3150 - _e3153) * _e2350)) - _e3159);
-                                                            let _e3163 = local.member[1u];
-                                                            let _e3166 = local.member_1[1u];
-                                                            let _e3169 = local.member[1u];
-                                                            let _e3175 = local.member_2[1u];
-                                                            let _e3176 = ((_e3163 + ((_e3166 - _e3169) * _e2350)) - _e3175);
-                                                            if (_e3160 < _e3176) {
-                                                                phi_7528_ = _e3160;
+                                                            let _e3165 = local.member[0u];
+                                                            let _e3168 = local.member_1[0u];
+                                                            let _e3171 = local.member[0u];
+                                                            let _e3177 = local.member_2[0u];
+                                                            let _e3178 = ((_e3165 + ((_e3168 - _e3171) * _e2350)) - _e3177);
+                                                            let _e3181 = local.member[1u];
+                                                            let _e3184 = local.member_1[1u];
+                                                            let _e3187 = local.member[1u];
+                                                            let _e3193 = local.member_2[1u];
+                                                            let _e3194 = ((_e3181 + ((_e3184 - _e3187) * _e2350)) - _e3193);
+                                                            if (_e3178 < _e3194) {
+                                                                phi_7602_ = _e3178;
                                                             } else {
-                                                                phi_7528_ = _e3176;
+                                                                phi_7602_ = _e3194;
                                                             }
-                                                            let _e3179 = phi_7528_;
-                                                            let _e3182 = local.member[2u];
-                                                            let _e3185 = local.member_1[2u];
-                                                            let _e3188 = local.member[2u];
-                                                            let _e3194 = local.member_2[2u];
-                                                            let _e3195 = ((_e3182 + ((_e3185 - _e3188) * _e2350)) - _e3194);
-                                                            let _e3198 = local.member[3u];
-                                                            let _e3201 = local.member_1[3u];
-                                                            let _e3204 = local.member[3u];
-                                                            let _e3210 = local.member_2[3u];
-                                                            let _e3211 = ((_e3198 + ((_e3201 - _e3204) * _e2350)) - _e3210);
-                                                            if (_e3195 < _e3211) {
-                                                                phi_7601_ = _e3195;
+                                                            let _e3197 = phi_7602_;
+                                                            let _e3200 = local.member[2u];
+                                                            let _e3203 = local.member_1[2u];
+                                                            let _e3206 = local.member[2u];
+                                                            let _e3212 = local.member_2[2u];
+                                                            let _e3213 = ((_e3200 + ((_e3203 - _e3206) * _e2350)) - _e3212);
+                                                            let _e3216 = local.member[3u];
+                                                            let _e3219 = local.member_1[3u];
+                                                            let _e3222 = local.member[3u];
+                                                            let _e3228 = local.member_2[3u];
+                                                            let _e3229 = ((_e3216 + ((_e3219 - _e3222) * _e2350)) - _e3228);
+                                                            if (_e3213 < _e3229) {
+                                                                phi_7675_ = _e3213;
                                                             } else {
-                                                                phi_7601_ = _e3211;
+                                                                phi_7675_ = _e3229;
                                                             }
-                                                            let _e3214 = phi_7601_;
-                                                            if (_e3179 < _e3214) {
-                                                                phi_7606_ = _e3179;
+                                                            let _e3232 = phi_7675_;
+                                                            if (_e3197 < _e3232) {
+                                                                phi_7680_ = _e3197;
                                                             } else {
-                                                                phi_7606_ = _e3214;
+                                                                phi_7680_ = _e3232;
                                                             }
-                                                            let _e3217 = phi_7606_;
-                                                            let _e3220 = local_1.member[0u];
-                                                            let _e3223 = local_1.member_1[0u];
-                                                            let _e3226 = local_1.member[0u];
-                                                            let _e3232 = local_1.member_2[0u];
-                                                            let _e3233 = ((_e3220 + ((_e3223 - _e3226) * _e2346)) - _e3232);
-                                                            let _e3236 = local_1.member[1u];
-                                                            let _e3239 = local_1.member_1[1u];
-                                                            let _e3242 = local_1.member[1u];
-                                                            let _e3248 = local_1.member_2[1u];
-                                                            let _e3249 = ((_e3236 + ((_e3239 - _e3242) * _e2346)) - _e3248);
-                                                            if (_e3233 < _e3249) {
-                                                                phi_7679_ = _e3233;
+                                                            let _e3235 = phi_7680_;
+                                                            let _e3238 = local_1.member[0u];
+                                                            let _e3241 = local_1.member_1[0u];
+                                                            let _e3244 = local_1.member[0u];
+                                                            let _e3250 = local_1.member_2[0u];
+                                                            let _e3251 = ((_e3238 + ((_e3241 - _e3244) * _e2346)) - _e3250);
+                                                            let _e3254 = local_1.member[1u];
+                                                            let _e3257 = local_1.member_1[1u];
+                                                            let _e3260 = local_1.member[1u];
+                                                            let _e3266 = local_1.member_2[1u];
+                                                            let _e3267 = ((_e3254 + ((_e3257 - _e3260) * _e2346)) - _e3266);
+                                                            if (_e3251 < _e3267) {
+                                                                phi_7753_ = _e3251;
                                                             } else {
-                                                                phi_7679_ = _e3249;
+                                                                phi_7753_ = _e3267;
                                                             }
-                                                            let _e3252 = phi_7679_;
-                                                            let _e3255 = local_1.member[2u];
-                                                            let _e3258 = local_1.member_1[2u];
-                                                            let _e3261 = local_1.member[2u];
-                                                            let _e3267 = local_1.member_2[2u];
-                                                            let _e3268 = ((_e3255 + ((_e3258 - _e3261) * _e2346)) - _e3267);
-                                                            let _e3271 = local_1.member[3u];
-                                                            let _e3274 = local_1.member_1[3u];
-                                                            let _e3277 = local_1.member[3u];
-                                                            let _e3283 = local_1.member_2[3u];
-                                                            let _e3284 = ((_e3271 + ((_e3274 - _e3277) * _e2346)) - _e3283);
-                                                            if (_e3268 < _e3284) {
-                                                                phi_7752_ = _e3268;
+                                                            let _e3270 = phi_7753_;
+                                                            let _e3273 = local_1.member[2u];
+                                                            let _e3276 = local_1.member_1[2u];
+                                                            let _e3279 = local_1.member[2u];
+                                                            let _e3285 = local_1.member_2[2u];
+                                                            let _e3286 = ((_e3273 + ((_e3276 - _e3279) * _e2346)) - _e3285);
+                                                            let _e3289 = local_1.member[3u];
+                                                            let _e3292 = local_1.member_1[3u];
+                                                            let _e3295 = local_1.member[3u];
+                                                            let _e3301 = local_1.member_2[3u];
+                                                            let _e3302 = ((_e3289 + ((_e3292 - _e3295) * _e2346)) - _e3301);
+                                                            if (_e3286 < _e3302) {
+                                                                phi_7826_ = _e3286;
                                                             } else {
-                                                                phi_7752_ = _e3284;
+                                                                phi_7826_ = _e3302;
                                                             }
-                                                            let _e3287 = phi_7752_;
-                                                            if (_e3252 < _e3287) {
-                                                                phi_7757_ = _e3252;
+                                                            let _e3305 = phi_7826_;
+                                                            if (_e3270 < _e3305) {
+                                                                phi_7831_ = _e3270;
                                                             } else {
-                                                                phi_7757_ = _e3287;
+                                                                phi_7831_ = _e3305;
                                                             }
-                                                            let _e3290 = phi_7757_;
-                                                            if (_e3290 > 0f) {
-                                                                phi_7775_ = 0.5f;
+                                                            let _e3308 = phi_7831_;
+                                                            if (_e3308 > 0f) {
+                                                                phi_7849_ = 0.5f;
                                                             } else {
-                                                                let _e3294 = (0.95f * (_e3217 / (_e3217 - _e3290)));
-                                                                if (_e3294 > 0.0625f) {
-                                                                    if (_e3294 < 0.9f) {
-                                                                        phi_7773_ = _e3294;
+                                                                let _e3312 = (0.95f * (_e3235 / (_e3235 - _e3308)));
+                                                                if (_e3312 > 0.0625f) {
+                                                                    if (_e3312 < 0.9f) {
+                                                                        phi_7847_ = _e3312;
                                                                     } else {
-                                                                        phi_7773_ = 0.9f;
+                                                                        phi_7847_ = 0.9f;
                                                                     }
-                                                                    let _e3298 = phi_7773_;
-                                                                    phi_7774_ = _e3298;
+                                                                    let _e3316 = phi_7847_;
+                                                                    phi_7848_ = _e3316;
                                                                 } else {
-                                                                    phi_7774_ = 0.0625f;
+                                                                    phi_7848_ = 0.0625f;
                                                                 }
-                                                                let _e3300 = phi_7774_;
-                                                                phi_7775_ = _e3300;
+                                                                let _e3318 = phi_7848_;
+                                                                phi_7849_ = _e3318;
                                                             }
-                                                            let _e3302 = phi_7775_;
-                                                            phi_7777_ = (_e2647 * _e3302);
-                                                            phi_7778_ = true;
+                                                            let _e3320 = phi_7849_;
+                                                            phi_7851_ = u32();
+                                                            phi_7852_ = (_e2666 * _e3320);
+                                                            phi_7853_ = true;
+                                                            phi_7854_ = false;
+                                                            phi_7855_ = false;
                                                         }
-                                                        let _e3305 = phi_7777_;
-                                                        let _e3307 = phi_7778_;
-                                                        phi_7779_ = _e2348;
-                                                        phi_7780_ = _e3305;
-                                                        phi_7781_ = _e2350;
-                                                        phi_7782_ = _e3307;
-                                                        phi_7783_ = _e3144;
-                                                        phi_7784_ = false;
-                                                        phi_7785_ = false;
+                                                        let _e3327 = phi_7851_;
+                                                        let _e3329 = phi_7852_;
+                                                        let _e3331 = phi_7853_;
+                                                        let _e3333 = phi_7854_;
+                                                        let _e3335 = phi_7855_;
+                                                        phi_7856_ = _e3327;
+                                                        phi_7857_ = _e2348;
+                                                        phi_7858_ = _e3329;
+                                                        phi_7859_ = _e2350;
+                                                        phi_7860_ = _e2352;
+                                                        phi_7861_ = _e2354;
+                                                        phi_7862_ = _e3331;
+                                                        phi_7863_ = _e3333;
+                                                        phi_7864_ = _e3335;
+                                                        phi_7865_ = false;
+                                                        phi_7866_ = false;
                                                     } else {
-                                                        phi_7779_ = _e3133;
-                                                        phi_7780_ = _e3135;
-                                                        phi_7781_ = _e2346;
-                                                        phi_7782_ = _e3139;
-                                                        phi_7783_ = false;
-                                                        phi_7784_ = _e3141;
-                                                        phi_7785_ = _e3143;
+                                                        phi_7856_ = u32();
+                                                        phi_7857_ = _e3151;
+                                                        phi_7858_ = _e3153;
+                                                        phi_7859_ = _e2346;
+                                                        phi_7860_ = true;
+                                                        phi_7861_ = 0u;
+                                                        phi_7862_ = _e3157;
+                                                        phi_7863_ = false;
+                                                        phi_7864_ = false;
+                                                        phi_7865_ = _e3159;
+                                                        phi_7866_ = _e3161;
                                                     }
-                                                    let _e3309 = phi_7779_;
-                                                    let _e3311 = phi_7780_;
-                                                    let _e3313 = phi_7781_;
-                                                    let _e3315 = phi_7782_;
-                                                    let _e3317 = phi_7783_;
-                                                    let _e3319 = phi_7784_;
-                                                    let _e3321 = phi_7785_;
-                                                    if _e3315 {
-                                                        let _e3322 = (_e3313 + _e3311);
-                                                        if (_e3322 > _e3309) {
-                                                            phi_7794_ = _e3322;
+                                                    let _e3337 = phi_7856_;
+                                                    let _e3339 = phi_7857_;
+                                                    let _e3341 = phi_7858_;
+                                                    let _e3343 = phi_7859_;
+                                                    let _e3345 = phi_7860_;
+                                                    let _e3347 = phi_7861_;
+                                                    let _e3349 = phi_7862_;
+                                                    let _e3351 = phi_7863_;
+                                                    let _e3353 = phi_7864_;
+                                                    let _e3355 = phi_7865_;
+                                                    let _e3357 = phi_7866_;
+                                                    if _e3349 {
+                                                        let _e3358 = (_e3343 + _e3341);
+                                                        if (_e3358 > _e3339) {
+                                                            phi_7875_ = _e3358;
                                                         } else {
-                                                            phi_7794_ = _e3309;
+                                                            phi_7875_ = _e3339;
                                                         }
-                                                        let _e3325 = phi_7794_;
-                                                        if (_e3325 < _e1393.member_1) {
-                                                            phi_7799_ = _e3325;
+                                                        let _e3361 = phi_7875_;
+                                                        if (_e3361 < _e1393.member_1) {
+                                                            phi_7880_ = _e3361;
                                                         } else {
-                                                            phi_7799_ = _e1393.member_1;
+                                                            phi_7880_ = _e1393.member_1;
                                                         }
-                                                        let _e3328 = phi_7799_;
-                                                        if (_e2364.member_1 > 0u) {
-                                                            phi_7809_ = ((_e3328 - _e3313) > 0.0000000037252903f);
+                                                        let _e3364 = phi_7880_;
+                                                        if !(_e2352) {
+                                                            phi_7889_ = true;
                                                         } else {
-                                                            phi_7809_ = true;
+                                                            phi_7889_ = ((_e3364 - _e3343) > 0.0000000037252903f);
                                                         }
-                                                        let _e3333 = phi_7809_;
-                                                        if _e3333 {
-                                                            phi_7813_ = false;
+                                                        let _e3368 = phi_7889_;
+                                                        if _e3368 {
+                                                            phi_7893_ = false;
                                                         } else {
-                                                            phi_7813_ = true;
+                                                            phi_7893_ = true;
                                                         }
-                                                        let _e3335 = phi_7813_;
-                                                        phi_7814_ = _e3328;
-                                                        phi_7815_ = _e3333;
-                                                        phi_7816_ = _e3335;
-                                                        phi_7817_ = false;
-                                                        phi_7818_ = false;
-                                                        phi_7819_ = false;
+                                                        let _e3370 = phi_7893_;
+                                                        phi_7894_ = _e3364;
+                                                        phi_7895_ = _e3339;
+                                                        phi_7896_ = _e3343;
+                                                        phi_7897_ = _e3345;
+                                                        phi_7898_ = _e3347;
+                                                        phi_7899_ = _e3368;
+                                                        phi_7900_ = _e3370;
+                                                        phi_7901_ = false;
+                                                        phi_7902_ = false;
+                                                        phi_7903_ = false;
                                                     } else {
-                                                        phi_7814_ = f32();
-                                                        phi_7815_ = false;
-                                                        phi_7816_ = false;
-                                                        phi_7817_ = _e3317;
-                                                        phi_7818_ = _e3319;
-                                                        phi_7819_ = _e3321;
+                                                        phi_7894_ = _e2346;
+                                                        phi_7895_ = _e2348;
+                                                        phi_7896_ = _e2350;
+                                                        phi_7897_ = _e2352;
+                                                        phi_7898_ = _e3337;
+                                                        phi_7899_ = _e3351;
+                                                        phi_7900_ = false;
+                                                        phi_7901_ = _e3353;
+                                                        phi_7902_ = _e3355;
+                                                        phi_7903_ = _e3357;
                                                     }
-                                                    let _e3337 = phi_7814_;
-                                                    let _e3339 = phi_7815_;
-                                                    let _e3341 = phi_7816_;
-                                                    let _e3343 = phi_7817_;
-                                                    let _e3345 = phi_7818_;
-                                                    let _e3347 = phi_7819_;
-                                                    phi_6194_ = _e3337;
-                                                    phi_6196_ = _e3309;
-                                                    phi_6198_ = _e3313;
-                                                    phi_7820_ = _e3309;
-                                                    phi_7821_ = _e3339;
-                                                    phi_7822_ = _e3341;
-                                                    phi_7823_ = false;
-                                                    phi_7824_ = _e3343;
-                                                    phi_7825_ = _e3345;
-                                                    phi_7826_ = _e3347;
+                                                    let _e3372 = phi_7894_;
+                                                    let _e3374 = phi_7895_;
+                                                    let _e3376 = phi_7896_;
+                                                    let _e3378 = phi_7897_;
+                                                    let _e3380 = phi_7898_;
+                                                    let _e3382 = phi_7899_;
+                                                    let _e3384 = phi_7900_;
+                                                    let _e3386 = phi_7901_;
+                                                    let _e3388 = phi_7902_;
+                                                    let _e3390 = phi_7903_;
+                                                    phi_6236_ = _e3372;
+                                                    phi_6238_ = _e3374;
+                                                    phi_6240_ = _e3376;
+                                                    phi_6242_ = _e3378;
+                                                    phi_6244_ = _e3380;
+                                                    phi_7904_ = _e3339;
+                                                    phi_7905_ = _e3382;
+                                                    phi_7906_ = _e3384;
+                                                    phi_7907_ = false;
+                                                    phi_7908_ = _e3386;
+                                                    phi_7909_ = _e3388;
+                                                    phi_7910_ = _e3390;
                                                 } else {
-                                                    phi_6194_ = f32();
-                                                    phi_6196_ = f32();
-                                                    phi_6198_ = f32();
-                                                    phi_7820_ = f32();
-                                                    phi_7821_ = false;
-                                                    phi_7822_ = false;
-                                                    phi_7823_ = true;
-                                                    phi_7824_ = false;
-                                                    phi_7825_ = false;
-                                                    phi_7826_ = false;
+                                                    phi_6236_ = f32();
+                                                    phi_6238_ = f32();
+                                                    phi_6240_ = f32();
+                                                    phi_6242_ = bool();
+                                                    phi_6244_ = u32();
+                                                    phi_7904_ = f32();
+                                                    phi_7905_ = false;
+                                                    phi_7906_ = false;
+                                                    phi_7907_ = true;
+                                                    phi_7908_ = false;
+                                                    phi_7909_ = false;
+                                                    phi_7910_ = false;
                                                 }
-                                                let _e3349 = phi_6194_;
-                                                let _e3351 = phi_6196_;
-                                                let _e3353 = phi_6198_;
-                                                let _e3355 = phi_7820_;
-                                                let _e3357 = phi_7821_;
-                                                let _e3359 = phi_7822_;
-                                                let _e3361 = phi_7823_;
-                                                let _e3363 = phi_7824_;
-                                                let _e3365 = phi_7825_;
-                                                let _e3367 = phi_7826_;
-                                                local_19 = _e3359;
-                                                local_35 = _e3355;
-                                                local_37 = _e3361;
-                                                local_38 = _e3363;
-                                                local_39 = _e3365;
-                                                local_40 = _e3367;
+                                                let _e3392 = phi_6236_;
+                                                let _e3394 = phi_6238_;
+                                                let _e3396 = phi_6240_;
+                                                let _e3398 = phi_6242_;
+                                                let _e3400 = phi_6244_;
+                                                let _e3402 = phi_7904_;
+                                                let _e3404 = phi_7905_;
+                                                let _e3406 = phi_7906_;
+                                                let _e3408 = phi_7907_;
+                                                let _e3410 = phi_7908_;
+                                                let _e3412 = phi_7909_;
+                                                let _e3414 = phi_7910_;
+                                                local_19 = _e3406;
+                                                local_35 = _e3402;
+                                                local_37 = _e3408;
+                                                local_38 = _e3410;
+                                                local_39 = _e3412;
+                                                local_40 = _e3414;
                                                 continue;
                                                 continuing {
-                                                    phi_6190_ = _e2362;
-                                                    phi_6193_ = _e3349;
-                                                    phi_6195_ = _e3351;
-                                                    phi_6197_ = _e3353;
-                                                    break if !(_e3357);
+                                                    phi_6232_ = _e2366;
+                                                    phi_6235_ = _e3392;
+                                                    phi_6237_ = _e3394;
+                                                    phi_6239_ = _e3396;
+                                                    phi_6241_ = _e3398;
+                                                    phi_6243_ = _e3400;
+                                                    break if !(_e3404);
                                                 }
                                             }
-                                            let _e3370 = local_19;
-                                            if _e3370 {
-                                                let _e5796 = local_35;
-                                                phi_7830_ = _e5796;
-                                                phi_7831_ = true;
-                                                phi_7832_ = false;
-                                                phi_7833_ = false;
-                                                phi_7834_ = false;
-                                            } else {
-                                                let _e5798 = local_36;
-                                                phi_7830_ = _e5798;
-                                                let _e5801 = local_37;
-                                                phi_7831_ = _e5801;
-                                                let _e5804 = local_38;
-                                                phi_7832_ = _e5804;
-                                                let _e5807 = local_39;
-                                                phi_7833_ = _e5807;
-                                                let _e5810 = local_40;
-                                                phi_7834_ = _e5810;
-                                            }
-                                            let _e3372 = phi_7830_;
-                                            let _e3374 = phi_7831_;
-                                            let _e3376 = phi_7832_;
-                                            let _e3378 = phi_7833_;
-                                            let _e3380 = phi_7834_;
-                                            if _e3374 {
-                                                phi_7839_ = type_35(1u, _e3372);
-                                                phi_7840_ = false;
-                                                phi_7841_ = false;
-                                                phi_7842_ = false;
-                                            } else {
-                                                phi_7839_ = type_35();
-                                                phi_7840_ = _e3376;
-                                                phi_7841_ = _e3378;
-                                                phi_7842_ = _e3380;
-                                            }
-                                            let _e3383 = phi_7839_;
-                                            let _e3385 = phi_7840_;
-                                            let _e3387 = phi_7841_;
-                                            let _e3389 = phi_7842_;
-                                            if _e3385 {
-                                                let _e3391 = local_20;
-                                                phi_7847_ = type_35(1u, _e3391);
-                                                phi_7848_ = false;
-                                                phi_7849_ = false;
-                                            } else {
-                                                phi_7847_ = type_35();
-                                                phi_7848_ = _e3387;
-                                                phi_7849_ = _e3389;
-                                            }
-                                            let _e3394 = phi_7847_;
-                                            let _e3396 = phi_7848_;
-                                            let _e3398 = phi_7849_;
-                                            if _e3396 {
-                                                phi_7854_ = type_35(0u, type_35().member_1);
-                                                phi_7855_ = false;
-                                                phi_7856_ = true;
-                                            } else {
-                                                phi_7854_ = _e3394;
-                                                phi_7855_ = _e3398;
-                                                phi_7856_ = _e3385;
-                                            }
-                                            let _e3402 = phi_7854_;
-                                            let _e3404 = phi_7855_;
-                                            let _e3406 = phi_7856_;
-                                            if _e3404 {
-                                                phi_7861_ = type_35(0u, type_35().member_1);
-                                                phi_7862_ = true;
-                                            } else {
-                                                phi_7861_ = _e3402;
-                                                phi_7862_ = _e3406;
-                                            }
-                                            let _e3410 = phi_7861_;
-                                            let _e3412 = phi_7862_;
-                                            if _e3412 {
-                                                phi_7866_ = _e3410;
-                                            } else {
-                                                phi_7866_ = _e3383;
-                                            }
-                                            let _e3414 = phi_7866_;
-                                            let _e3417 = (_e3414.member != 0u);
+                                            let _e3417 = local_19;
                                             if _e3417 {
-                                                phi_7873_ = false;
+                                                let _e5910 = local_35;
+                                                phi_7914_ = _e5910;
+                                                phi_7915_ = true;
+                                                phi_7916_ = false;
+                                                phi_7917_ = false;
+                                                phi_7918_ = false;
                                             } else {
-                                                phi_7873_ = true;
+                                                let _e5912 = local_36;
+                                                phi_7914_ = _e5912;
+                                                let _e5915 = local_37;
+                                                phi_7915_ = _e5915;
+                                                let _e5918 = local_38;
+                                                phi_7916_ = _e5918;
+                                                let _e5921 = local_39;
+                                                phi_7917_ = _e5921;
+                                                let _e5924 = local_40;
+                                                phi_7918_ = _e5924;
                                             }
-                                            let _e3419 = phi_7873_;
-                                            phi_7874_ = _e3414.member_1;
-                                            phi_7875_ = _e3419;
-                                            phi_7876_ = _e3417;
-                                            phi_7877_ = false;
+                                            let _e3419 = phi_7914_;
+                                            let _e3421 = phi_7915_;
+                                            let _e3423 = phi_7916_;
+                                            let _e3425 = phi_7917_;
+                                            let _e3427 = phi_7918_;
+                                            if _e3421 {
+                                                phi_7923_ = type_35(1u, _e3419);
+                                                phi_7924_ = false;
+                                                phi_7925_ = false;
+                                                phi_7926_ = false;
+                                            } else {
+                                                phi_7923_ = type_35();
+                                                phi_7924_ = _e3423;
+                                                phi_7925_ = _e3425;
+                                                phi_7926_ = _e3427;
+                                            }
+                                            let _e3430 = phi_7923_;
+                                            let _e3432 = phi_7924_;
+                                            let _e3434 = phi_7925_;
+                                            let _e3436 = phi_7926_;
+                                            if _e3432 {
+                                                let _e3438 = local_20;
+                                                phi_7931_ = type_35(1u, _e3438);
+                                                phi_7932_ = false;
+                                                phi_7933_ = false;
+                                            } else {
+                                                phi_7931_ = type_35();
+                                                phi_7932_ = _e3434;
+                                                phi_7933_ = _e3436;
+                                            }
+                                            let _e3441 = phi_7931_;
+                                            let _e3443 = phi_7932_;
+                                            let _e3445 = phi_7933_;
+                                            if _e3443 {
+                                                phi_7938_ = type_35(0u, type_35().member_1);
+                                                phi_7939_ = false;
+                                                phi_7940_ = true;
+                                            } else {
+                                                phi_7938_ = _e3441;
+                                                phi_7939_ = _e3445;
+                                                phi_7940_ = _e3432;
+                                            }
+                                            let _e3449 = phi_7938_;
+                                            let _e3451 = phi_7939_;
+                                            let _e3453 = phi_7940_;
+                                            if _e3451 {
+                                                phi_7945_ = type_35(0u, type_35().member_1);
+                                                phi_7946_ = true;
+                                            } else {
+                                                phi_7945_ = _e3449;
+                                                phi_7946_ = _e3453;
+                                            }
+                                            let _e3457 = phi_7945_;
+                                            let _e3459 = phi_7946_;
+                                            if _e3459 {
+                                                phi_7950_ = _e3457;
+                                            } else {
+                                                phi_7950_ = _e3430;
+                                            }
+                                            let _e3461 = phi_7950_;
+                                            let _e3464 = (_e3461.member != 0u);
+                                            if _e3464 {
+                                                phi_7957_ = false;
+                                            } else {
+                                                phi_7957_ = true;
+                                            }
+                                            let _e3466 = phi_7957_;
+                                            phi_7958_ = _e3461.member_1;
+                                            phi_7959_ = _e3466;
+                                            phi_7960_ = _e3464;
+                                            phi_7961_ = false;
                                         } else {
-                                            phi_7874_ = f32();
-                                            phi_7875_ = false;
-                                            phi_7876_ = false;
-                                            phi_7877_ = true;
+                                            phi_7958_ = f32();
+                                            phi_7959_ = false;
+                                            phi_7960_ = false;
+                                            phi_7961_ = true;
                                         }
-                                        let _e3421 = phi_7874_;
-                                        let _e3423 = phi_7875_;
-                                        let _e3425 = phi_7876_;
-                                        let _e3427 = phi_7877_;
-                                        phi_7878_ = _e3421;
-                                        phi_7879_ = _e3423;
-                                        phi_7880_ = _e3425;
-                                        phi_7881_ = _e3427;
+                                        let _e3468 = phi_7958_;
+                                        let _e3470 = phi_7959_;
+                                        let _e3472 = phi_7960_;
+                                        let _e3474 = phi_7961_;
+                                        phi_7962_ = _e3468;
+                                        phi_7963_ = _e3470;
+                                        phi_7964_ = _e3472;
+                                        phi_7965_ = _e3474;
                                     }
-                                    let _e3429 = phi_7878_;
-                                    let _e3431 = phi_7879_;
-                                    let _e3433 = phi_7880_;
-                                    let _e3435 = phi_7881_;
-                                    phi_7882_ = _e3429;
-                                    phi_7883_ = _e2102;
-                                    phi_7884_ = _e3431;
-                                    phi_7885_ = _e3433;
-                                    phi_7886_ = _e3435;
+                                    let _e3476 = phi_7962_;
+                                    let _e3478 = phi_7963_;
+                                    let _e3480 = phi_7964_;
+                                    let _e3482 = phi_7965_;
+                                    phi_7966_ = _e3476;
+                                    phi_7967_ = _e2102;
+                                    phi_7968_ = _e3478;
+                                    phi_7969_ = _e3480;
+                                    phi_7970_ = _e3482;
                                 }
-                                let _e3437 = phi_7882_;
-                                let _e3439 = phi_7883_;
-                                let _e3441 = phi_7884_;
-                                let _e3443 = phi_7885_;
-                                let _e3445 = phi_7886_;
-                                if _e3439 {
-                                    phi_7890_ = true;
-                                    phi_7891_ = false;
-                                    phi_7892_ = false;
+                                let _e3484 = phi_7966_;
+                                let _e3486 = phi_7967_;
+                                let _e3488 = phi_7968_;
+                                let _e3490 = phi_7969_;
+                                let _e3492 = phi_7970_;
+                                if _e3486 {
+                                    phi_7974_ = true;
+                                    phi_7975_ = false;
+                                    phi_7976_ = false;
                                 } else {
-                                    phi_7890_ = _e3441;
-                                    phi_7891_ = _e3443;
-                                    phi_7892_ = _e3445;
+                                    phi_7974_ = _e3488;
+                                    phi_7975_ = _e3490;
+                                    phi_7976_ = _e3492;
                                 }
-                                let _e3447 = phi_7890_;
-                                let _e3449 = phi_7891_;
-                                let _e3451 = phi_7892_;
-                                phi_7893_ = _e3437;
-                                phi_7894_ = _e1393;
-                                phi_7895_ = _e3447;
-                                phi_7896_ = false;
-                                phi_7897_ = _e3449;
-                                phi_7898_ = _e3451;
+                                let _e3494 = phi_7974_;
+                                let _e3496 = phi_7975_;
+                                let _e3498 = phi_7976_;
+                                phi_7977_ = _e3484;
+                                phi_7978_ = _e1393;
+                                phi_7979_ = _e3494;
+                                phi_7980_ = false;
+                                phi_7981_ = _e3496;
+                                phi_7982_ = _e3498;
                             } else {
-                                phi_7893_ = f32();
-                                phi_7894_ = type_37();
-                                phi_7895_ = false;
-                                phi_7896_ = true;
-                                phi_7897_ = false;
-                                phi_7898_ = false;
+                                phi_7977_ = f32();
+                                phi_7978_ = type_37();
+                                phi_7979_ = false;
+                                phi_7980_ = true;
+                                phi_7981_ = false;
+                                phi_7982_ = false;
                             }
-                            let _e3453 = phi_7893_;
-                            let _e3455 = phi_7894_;
-                            let _e3457 = phi_7895_;
-                            let _e3459 = phi_7896_;
-                            let _e3461 = phi_7897_;
-                            let _e3463 = phi_7898_;
-                            local_21 = _e3459;
-                            local_41 = _e3461;
-                            local_42 = _e3463;
-                            local_22 = _e3453;
-                            local_23 = _e3455;
+                            let _e3500 = phi_7977_;
+                            let _e3502 = phi_7978_;
+                            let _e3504 = phi_7979_;
+                            let _e3506 = phi_7980_;
+                            let _e3508 = phi_7981_;
+                            let _e3510 = phi_7982_;
+                            local_21 = _e3506;
+                            local_41 = _e3508;
+                            local_42 = _e3510;
+                            local_22 = _e3500;
+                            local_23 = _e3502;
                             continue;
                             continuing {
-                                phi_4327_ = _e1123;
-                                break if !(_e3457);
+                                phi_4369_ = _e1123;
+                                break if !(_e3504);
                             }
                         }
-                        let _e3466 = local_21;
-                        if _e3466 {
-                            phi_7903_ = type_35(0u, type_35().member_1);
-                            phi_7904_ = false;
-                            phi_7905_ = false;
+                        let _e3513 = local_21;
+                        if _e3513 {
+                            phi_7987_ = type_35(0u, type_35().member_1);
+                            phi_7988_ = false;
+                            phi_7989_ = false;
                         } else {
-                            phi_7903_ = type_35();
-                            let _e5852 = local_41;
-                            phi_7904_ = _e5852;
-                            let _e5855 = local_42;
-                            phi_7905_ = _e5855;
+                            phi_7987_ = type_35();
+                            let _e5966 = local_41;
+                            phi_7988_ = _e5966;
+                            let _e5969 = local_42;
+                            phi_7989_ = _e5969;
                         }
-                        let _e3470 = phi_7903_;
-                        let _e3472 = phi_7904_;
-                        let _e3474 = phi_7905_;
-                        if _e3472 {
-                            let _e3476 = local_22;
-                            phi_7910_ = type_35(2u, _e3476);
-                            phi_7911_ = false;
+                        let _e3517 = phi_7987_;
+                        let _e3519 = phi_7988_;
+                        let _e3521 = phi_7989_;
+                        if _e3519 {
+                            let _e3523 = local_22;
+                            phi_7994_ = type_35(2u, _e3523);
+                            phi_7995_ = false;
                         } else {
-                            phi_7910_ = type_35();
-                            phi_7911_ = _e3474;
+                            phi_7994_ = type_35();
+                            phi_7995_ = _e3521;
                         }
-                        let _e3479 = phi_7910_;
-                        let _e3481 = phi_7911_;
-                        if _e3481 {
-                            let _e3483 = local_23;
-                            phi_7917_ = type_35(1u, _e3483.member);
-                            phi_7918_ = true;
+                        let _e3526 = phi_7994_;
+                        let _e3528 = phi_7995_;
+                        if _e3528 {
+                            let _e3530 = local_23;
+                            phi_8001_ = type_35(1u, _e3530.member);
+                            phi_8002_ = true;
                         } else {
-                            phi_7917_ = _e3479;
-                            phi_7918_ = _e3472;
+                            phi_8001_ = _e3526;
+                            phi_8002_ = _e3519;
                         }
-                        let _e3487 = phi_7917_;
-                        let _e3489 = phi_7918_;
-                        if _e3489 {
-                            phi_7922_ = _e3487;
+                        let _e3534 = phi_8001_;
+                        let _e3536 = phi_8002_;
+                        if _e3536 {
+                            phi_8006_ = _e3534;
                         } else {
-                            phi_7922_ = _e3470;
+                            phi_8006_ = _e3517;
                         }
-                        let _e3491 = phi_7922_;
-                        phi_7926_ = _e3491;
+                        let _e3538 = phi_8006_;
+                        phi_8010_ = _e3538;
                     }
-                    let _e5165 = phi_7926_;
-                    phi_7927_ = _e5165;
+                    let _e5259 = phi_8010_;
+                    phi_8011_ = _e5259;
                 }
-                let _e5169 = phi_7927_;
-                switch bitcast<i32>(_e5169.member) {
+                let _e5263 = phi_8011_;
+                switch bitcast<i32>(_e5263.member) {
                     case 0: {
-                        phi_7940_ = type_38(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8024_ = type_38(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5175 = function_(_e5169.member_1);
-                        phi_7940_ = type_38(0u, _e5175, true);
+                        let _e5269 = function_(_e5263.member_1);
+                        phi_8024_ = type_38(0u, _e5269, true);
                         break;
                     }
                     case 2: {
-                        let _e5173 = function_(_e5169.member_1);
-                        phi_7940_ = type_38(1u, _e5173, true);
+                        let _e5267 = function_(_e5263.member_1);
+                        phi_8024_ = type_38(1u, _e5267, true);
                         break;
                     }
                     default: {
-                        phi_7940_ = type_38();
+                        phi_8024_ = type_38();
                         break;
                     }
                 }
-                let _e5178 = phi_7940_;
-                if _e5178.member_2 {
-                    phi_7947_ = (_e5178.member == 0u);
+                let _e5272 = phi_8024_;
+                if _e5272.member_2 {
+                    phi_8031_ = (_e5272.member == 0u);
                 } else {
-                    phi_7947_ = false;
+                    phi_8031_ = false;
                 }
-                let _e5183 = phi_7947_;
-                if _e5183 {
-                    let _e5191 = (_e5178.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5191 <= 896u) {
-                        phi_7971_ = 0u;
+                let _e5277 = phi_8031_;
+                if _e5277 {
+                    let _e5285 = (_e5272.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5285 <= 896u) {
+                        phi_8055_ = 0u;
                     } else {
-                        phi_7971_ = ((((_e5191 - 896u) << bitcast<u32>(23i)) | ((_e5178.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5178.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8055_ = ((((_e5285 - 896u) << bitcast<u32>(23i)) | ((_e5272.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5272.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5206 = phi_7971_;
-                    let _e5208 = atomicMin((&earliest.member[0u]), _e5206);
+                    let _e5300 = phi_8055_;
+                    let _e5302 = atomicMin((&earliest.member[0u]), _e5300);
                 }
-                phi_7975_ = type_20(1u, 0u, _e176, _e179, _e5178.member_1);
-                phi_7976_ = _e5183;
-                phi_7977_ = (_e5178.member != 0u);
+                phi_8059_ = type_20(1u, 0u, _e176, _e179, _e5272.member_1);
+                phi_8060_ = _e5277;
+                phi_8061_ = (_e5272.member != 0u);
             } else {
-                phi_7975_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_7976_ = false;
-                phi_7977_ = false;
+                phi_8059_ = type_20(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8060_ = false;
+                phi_8061_ = false;
             }
-            let _e5210 = phi_7975_;
-            let _e5212 = phi_7976_;
-            let _e5214 = phi_7977_;
-            let _e5217 = params.member.member.member_1;
-            if ((_e5217 & 16u) != 0u) {
+            let _e5304 = phi_8059_;
+            let _e5306 = phi_8060_;
+            let _e5308 = phi_8061_;
+            let _e5311 = params.member.member.member_1;
+            if ((_e5311 & 16u) != 0u) {
                 if (_e105 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5212 {
-                    let _e5223 = atomicAdd((&counters[0u]), 1u);
-                    phi_7996_ = _e5223;
+                if _e5306 {
+                    let _e5317 = atomicAdd((&counters[0u]), 1u);
+                    phi_8080_ = _e5317;
                 } else {
-                    phi_7996_ = 0u;
+                    phi_8080_ = 0u;
                 }
-                let _e5225 = phi_7996_;
+                let _e5319 = phi_8080_;
                 workgroupBarrier();
                 if (_e105 == 0u) {
-                    let _e5228 = atomicLoad((&counters[0u]));
-                    if (_e5228 > 0u) {
-                        let _e5231 = atomicAdd((&contacts.member[0u]), _e5228);
-                        atomicStore((&counters[1u]), _e5231);
+                    let _e5322 = atomicLoad((&counters[0u]));
+                    if (_e5322 > 0u) {
+                        let _e5325 = atomicAdd((&contacts.member[0u]), _e5322);
+                        atomicStore((&counters[1u]), _e5325);
                     }
                 }
                 workgroupBarrier();
-                let _e5234 = atomicLoad((&counters[1u]));
-                let _e5235 = (_e5234 + _e5225);
-                if _e5212 {
-                    let _e5238 = params.member.member_1.member_3;
-                    if (_e5235 < _e5238) {
-                        let _e5240 = (6u * _e5235);
-                        atomicStore((&contacts.member[(4u + _e5240)]), _e5210.member);
-                        atomicStore((&contacts.member[(_e5240 + 5u)]), _e5210.member_1);
-                        atomicStore((&contacts.member[(_e5240 + 6u)]), _e5210.member_2);
-                        atomicStore((&contacts.member[(_e5240 + 7u)]), _e5210.member_3);
-                        atomicStore((&contacts.member[(_e5240 + 8u)]), _e5210.member_4[0]);
-                        atomicStore((&contacts.member[(_e5240 + 9u)]), _e5210.member_4[1]);
+                let _e5328 = atomicLoad((&counters[1u]));
+                let _e5329 = (_e5328 + _e5319);
+                if _e5306 {
+                    let _e5332 = params.member.member_1.member_3;
+                    if (_e5329 < _e5332) {
+                        let _e5334 = (6u * _e5329);
+                        atomicStore((&contacts.member[(4u + _e5334)]), _e5304.member);
+                        atomicStore((&contacts.member[(_e5334 + 5u)]), _e5304.member_1);
+                        atomicStore((&contacts.member[(_e5334 + 6u)]), _e5304.member_2);
+                        atomicStore((&contacts.member[(_e5334 + 7u)]), _e5304.member_3);
+                        atomicStore((&contacts.member[(_e5334 + 8u)]), _e5304.member_4[0]);
+                        atomicStore((&contacts.member[(_e5334 + 9u)]), _e5304.member_4[1]);
                     }
                 }
             }
@@ -6197,30 +6389,30 @@ fn function_3(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 atomicStore((&counters[0u]), 0u);
             }
             workgroupBarrier();
-            if _e5214 {
-                let _e5264 = atomicAdd((&counters[0u]), 1u);
-                phi_8059_ = _e5264;
+            if _e5308 {
+                let _e5358 = atomicAdd((&counters[0u]), 1u);
+                phi_8143_ = _e5358;
             } else {
-                phi_8059_ = 0u;
+                phi_8143_ = 0u;
             }
-            let _e5266 = phi_8059_;
+            let _e5360 = phi_8143_;
             workgroupBarrier();
             if (_e105 == 0u) {
-                let _e5269 = atomicLoad((&counters[0u]));
-                if (_e5269 > 0u) {
-                    let _e5272 = atomicAdd((&undecided.member[0u]), _e5269);
-                    atomicStore((&counters[1u]), _e5272);
+                let _e5363 = atomicLoad((&counters[0u]));
+                if (_e5363 > 0u) {
+                    let _e5366 = atomicAdd((&undecided.member[0u]), _e5363);
+                    atomicStore((&counters[1u]), _e5366);
                 }
             }
             workgroupBarrier();
-            let _e5275 = atomicLoad((&counters[1u]));
-            let _e5276 = (_e5275 + _e5266);
-            if _e5214 {
-                let _e5279 = params.member.member_2.member;
-                if (_e5276 < _e5279) {
-                    let _e5283 = (2u * _e5276);
-                    atomicStore((&undecided.member[(4u + _e5283)]), _e5210.member_2);
-                    atomicStore((&undecided.member[(_e5283 + 5u)]), _e5210.member_3);
+            let _e5369 = atomicLoad((&counters[1u]));
+            let _e5370 = (_e5369 + _e5360);
+            if _e5308 {
+                let _e5373 = params.member.member_2.member;
+                if (_e5370 < _e5373) {
+                    let _e5377 = (2u * _e5370);
+                    atomicStore((&undecided.member[(4u + _e5377)]), _e5304.member_2);
+                    atomicStore((&undecided.member[(_e5377 + 5u)]), _e5304.member_3);
                 }
             }
         }

@@ -155,51 +155,51 @@ fn function_(param: f64) -> array<u32, 2> {
 }
 
 fn function_1(param_1: array<f64, 3>, param_2: array<f64, 3>) -> array<f64, 3> {
-    var phi_8939_: array<f64, 3>;
+    var phi_9025_: array<f64, 3>;
 
     if ((((param_2[0] * param_2[0]) + (param_2[1] * param_2[1])) + (param_2[2] * param_2[2])) < (((param_1[0] * param_1[0]) + (param_1[1] * param_1[1])) + (param_1[2] * param_1[2]))) {
-        phi_8939_ = param_2;
+        phi_9025_ = param_2;
     } else {
-        phi_8939_ = param_1;
+        phi_9025_ = param_1;
     }
-    let _e26 = phi_8939_;
+    let _e26 = phi_9025_;
     return _e26;
 }
 
 fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64, 3>, param_6: u32) -> array<f64, 3> {
-    var phi_8503_: bool;
-    var phi_8504_: bool;
-    var phi_8505_: bool;
-    var phi_8506_: bool;
-    var phi_8510_: bool;
-    var phi_8483_: bool;
-    var phi_8484_: bool;
-    var phi_8485_: bool;
-    var phi_8486_: bool;
-    var phi_8487_: bool;
-    var phi_8488_: bool;
-    var phi_8492_: bool;
-    var phi_8511_: bool;
-    var phi_8541_: array<f64, 3>;
-    var phi_8542_: bool;
-    var phi_8543_: array<f64, 3>;
-    var phi_8544_: bool;
-    var phi_8790_: f64;
-    var phi_8792_: f64;
-    var phi_8834_: f64;
-    var phi_8836_: f64;
-    var phi_8884_: f64;
-    var phi_8886_: f64;
-    var phi_8595_: f64;
-    var phi_8597_: f64;
-    var phi_8645_: f64;
-    var phi_8647_: f64;
-    var phi_8692_: f64;
-    var phi_8694_: f64;
-    var phi_8745_: f64;
-    var phi_8747_: f64;
-    var phi_8901_: array<array<f64, 3>, 4>;
-    var phi_8909_: array<f64, 3>;
+    var phi_8589_: bool;
+    var phi_8590_: bool;
+    var phi_8591_: bool;
+    var phi_8592_: bool;
+    var phi_8596_: bool;
+    var phi_8569_: bool;
+    var phi_8570_: bool;
+    var phi_8571_: bool;
+    var phi_8572_: bool;
+    var phi_8573_: bool;
+    var phi_8574_: bool;
+    var phi_8578_: bool;
+    var phi_8597_: bool;
+    var phi_8627_: array<f64, 3>;
+    var phi_8628_: bool;
+    var phi_8629_: array<f64, 3>;
+    var phi_8630_: bool;
+    var phi_8876_: f64;
+    var phi_8878_: f64;
+    var phi_8920_: f64;
+    var phi_8922_: f64;
+    var phi_8970_: f64;
+    var phi_8972_: f64;
+    var phi_8681_: f64;
+    var phi_8683_: f64;
+    var phi_8731_: f64;
+    var phi_8733_: f64;
+    var phi_8778_: f64;
+    var phi_8780_: f64;
+    var phi_8831_: f64;
+    var phi_8833_: f64;
+    var phi_8987_: array<array<f64, 3>, 4>;
+    var phi_8995_: array<f64, 3>;
 
     let _e21 = (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2]));
     let _e32 = (((param_4[0] * param_5[0]) + (param_4[1] * param_5[1])) + (param_4[2] * param_5[2]));
@@ -215,83 +215,83 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
                 if (_e74 <= _e70) {
-                    phi_8483_ = (_e78 <= _e70);
-                    phi_8484_ = false;
+                    phi_8569_ = (_e78 <= _e70);
+                    phi_8570_ = false;
                 } else {
-                    phi_8483_ = bool();
-                    phi_8484_ = true;
+                    phi_8569_ = bool();
+                    phi_8570_ = true;
                 }
-                let _e99 = phi_8483_;
-                let _e101 = phi_8484_;
-                phi_8485_ = _e99;
-                phi_8486_ = _e101;
+                let _e99 = phi_8569_;
+                let _e101 = phi_8570_;
+                phi_8571_ = _e99;
+                phi_8572_ = _e101;
             } else {
-                phi_8485_ = bool();
-                phi_8486_ = true;
+                phi_8571_ = bool();
+                phi_8572_ = true;
             }
-            let _e103 = phi_8485_;
-            let _e105 = phi_8486_;
-            phi_8487_ = _e103;
-            phi_8488_ = _e105;
+            let _e103 = phi_8571_;
+            let _e105 = phi_8572_;
+            phi_8573_ = _e103;
+            phi_8574_ = _e105;
         } else {
-            phi_8487_ = bool();
-            phi_8488_ = true;
+            phi_8573_ = bool();
+            phi_8574_ = true;
         }
-        let _e107 = phi_8487_;
-        let _e109 = phi_8488_;
+        let _e107 = phi_8573_;
+        let _e109 = phi_8574_;
         if _e109 {
-            phi_8492_ = false;
+            phi_8578_ = false;
         } else {
-            phi_8492_ = _e107;
+            phi_8578_ = _e107;
         }
-        let _e111 = phi_8492_;
-        phi_8511_ = _e111;
+        let _e111 = phi_8578_;
+        phi_8597_ = _e111;
     } else {
         if (_e74 >= _e69) {
             if (_e78 >= _e69) {
-                phi_8503_ = ((_e74 + _e78) <= _e70);
-                phi_8504_ = false;
+                phi_8589_ = ((_e74 + _e78) <= _e70);
+                phi_8590_ = false;
             } else {
-                phi_8503_ = bool();
-                phi_8504_ = true;
+                phi_8589_ = bool();
+                phi_8590_ = true;
             }
-            let _e85 = phi_8503_;
-            let _e87 = phi_8504_;
-            phi_8505_ = _e85;
-            phi_8506_ = _e87;
+            let _e85 = phi_8589_;
+            let _e87 = phi_8590_;
+            phi_8591_ = _e85;
+            phi_8592_ = _e87;
         } else {
-            phi_8505_ = bool();
-            phi_8506_ = true;
+            phi_8591_ = bool();
+            phi_8592_ = true;
         }
-        let _e89 = phi_8505_;
-        let _e91 = phi_8506_;
+        let _e89 = phi_8591_;
+        let _e91 = phi_8592_;
         if _e91 {
-            phi_8510_ = false;
+            phi_8596_ = false;
         } else {
-            phi_8510_ = _e89;
+            phi_8596_ = _e89;
         }
-        let _e93 = phi_8510_;
-        phi_8511_ = _e93;
+        let _e93 = phi_8596_;
+        phi_8597_ = _e93;
     }
-    let _e113 = phi_8511_;
+    let _e113 = phi_8597_;
     if (_e68 > _e69) {
         if _e113 {
-            phi_8541_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
-            phi_8542_ = false;
+            phi_8627_ = array<f64, 3>((param_3[0] - ((param_4[0] * _e74) + (param_5[0] * _e78))), (param_3[1] - ((param_4[1] * _e74) + (param_5[1] * _e78))), (param_3[2] - ((param_4[2] * _e74) + (param_5[2] * _e78))));
+            phi_8628_ = false;
         } else {
-            phi_8541_ = array<f64, 3>();
-            phi_8542_ = true;
+            phi_8627_ = array<f64, 3>();
+            phi_8628_ = true;
         }
-        let _e138 = phi_8541_;
-        let _e140 = phi_8542_;
-        phi_8543_ = _e138;
-        phi_8544_ = _e140;
+        let _e138 = phi_8627_;
+        let _e140 = phi_8628_;
+        phi_8629_ = _e138;
+        phi_8630_ = _e140;
     } else {
-        phi_8543_ = array<f64, 3>();
-        phi_8544_ = true;
+        phi_8629_ = array<f64, 3>();
+        phi_8630_ = true;
     }
-    let _e142 = phi_8543_;
-    let _e144 = phi_8544_;
+    let _e142 = phi_8629_;
+    let _e144 = phi_8630_;
     if _e144 {
         let _e147 = (param_3[0] - param_4[0]);
         let _e150 = (param_3[1] - param_4[1]);
@@ -300,59 +300,59 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e307 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e307 > f64(0f)) {
                 if (_e307 < f64(1f)) {
-                    phi_8595_ = _e307;
+                    phi_8681_ = _e307;
                 } else {
-                    phi_8595_ = f64(1f);
+                    phi_8681_ = f64(1f);
                 }
-                let _e315 = phi_8595_;
-                phi_8597_ = _e315;
+                let _e315 = phi_8681_;
+                phi_8683_ = _e315;
             } else {
-                phi_8597_ = f64(0f);
+                phi_8683_ = f64(0f);
             }
-            let _e317 = phi_8597_;
+            let _e317 = phi_8683_;
             let _e353 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e353 > f64(0f)) {
                 if (_e353 < f64(1f)) {
-                    phi_8645_ = _e353;
+                    phi_8731_ = _e353;
                 } else {
-                    phi_8645_ = f64(1f);
+                    phi_8731_ = f64(1f);
                 }
-                let _e361 = phi_8645_;
-                phi_8647_ = _e361;
+                let _e361 = phi_8731_;
+                phi_8733_ = _e361;
             } else {
-                phi_8647_ = f64(0f);
+                phi_8733_ = f64(0f);
             }
-            let _e363 = phi_8647_;
+            let _e363 = phi_8733_;
             let _e396 = ((((_e147 * param_5[0]) + (_e150 * param_5[1])) + (_e153 * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e396 > f64(0f)) {
                 if (_e396 < f64(1f)) {
-                    phi_8692_ = _e396;
+                    phi_8778_ = _e396;
                 } else {
-                    phi_8692_ = f64(1f);
+                    phi_8778_ = f64(1f);
                 }
-                let _e404 = phi_8692_;
-                phi_8694_ = _e404;
+                let _e404 = phi_8778_;
+                phi_8780_ = _e404;
             } else {
-                phi_8694_ = f64(0f);
+                phi_8780_ = f64(0f);
             }
-            let _e406 = phi_8694_;
+            let _e406 = phi_8780_;
             let _e419 = (param_3[0] - param_5[0]);
             let _e422 = (param_3[1] - param_5[1]);
             let _e425 = (param_3[2] - param_5[2]);
             let _e445 = ((((_e419 * param_4[0]) + (_e422 * param_4[1])) + (_e425 * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e445 > f64(0f)) {
                 if (_e445 < f64(1f)) {
-                    phi_8745_ = _e445;
+                    phi_8831_ = _e445;
                 } else {
-                    phi_8745_ = f64(1f);
+                    phi_8831_ = f64(1f);
                 }
-                let _e453 = phi_8745_;
-                phi_8747_ = _e453;
+                let _e453 = phi_8831_;
+                phi_8833_ = _e453;
             } else {
-                phi_8747_ = f64(0f);
+                phi_8833_ = f64(0f);
             }
-            let _e455 = phi_8747_;
-            phi_8901_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
+            let _e455 = phi_8833_;
+            phi_8987_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e317)), (param_3[1] - (param_4[1] * _e317)), (param_3[2] - (param_4[2] * _e317))), array<f64, 3>((param_3[0] - (param_5[0] * _e363)), (param_3[1] - (param_5[1] * _e363)), (param_3[2] - (param_5[2] * _e363))), array<f64, 3>((_e147 - (param_5[0] * _e406)), (_e150 - (param_5[1] * _e406)), (_e153 - (param_5[2] * _e406))), array<f64, 3>((_e419 - (param_4[0] * _e455)), (_e422 - (param_4[1] * _e455)), (_e425 - (param_4[2] * _e455))));
         } else {
             let _e157 = (param_5[0] - param_4[0]);
             let _e160 = (param_5[1] - param_4[1]);
@@ -360,54 +360,54 @@ fn function_2(param_3: array<f64, 3>, param_4: array<f64, 3>, param_5: array<f64
             let _e174 = ((((_e147 * _e157) + (_e150 * _e160)) + (_e153 * _e163)) / (((_e157 * _e157) + (_e160 * _e160)) + (_e163 * _e163)));
             if (_e174 > f64(0f)) {
                 if (_e174 < f64(1f)) {
-                    phi_8790_ = _e174;
+                    phi_8876_ = _e174;
                 } else {
-                    phi_8790_ = f64(1f);
+                    phi_8876_ = f64(1f);
                 }
-                let _e182 = phi_8790_;
-                phi_8792_ = _e182;
+                let _e182 = phi_8876_;
+                phi_8878_ = _e182;
             } else {
-                phi_8792_ = f64(0f);
+                phi_8878_ = f64(0f);
             }
-            let _e184 = phi_8792_;
+            let _e184 = phi_8878_;
             let _e191 = array<f64, 3>((_e147 - (_e157 * _e184)), (_e150 - (_e160 * _e184)), (_e153 - (_e163 * _e184)));
             let _e214 = ((((param_3[0] * param_4[0]) + (param_3[1] * param_4[1])) + (param_3[2] * param_4[2])) / (((param_4[0] * param_4[0]) + (param_4[1] * param_4[1])) + (param_4[2] * param_4[2])));
             if (_e214 > f64(0f)) {
                 if (_e214 < f64(1f)) {
-                    phi_8834_ = _e214;
+                    phi_8920_ = _e214;
                 } else {
-                    phi_8834_ = f64(1f);
+                    phi_8920_ = f64(1f);
                 }
-                let _e222 = phi_8834_;
-                phi_8836_ = _e222;
+                let _e222 = phi_8920_;
+                phi_8922_ = _e222;
             } else {
-                phi_8836_ = f64(0f);
+                phi_8922_ = f64(0f);
             }
-            let _e224 = phi_8836_;
+            let _e224 = phi_8922_;
             let _e260 = ((((param_3[0] * param_5[0]) + (param_3[1] * param_5[1])) + (param_3[2] * param_5[2])) / (((param_5[0] * param_5[0]) + (param_5[1] * param_5[1])) + (param_5[2] * param_5[2])));
             if (_e260 > f64(0f)) {
                 if (_e260 < f64(1f)) {
-                    phi_8884_ = _e260;
+                    phi_8970_ = _e260;
                 } else {
-                    phi_8884_ = f64(1f);
+                    phi_8970_ = f64(1f);
                 }
-                let _e268 = phi_8884_;
-                phi_8886_ = _e268;
+                let _e268 = phi_8970_;
+                phi_8972_ = _e268;
             } else {
-                phi_8886_ = f64(0f);
+                phi_8972_ = f64(0f);
             }
-            let _e270 = phi_8886_;
-            phi_8901_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
+            let _e270 = phi_8972_;
+            phi_8987_ = array<array<f64, 3>, 4>(array<f64, 3>((param_3[0] - (param_4[0] * _e224)), (param_3[1] - (param_4[1] * _e224)), (param_3[2] - (param_4[2] * _e224))), array<f64, 3>((param_3[0] - (param_5[0] * _e270)), (param_3[1] - (param_5[1] * _e270)), (param_3[2] - (param_5[2] * _e270))), _e191, _e191);
         }
-        let _e468 = phi_8901_;
+        let _e468 = phi_8987_;
         let _e471 = function_1(_e468[0], _e468[1]);
         let _e473 = function_1(_e471, _e468[2]);
         let _e475 = function_1(_e473, _e468[3]);
-        phi_8909_ = _e475;
+        phi_8995_ = _e475;
     } else {
-        phi_8909_ = _e142;
+        phi_8995_ = _e142;
     }
-    let _e477 = phi_8909_;
+    let _e477 = phi_8995_;
     return _e477;
 }
 
@@ -534,448 +534,468 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_1598_: f64;
     var phi_1603_: f64;
     var phi_1614_: f64;
-    var phi_4311_: f64;
-    var phi_4317_: f64;
-    var phi_4322_: f64;
-    var phi_4328_: f64;
-    var phi_4334_: f64;
-    var phi_4339_: f64;
-    var phi_4344_: f64;
-    var phi_4354_: bool;
-    var phi_4361_: f64;
-    var phi_4369_: f64;
-    var phi_4412_: type_16;
-    var phi_4415_: f64;
-    var phi_4436_: bool;
-    var phi_4442_: type_17;
-    var phi_4413_: type_16;
-    var phi_4456_: type_17;
-    var phi_4416_: f64;
+    var phi_4354_: f64;
+    var phi_4360_: f64;
+    var phi_4365_: f64;
+    var phi_4371_: f64;
+    var phi_4377_: f64;
+    var phi_4382_: f64;
+    var phi_4387_: f64;
+    var phi_4397_: bool;
+    var phi_4404_: f64;
+    var phi_4412_: f64;
+    var phi_4455_: type_16;
+    var phi_4458_: f64;
+    var phi_4479_: bool;
+    var phi_4485_: type_17;
+    var phi_4456_: type_16;
+    var phi_4499_: type_17;
+    var phi_4459_: f64;
     var local_13: f64;
-    var phi_4405_: f64;
-    var phi_4469_: f64;
-    var phi_4475_: f64;
-    var phi_4500_: type_9;
-    var phi_4503_: u32;
-    var phi_4501_: type_9;
-    var phi_4526_: type_9;
-    var phi_4570_: u32;
-    var phi_4571_: u32;
-    var phi_4504_: u32;
-    var phi_4572_: u32;
-    var phi_4592_: type_9;
-    var phi_4593_: type_9;
-    var phi_4616_: type_9;
-    var phi_4670_: f64;
-    var phi_4677_: f64;
-    var phi_4689_: bool;
-    var phi_4690_: bool;
-    var phi_4691_: bool;
-    var phi_4692_: bool;
-    var phi_4696_: bool;
-    var phi_4708_: type_45;
-    var phi_4709_: type_45;
-    var phi_4710_: bool;
-    var phi_4711_: type_45;
-    var phi_4712_: bool;
-    var phi_4725_: f64;
-    var phi_4738_: type_9;
-    var phi_4741_: f64;
-    var phi_4743_: f64;
-    var phi_4745_: f64;
-    var phi_4739_: type_9;
-    var phi_4768_: type_9;
-    var phi_4795_: f64;
-    var phi_4796_: f64;
-    var phi_4824_: f64;
-    var phi_4840_: f64;
-    var phi_4847_: bool;
-    var phi_4848_: bool;
-    var phi_4849_: bool;
-    var phi_4855_: f64;
-    var phi_4856_: f64;
-    var phi_4857_: bool;
-    var phi_4742_: f64;
-    var phi_4744_: f64;
-    var phi_4746_: f64;
-    var phi_4858_: f64;
-    var phi_4859_: bool;
-    var phi_4860_: bool;
-    var local_14: bool;
-    var phi_4864_: f64;
-    var phi_4865_: f64;
-    var phi_4875_: f64;
-    var phi_4880_: type_9;
+    var phi_4448_: f64;
+    var phi_4512_: f64;
+    var phi_4518_: f64;
+    var phi_4543_: type_9;
+    var phi_4546_: u32;
+    var phi_4544_: type_9;
+    var phi_4569_: type_9;
+    var phi_4613_: u32;
+    var phi_4614_: u32;
+    var phi_4547_: u32;
+    var phi_4615_: u32;
+    var phi_4635_: type_9;
+    var phi_4636_: type_9;
+    var phi_4659_: type_9;
+    var phi_4713_: f64;
+    var phi_4720_: f64;
+    var phi_4732_: bool;
+    var phi_4733_: bool;
+    var phi_4734_: bool;
+    var phi_4735_: bool;
+    var phi_4739_: bool;
+    var phi_4751_: type_45;
+    var phi_4752_: type_45;
+    var phi_4753_: bool;
+    var phi_4754_: type_45;
+    var phi_4755_: bool;
+    var phi_4768_: f64;
+    var phi_4781_: type_9;
+    var phi_4784_: f64;
+    var phi_4786_: f64;
+    var phi_4788_: f64;
+    var phi_4782_: type_9;
+    var phi_4811_: type_9;
+    var phi_4838_: f64;
+    var phi_4839_: f64;
+    var phi_4867_: f64;
     var phi_4883_: f64;
-    var phi_4881_: type_9;
-    var phi_4906_: type_9;
-    var phi_4937_: f64;
-    var phi_4938_: bool;
-    var phi_4939_: f64;
-    var phi_4940_: bool;
-    var phi_4941_: bool;
-    var phi_4942_: bool;
-    var phi_4943_: f64;
-    var phi_4884_: f64;
-    var phi_4944_: bool;
-    var phi_4945_: bool;
-    var phi_4946_: bool;
-    var phi_4947_: bool;
+    var phi_4890_: bool;
+    var phi_4891_: bool;
+    var phi_4892_: bool;
+    var phi_4898_: f64;
+    var phi_4899_: f64;
+    var phi_4900_: bool;
+    var phi_4785_: f64;
+    var phi_4787_: f64;
+    var phi_4789_: f64;
+    var phi_4901_: f64;
+    var phi_4902_: bool;
+    var phi_4903_: bool;
+    var local_14: bool;
+    var phi_4907_: f64;
+    var phi_4908_: f64;
+    var phi_4918_: f64;
+    var phi_4923_: type_9;
+    var phi_4926_: f64;
+    var phi_4924_: type_9;
+    var phi_4949_: type_9;
+    var phi_4980_: f64;
+    var phi_4981_: bool;
+    var phi_4982_: f64;
+    var phi_4983_: bool;
+    var phi_4984_: bool;
+    var phi_4985_: bool;
+    var phi_4986_: f64;
+    var phi_4927_: f64;
+    var phi_4987_: bool;
+    var phi_4988_: bool;
+    var phi_4989_: bool;
+    var phi_4990_: bool;
     var local_15: bool;
-    var phi_4951_: bool;
-    var phi_4952_: bool;
-    var phi_4956_: bool;
-    var phi_4960_: f64;
-    var phi_4961_: f64;
-    var phi_4963_: type_45;
-    var phi_4994_: f64;
-    var phi_5001_: f64;
-    var phi_5006_: f64;
-    var phi_5013_: f64;
-    var phi_5018_: f64;
-    var phi_5031_: f64;
-    var phi_5038_: f64;
-    var phi_5043_: f64;
-    var phi_5050_: f64;
-    var phi_5055_: f64;
-    var phi_5060_: f64;
-    var phi_5119_: f64;
-    var phi_5125_: f64;
-    var phi_5130_: f64;
-    var phi_5136_: f64;
-    var phi_5141_: f64;
-    var phi_5155_: f64;
-    var phi_5161_: f64;
-    var phi_5166_: f64;
-    var phi_5172_: f64;
-    var phi_5177_: f64;
-    var phi_5203_: f64;
-    var phi_5210_: f64;
+    var phi_4994_: bool;
+    var phi_4995_: bool;
+    var phi_4999_: bool;
+    var phi_5003_: f64;
+    var phi_5004_: f64;
+    var phi_5006_: type_45;
+    var phi_5037_: f64;
+    var phi_5044_: f64;
+    var phi_5049_: f64;
+    var phi_5056_: f64;
+    var phi_5061_: f64;
+    var phi_5074_: f64;
+    var phi_5081_: f64;
+    var phi_5086_: f64;
+    var phi_5093_: f64;
+    var phi_5098_: f64;
+    var phi_5103_: f64;
+    var phi_5162_: f64;
+    var phi_5168_: f64;
+    var phi_5173_: f64;
+    var phi_5179_: f64;
+    var phi_5184_: f64;
+    var phi_5198_: f64;
+    var phi_5204_: f64;
+    var phi_5209_: f64;
     var phi_5215_: f64;
-    var phi_5222_: f64;
-    var phi_5227_: f64;
-    var phi_5240_: f64;
-    var phi_5247_: f64;
-    var phi_5252_: f64;
-    var phi_5259_: f64;
-    var phi_5264_: f64;
-    var phi_5269_: f64;
-    var phi_5328_: f64;
-    var phi_5334_: f64;
-    var phi_5339_: f64;
-    var phi_5345_: f64;
-    var phi_5350_: f64;
-    var phi_5364_: f64;
-    var phi_5370_: f64;
-    var phi_5375_: f64;
-    var phi_5381_: f64;
-    var phi_5386_: f64;
-    var phi_5412_: f64;
-    var phi_5419_: f64;
+    var phi_5220_: f64;
+    var phi_5246_: f64;
+    var phi_5253_: f64;
+    var phi_5258_: f64;
+    var phi_5265_: f64;
+    var phi_5270_: f64;
+    var phi_5283_: f64;
+    var phi_5290_: f64;
+    var phi_5295_: f64;
+    var phi_5302_: f64;
+    var phi_5307_: f64;
+    var phi_5312_: f64;
+    var phi_5371_: f64;
+    var phi_5377_: f64;
+    var phi_5382_: f64;
+    var phi_5388_: f64;
+    var phi_5393_: f64;
+    var phi_5407_: f64;
+    var phi_5413_: f64;
+    var phi_5418_: f64;
     var phi_5424_: f64;
-    var phi_5431_: f64;
-    var phi_5436_: f64;
-    var phi_5449_: f64;
-    var phi_5456_: f64;
-    var phi_5461_: f64;
-    var phi_5468_: f64;
-    var phi_5473_: f64;
-    var phi_5478_: f64;
-    var phi_5537_: f64;
-    var phi_5543_: f64;
-    var phi_5548_: f64;
-    var phi_5554_: f64;
-    var phi_5559_: f64;
-    var phi_5573_: f64;
-    var phi_5579_: f64;
-    var phi_5584_: f64;
-    var phi_5590_: f64;
-    var phi_5595_: f64;
-    var phi_5644_: f64;
-    var phi_5650_: f64;
-    var phi_5678_: f64;
-    var phi_5684_: f64;
-    var phi_5689_: u32;
-    var phi_5690_: u32;
-    var phi_5660_: f64;
-    var phi_5666_: f64;
-    var phi_5671_: u32;
-    var phi_5672_: u32;
-    var phi_5691_: u32;
-    var phi_5692_: u32;
-    var phi_5765_: f64;
-    var phi_5777_: f64;
-    var phi_5920_: f64;
-    var phi_5926_: f64;
-    var phi_5933_: f64;
-    var phi_5977_: type_9;
-    var phi_5980_: bool;
-    var phi_5978_: type_9;
-    var phi_6003_: type_9;
-    var phi_6030_: bool;
-    var phi_6031_: bool;
-    var phi_5981_: bool;
-    var phi_6032_: bool;
-    var phi_6033_: bool;
-    var local_16: bool;
-    var phi_6037_: bool;
-    var local_17: bool;
-    var phi_6044_: u32;
-    var phi_6045_: u32;
-    var phi_6046_: bool;
-    var phi_6047_: u32;
-    var phi_6048_: u32;
-    var phi_6049_: bool;
-    var phi_6053_: u32;
+    var phi_5429_: f64;
+    var phi_5455_: f64;
+    var phi_5462_: f64;
+    var phi_5467_: f64;
+    var phi_5474_: f64;
+    var phi_5479_: f64;
+    var phi_5492_: f64;
+    var phi_5499_: f64;
+    var phi_5504_: f64;
+    var phi_5511_: f64;
+    var phi_5516_: f64;
+    var phi_5521_: f64;
+    var phi_5580_: f64;
+    var phi_5586_: f64;
+    var phi_5591_: f64;
+    var phi_5597_: f64;
+    var phi_5602_: f64;
+    var phi_5616_: f64;
+    var phi_5622_: f64;
+    var phi_5627_: f64;
+    var phi_5633_: f64;
+    var phi_5638_: f64;
+    var phi_5687_: f64;
+    var phi_5693_: f64;
+    var phi_5721_: f64;
+    var phi_5727_: f64;
+    var phi_5732_: u32;
+    var phi_5733_: u32;
+    var phi_5703_: f64;
+    var phi_5709_: f64;
+    var phi_5714_: u32;
+    var phi_5715_: u32;
+    var phi_5734_: u32;
+    var phi_5735_: u32;
+    var phi_5808_: f64;
+    var phi_5820_: f64;
+    var phi_5963_: f64;
+    var phi_5969_: f64;
+    var phi_5976_: f64;
+    var phi_6020_: type_9;
+    var phi_6023_: bool;
+    var phi_6021_: type_9;
+    var phi_6046_: type_9;
+    var phi_6073_: bool;
     var phi_6074_: bool;
+    var phi_6024_: bool;
     var phi_6075_: bool;
     var phi_6076_: bool;
-    var phi_6225_: f64;
-    var phi_6232_: f64;
-    var phi_6237_: f64;
-    var phi_6244_: f64;
-    var phi_6249_: f64;
-    var phi_6262_: f64;
-    var phi_6269_: f64;
-    var phi_6274_: f64;
-    var phi_6281_: f64;
-    var phi_6286_: f64;
-    var phi_6291_: f64;
-    var phi_6308_: f64;
-    var phi_6315_: f64;
-    var phi_6320_: f64;
-    var phi_6327_: f64;
-    var phi_6332_: f64;
-    var phi_6346_: f64;
-    var phi_6353_: f64;
+    var local_16: bool;
+    var phi_6080_: bool;
+    var local_17: bool;
+    var phi_6087_: u32;
+    var phi_6088_: u32;
+    var phi_6089_: bool;
+    var phi_6090_: u32;
+    var phi_6091_: u32;
+    var phi_6092_: bool;
+    var phi_6096_: u32;
+    var phi_6117_: bool;
+    var phi_6118_: bool;
+    var phi_6119_: bool;
+    var phi_6268_: f64;
+    var phi_6275_: f64;
+    var phi_6280_: f64;
+    var phi_6287_: f64;
+    var phi_6292_: f64;
+    var phi_6305_: f64;
+    var phi_6312_: f64;
+    var phi_6317_: f64;
+    var phi_6324_: f64;
+    var phi_6329_: f64;
+    var phi_6334_: f64;
+    var phi_6351_: f64;
     var phi_6358_: f64;
-    var phi_6365_: f64;
+    var phi_6363_: f64;
     var phi_6370_: f64;
     var phi_6375_: f64;
-    var phi_6392_: f64;
-    var phi_6399_: f64;
-    var phi_6404_: f64;
-    var phi_6411_: f64;
-    var phi_6416_: f64;
-    var phi_6430_: f64;
-    var phi_6437_: f64;
+    var phi_6389_: f64;
+    var phi_6396_: f64;
+    var phi_6401_: f64;
+    var phi_6408_: f64;
+    var phi_6413_: f64;
+    var phi_6418_: f64;
+    var phi_6435_: f64;
     var phi_6442_: f64;
-    var phi_6449_: f64;
+    var phi_6447_: f64;
     var phi_6454_: f64;
     var phi_6459_: f64;
-    var phi_6503_: type_9;
-    var phi_6506_: f64;
-    var phi_6508_: f64;
-    var phi_6510_: f64;
-    var phi_6504_: type_9;
-    var phi_6533_: type_9;
-    var phi_6645_: f64;
-    var phi_6652_: f64;
-    var phi_6660_: f64;
-    var phi_6706_: type_16;
-    var phi_6709_: f64;
-    var phi_6730_: bool;
-    var phi_6736_: type_17;
-    var phi_6707_: type_16;
-    var phi_6750_: type_17;
-    var phi_6710_: f64;
+    var phi_6473_: f64;
+    var phi_6480_: f64;
+    var phi_6485_: f64;
+    var phi_6492_: f64;
+    var phi_6497_: f64;
+    var phi_6502_: f64;
+    var phi_6546_: type_9;
+    var phi_6549_: f64;
+    var phi_6551_: f64;
+    var phi_6553_: f64;
+    var phi_6555_: bool;
+    var phi_6557_: u32;
+    var phi_6547_: type_9;
+    var phi_6580_: type_9;
+    var phi_6695_: f64;
+    var phi_6701_: f64;
+    var phi_6707_: f64;
+    var phi_6709_: array<f64, 3>;
+    var phi_6716_: f64;
+    var phi_6723_: f64;
+    var phi_6731_: f64;
+    var phi_6777_: type_16;
+    var phi_6780_: f64;
+    var phi_6801_: bool;
+    var phi_6807_: type_17;
+    var phi_6778_: type_16;
+    var phi_6821_: type_17;
+    var phi_6781_: f64;
     var local_18: f64;
-    var phi_6699_: f64;
-    var phi_6763_: f64;
-    var phi_6832_: f64;
-    var phi_6838_: f64;
-    var phi_6847_: f64;
-    var phi_6853_: f64;
-    var phi_6862_: f64;
-    var phi_6868_: f64;
-    var phi_6877_: f64;
-    var phi_6883_: f64;
-    var phi_6889_: type_34;
-    var phi_6890_: bool;
-    var phi_6891_: type_34;
-    var phi_6892_: bool;
-    var phi_6902_: type_34;
-    var phi_7073_: bool;
-    var phi_7074_: bool;
-    var phi_7075_: bool;
-    var phi_7076_: bool;
-    var phi_7077_: bool;
-    var phi_7078_: bool;
-    var phi_7082_: bool;
-    var phi_7380_: bool;
-    var phi_7381_: bool;
-    var phi_7382_: bool;
-    var phi_7383_: bool;
-    var phi_7384_: bool;
-    var phi_7385_: bool;
-    var phi_7389_: bool;
-    var phi_7393_: bool;
-    var phi_7405_: bool;
-    var phi_7406_: bool;
-    var phi_7480_: bool;
-    var phi_7481_: bool;
-    var phi_7504_: f64;
-    var phi_7505_: bool;
-    var phi_7506_: f64;
-    var phi_7507_: bool;
-    var phi_7508_: f64;
-    var phi_7509_: bool;
-    var phi_7510_: bool;
-    var phi_7515_: f64;
-    var phi_7516_: bool;
-    var phi_7520_: f64;
+    var phi_6770_: f64;
+    var phi_6834_: f64;
+    var phi_6903_: f64;
+    var phi_6909_: f64;
+    var phi_6918_: f64;
+    var phi_6924_: f64;
+    var phi_6933_: f64;
+    var phi_6939_: f64;
+    var phi_6948_: f64;
+    var phi_6954_: f64;
+    var phi_6960_: type_34;
+    var phi_6961_: bool;
+    var phi_6962_: type_34;
+    var phi_6963_: bool;
+    var phi_6973_: type_34;
+    var phi_7145_: bool;
+    var phi_7146_: bool;
+    var phi_7147_: bool;
+    var phi_7148_: bool;
+    var phi_7149_: bool;
+    var phi_7150_: bool;
+    var phi_7154_: bool;
+    var phi_7452_: bool;
+    var phi_7453_: bool;
+    var phi_7454_: bool;
+    var phi_7455_: bool;
+    var phi_7456_: bool;
+    var phi_7457_: bool;
+    var phi_7461_: bool;
+    var phi_7465_: bool;
+    var phi_7476_: bool;
+    var phi_7477_: bool;
+    var phi_7551_: bool;
     var phi_7552_: bool;
-    var phi_7553_: bool;
-    var phi_7576_: f64;
-    var phi_7577_: bool;
-    var phi_7578_: f64;
-    var phi_7579_: bool;
-    var phi_7580_: f64;
+    var phi_7575_: f64;
+    var phi_7576_: bool;
+    var phi_7577_: f64;
+    var phi_7578_: bool;
+    var phi_7579_: f64;
+    var phi_7580_: bool;
     var phi_7581_: bool;
-    var phi_7582_: bool;
-    var phi_7587_: f64;
-    var phi_7588_: bool;
-    var phi_7592_: f64;
-    var phi_7597_: f64;
-    var phi_7629_: bool;
-    var phi_7630_: bool;
-    var phi_7653_: f64;
-    var phi_7654_: bool;
-    var phi_7655_: f64;
-    var phi_7656_: bool;
-    var phi_7657_: f64;
-    var phi_7658_: bool;
+    var phi_7586_: f64;
+    var phi_7587_: bool;
+    var phi_7591_: f64;
+    var phi_7623_: bool;
+    var phi_7624_: bool;
+    var phi_7647_: f64;
+    var phi_7648_: bool;
+    var phi_7649_: f64;
+    var phi_7650_: bool;
+    var phi_7651_: f64;
+    var phi_7652_: bool;
+    var phi_7653_: bool;
+    var phi_7658_: f64;
     var phi_7659_: bool;
-    var phi_7664_: f64;
-    var phi_7665_: bool;
-    var phi_7669_: f64;
+    var phi_7663_: f64;
+    var phi_7668_: f64;
+    var phi_7700_: bool;
     var phi_7701_: bool;
-    var phi_7702_: bool;
-    var phi_7725_: f64;
-    var phi_7726_: bool;
-    var phi_7727_: f64;
-    var phi_7728_: bool;
-    var phi_7729_: f64;
+    var phi_7724_: f64;
+    var phi_7725_: bool;
+    var phi_7726_: f64;
+    var phi_7727_: bool;
+    var phi_7728_: f64;
+    var phi_7729_: bool;
     var phi_7730_: bool;
-    var phi_7731_: bool;
-    var phi_7736_: f64;
-    var phi_7737_: bool;
-    var phi_7741_: f64;
-    var phi_7746_: f64;
-    var phi_7751_: f64;
-    var phi_7756_: f64;
-    var phi_7767_: f64;
-    var phi_7768_: f64;
-    var phi_7769_: bool;
-    var phi_7770_: f64;
-    var phi_7771_: f64;
+    var phi_7735_: f64;
+    var phi_7736_: bool;
+    var phi_7740_: f64;
     var phi_7772_: bool;
     var phi_7773_: bool;
-    var phi_7774_: bool;
-    var phi_7775_: f64;
-    var phi_7776_: f64;
-    var phi_7777_: bool;
-    var phi_7778_: bool;
-    var phi_7779_: bool;
-    var phi_7780_: bool;
-    var phi_7781_: f64;
-    var phi_7782_: f64;
-    var phi_7783_: bool;
-    var phi_7784_: bool;
-    var phi_7785_: bool;
-    var phi_7786_: bool;
-    var phi_7866_: f64;
-    var phi_7939_: f64;
-    var phi_7944_: f64;
-    var phi_8017_: f64;
-    var phi_8090_: f64;
-    var phi_8095_: f64;
-    var phi_8116_: f64;
-    var phi_8117_: f64;
-    var phi_8118_: f64;
-    var phi_8120_: f64;
-    var phi_8121_: bool;
-    var phi_8122_: f64;
-    var phi_8123_: f64;
-    var phi_8124_: f64;
-    var phi_8125_: bool;
-    var phi_8126_: bool;
-    var phi_8127_: bool;
-    var phi_8128_: bool;
-    var phi_8137_: f64;
-    var phi_8142_: f64;
-    var phi_8153_: bool;
-    var phi_8157_: bool;
-    var phi_8158_: f64;
-    var phi_8159_: bool;
-    var phi_8160_: bool;
-    var phi_8161_: bool;
-    var phi_8162_: bool;
-    var phi_8163_: bool;
-    var phi_6507_: f64;
-    var phi_6509_: f64;
-    var phi_6511_: f64;
-    var phi_8164_: f64;
-    var phi_8165_: bool;
-    var phi_8166_: bool;
-    var phi_8167_: bool;
-    var phi_8168_: bool;
-    var phi_8169_: bool;
-    var phi_8170_: bool;
-    var local_19: bool;
-    var phi_8174_: f64;
-    var phi_8175_: bool;
-    var phi_8176_: bool;
-    var phi_8177_: bool;
-    var phi_8178_: bool;
-    var phi_8183_: type_44;
-    var phi_8184_: bool;
-    var phi_8185_: bool;
-    var phi_8186_: bool;
-    var local_20: f64;
-    var phi_8191_: type_44;
-    var phi_8192_: bool;
-    var phi_8193_: bool;
-    var phi_8198_: type_44;
+    var phi_7796_: f64;
+    var phi_7797_: bool;
+    var phi_7798_: f64;
+    var phi_7799_: bool;
+    var phi_7800_: f64;
+    var phi_7801_: bool;
+    var phi_7802_: bool;
+    var phi_7807_: f64;
+    var phi_7808_: bool;
+    var phi_7812_: f64;
+    var phi_7817_: f64;
+    var phi_7822_: f64;
+    var phi_7827_: f64;
+    var phi_7837_: f64;
+    var phi_7838_: f64;
+    var phi_7839_: bool;
+    var phi_7840_: f64;
+    var phi_7841_: f64;
+    var phi_7842_: bool;
+    var phi_7843_: bool;
+    var phi_7844_: bool;
+    var phi_7845_: f64;
+    var phi_7846_: f64;
+    var phi_7847_: bool;
+    var phi_7848_: bool;
+    var phi_7849_: bool;
+    var phi_7850_: bool;
+    var phi_7851_: f64;
+    var phi_7852_: f64;
+    var phi_7853_: bool;
+    var phi_7854_: bool;
+    var phi_7855_: bool;
+    var phi_7856_: bool;
+    var phi_7942_: f64;
+    var phi_8015_: f64;
+    var phi_8020_: f64;
+    var phi_8093_: f64;
+    var phi_8166_: f64;
+    var phi_8171_: f64;
+    var phi_8192_: f64;
+    var phi_8193_: f64;
+    var phi_8194_: f64;
+    var phi_7869_: bool;
+    var phi_8196_: u32;
+    var phi_8197_: f64;
+    var phi_8198_: bool;
     var phi_8199_: bool;
     var phi_8200_: bool;
-    var phi_8205_: type_44;
-    var phi_8206_: bool;
-    var phi_8210_: type_44;
-    var phi_8217_: bool;
-    var phi_8218_: f64;
-    var phi_8219_: bool;
-    var phi_8220_: bool;
-    var phi_8221_: bool;
-    var phi_8222_: f64;
-    var phi_8223_: bool;
-    var phi_8224_: bool;
-    var phi_8225_: bool;
-    var phi_8226_: f64;
-    var phi_8227_: bool;
-    var phi_8228_: bool;
-    var phi_8229_: bool;
-    var phi_8230_: bool;
-    var phi_8234_: bool;
+    var phi_8201_: u32;
+    var phi_8202_: f64;
+    var phi_8203_: f64;
+    var phi_8204_: f64;
+    var phi_8205_: bool;
+    var phi_8206_: u32;
+    var phi_8207_: bool;
+    var phi_8208_: bool;
+    var phi_8209_: bool;
+    var phi_8210_: bool;
+    var phi_8211_: bool;
+    var phi_8220_: f64;
+    var phi_8225_: f64;
     var phi_8235_: bool;
-    var phi_8236_: bool;
-    var phi_8237_: f64;
-    var phi_8238_: type_45;
     var phi_8239_: bool;
-    var phi_8240_: bool;
-    var phi_8241_: bool;
-    var phi_8242_: bool;
-    var local_21: bool;
-    var phi_8247_: type_44;
+    var phi_8240_: f64;
+    var phi_8241_: f64;
+    var phi_8242_: f64;
+    var phi_8243_: bool;
+    var phi_8244_: u32;
+    var phi_8245_: bool;
+    var phi_8246_: bool;
+    var phi_8247_: bool;
     var phi_8248_: bool;
     var phi_8249_: bool;
-    var local_22: f64;
-    var phi_8254_: type_44;
+    var phi_6550_: f64;
+    var phi_6552_: f64;
+    var phi_6554_: f64;
+    var phi_6556_: bool;
+    var phi_6558_: u32;
+    var phi_8250_: f64;
+    var phi_8251_: bool;
+    var phi_8252_: bool;
+    var phi_8253_: bool;
+    var phi_8254_: bool;
     var phi_8255_: bool;
-    var local_23: type_45;
-    var phi_8261_: type_44;
+    var phi_8256_: bool;
+    var local_19: bool;
+    var phi_8260_: f64;
+    var phi_8261_: bool;
     var phi_8262_: bool;
-    var phi_8266_: type_44;
+    var phi_8263_: bool;
+    var phi_8264_: bool;
+    var phi_8269_: type_44;
+    var phi_8270_: bool;
+    var phi_8271_: bool;
+    var phi_8272_: bool;
+    var local_20: f64;
+    var phi_8277_: type_44;
+    var phi_8278_: bool;
+    var phi_8279_: bool;
+    var phi_8284_: type_44;
+    var phi_8285_: bool;
+    var phi_8286_: bool;
+    var phi_8291_: type_44;
+    var phi_8292_: bool;
+    var phi_8296_: type_44;
+    var phi_8303_: bool;
+    var phi_8304_: f64;
+    var phi_8305_: bool;
+    var phi_8306_: bool;
+    var phi_8307_: bool;
+    var phi_8308_: f64;
+    var phi_8309_: bool;
+    var phi_8310_: bool;
+    var phi_8311_: bool;
+    var phi_8312_: f64;
+    var phi_8313_: bool;
+    var phi_8314_: bool;
+    var phi_8315_: bool;
+    var phi_8316_: bool;
+    var phi_8320_: bool;
+    var phi_8321_: bool;
+    var phi_8322_: bool;
+    var phi_8323_: f64;
+    var phi_8324_: type_45;
+    var phi_8325_: bool;
+    var phi_8326_: bool;
+    var phi_8327_: bool;
+    var phi_8328_: bool;
+    var local_21: bool;
+    var phi_8333_: type_44;
+    var phi_8334_: bool;
+    var phi_8335_: bool;
+    var local_22: f64;
+    var phi_8340_: type_44;
+    var phi_8341_: bool;
+    var local_23: type_45;
+    var phi_8347_: type_44;
+    var phi_8348_: bool;
+    var phi_8352_: type_44;
     var phi_1771_: f64;
     var phi_1778_: f64;
     var phi_1783_: f64;
@@ -1013,247 +1033,267 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2052_: f64;
     var phi_2054_: f64;
     var phi_2056_: f64;
+    var phi_2058_: bool;
+    var phi_2060_: u32;
     var phi_2050_: type_9;
-    var phi_2079_: type_9;
-    var phi_2191_: f64;
+    var phi_2083_: type_9;
     var phi_2198_: f64;
-    var phi_2206_: f64;
-    var phi_2252_: type_16;
-    var phi_2255_: f64;
-    var phi_2276_: bool;
-    var phi_2282_: type_17;
-    var phi_2253_: type_16;
-    var phi_2296_: type_17;
-    var phi_2256_: f64;
+    var phi_2204_: f64;
+    var phi_2210_: f64;
+    var phi_2212_: array<f64, 3>;
+    var phi_2219_: f64;
+    var phi_2226_: f64;
+    var phi_2234_: f64;
+    var phi_2280_: type_16;
+    var phi_2283_: f64;
+    var phi_2304_: bool;
+    var phi_2310_: type_17;
+    var phi_2281_: type_16;
+    var phi_2324_: type_17;
+    var phi_2284_: f64;
     var local_24: f64;
-    var phi_2245_: f64;
-    var phi_2309_: f64;
-    var phi_2378_: f64;
-    var phi_2384_: f64;
-    var phi_2393_: f64;
-    var phi_2399_: f64;
-    var phi_2408_: f64;
-    var phi_2414_: f64;
-    var phi_2423_: f64;
-    var phi_2429_: f64;
-    var phi_2435_: type_34;
-    var phi_2436_: bool;
-    var phi_2437_: type_34;
-    var phi_2438_: bool;
-    var phi_2448_: type_34;
-    var phi_2619_: bool;
-    var phi_2620_: bool;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2623_: bool;
-    var phi_2624_: bool;
-    var phi_2628_: bool;
-    var phi_2926_: bool;
-    var phi_2927_: bool;
-    var phi_2928_: bool;
-    var phi_2929_: bool;
-    var phi_2930_: bool;
-    var phi_2931_: bool;
-    var phi_2935_: bool;
-    var phi_2939_: bool;
-    var phi_2951_: bool;
-    var phi_2952_: bool;
-    var phi_3026_: bool;
-    var phi_3027_: bool;
-    var phi_3050_: f64;
-    var phi_3051_: bool;
-    var phi_3052_: f64;
-    var phi_3053_: bool;
-    var phi_3054_: f64;
+    var phi_2273_: f64;
+    var phi_2337_: f64;
+    var phi_2406_: f64;
+    var phi_2412_: f64;
+    var phi_2421_: f64;
+    var phi_2427_: f64;
+    var phi_2436_: f64;
+    var phi_2442_: f64;
+    var phi_2451_: f64;
+    var phi_2457_: f64;
+    var phi_2463_: type_34;
+    var phi_2464_: bool;
+    var phi_2465_: type_34;
+    var phi_2466_: bool;
+    var phi_2476_: type_34;
+    var phi_2648_: bool;
+    var phi_2649_: bool;
+    var phi_2650_: bool;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_2653_: bool;
+    var phi_2657_: bool;
+    var phi_2955_: bool;
+    var phi_2956_: bool;
+    var phi_2957_: bool;
+    var phi_2958_: bool;
+    var phi_2959_: bool;
+    var phi_2960_: bool;
+    var phi_2964_: bool;
+    var phi_2968_: bool;
+    var phi_2979_: bool;
+    var phi_2980_: bool;
+    var phi_3054_: bool;
     var phi_3055_: bool;
-    var phi_3056_: bool;
-    var phi_3061_: f64;
-    var phi_3062_: bool;
-    var phi_3066_: f64;
-    var phi_3098_: bool;
-    var phi_3099_: bool;
-    var phi_3122_: f64;
-    var phi_3123_: bool;
-    var phi_3124_: f64;
-    var phi_3125_: bool;
-    var phi_3126_: f64;
+    var phi_3078_: f64;
+    var phi_3079_: bool;
+    var phi_3080_: f64;
+    var phi_3081_: bool;
+    var phi_3082_: f64;
+    var phi_3083_: bool;
+    var phi_3084_: bool;
+    var phi_3089_: f64;
+    var phi_3090_: bool;
+    var phi_3094_: f64;
+    var phi_3126_: bool;
     var phi_3127_: bool;
-    var phi_3128_: bool;
-    var phi_3133_: f64;
-    var phi_3134_: bool;
-    var phi_3138_: f64;
-    var phi_3143_: f64;
-    var phi_3175_: bool;
-    var phi_3176_: bool;
-    var phi_3199_: f64;
-    var phi_3200_: bool;
-    var phi_3201_: f64;
-    var phi_3202_: bool;
-    var phi_3203_: f64;
+    var phi_3150_: f64;
+    var phi_3151_: bool;
+    var phi_3152_: f64;
+    var phi_3153_: bool;
+    var phi_3154_: f64;
+    var phi_3155_: bool;
+    var phi_3156_: bool;
+    var phi_3161_: f64;
+    var phi_3162_: bool;
+    var phi_3166_: f64;
+    var phi_3171_: f64;
+    var phi_3203_: bool;
     var phi_3204_: bool;
-    var phi_3205_: bool;
-    var phi_3210_: f64;
-    var phi_3211_: bool;
-    var phi_3215_: f64;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3271_: f64;
-    var phi_3272_: bool;
-    var phi_3273_: f64;
-    var phi_3274_: bool;
-    var phi_3275_: f64;
+    var phi_3227_: f64;
+    var phi_3228_: bool;
+    var phi_3229_: f64;
+    var phi_3230_: bool;
+    var phi_3231_: f64;
+    var phi_3232_: bool;
+    var phi_3233_: bool;
+    var phi_3238_: f64;
+    var phi_3239_: bool;
+    var phi_3243_: f64;
+    var phi_3275_: bool;
     var phi_3276_: bool;
-    var phi_3277_: bool;
-    var phi_3282_: f64;
-    var phi_3283_: bool;
-    var phi_3287_: f64;
-    var phi_3292_: f64;
-    var phi_3297_: f64;
-    var phi_3302_: f64;
-    var phi_3313_: f64;
-    var phi_3314_: f64;
-    var phi_3315_: bool;
-    var phi_3316_: f64;
-    var phi_3317_: f64;
-    var phi_3318_: bool;
-    var phi_3319_: bool;
-    var phi_3320_: bool;
-    var phi_3321_: f64;
-    var phi_3322_: f64;
-    var phi_3323_: bool;
-    var phi_3324_: bool;
-    var phi_3325_: bool;
-    var phi_3326_: bool;
-    var phi_3327_: f64;
-    var phi_3328_: f64;
-    var phi_3329_: bool;
-    var phi_3330_: bool;
-    var phi_3331_: bool;
-    var phi_3332_: bool;
-    var phi_3412_: f64;
-    var phi_3485_: f64;
-    var phi_3490_: f64;
-    var phi_3563_: f64;
-    var phi_3636_: f64;
-    var phi_3641_: f64;
-    var phi_3662_: f64;
-    var phi_3663_: f64;
-    var phi_3664_: f64;
-    var phi_3666_: f64;
-    var phi_3667_: bool;
-    var phi_3668_: f64;
+    var phi_3299_: f64;
+    var phi_3300_: bool;
+    var phi_3301_: f64;
+    var phi_3302_: bool;
+    var phi_3303_: f64;
+    var phi_3304_: bool;
+    var phi_3305_: bool;
+    var phi_3310_: f64;
+    var phi_3311_: bool;
+    var phi_3315_: f64;
+    var phi_3320_: f64;
+    var phi_3325_: f64;
+    var phi_3330_: f64;
+    var phi_3340_: f64;
+    var phi_3341_: f64;
+    var phi_3342_: bool;
+    var phi_3343_: f64;
+    var phi_3344_: f64;
+    var phi_3345_: bool;
+    var phi_3346_: bool;
+    var phi_3347_: bool;
+    var phi_3348_: f64;
+    var phi_3349_: f64;
+    var phi_3350_: bool;
+    var phi_3351_: bool;
+    var phi_3352_: bool;
+    var phi_3353_: bool;
+    var phi_3354_: f64;
+    var phi_3355_: f64;
+    var phi_3356_: bool;
+    var phi_3357_: bool;
+    var phi_3358_: bool;
+    var phi_3359_: bool;
+    var phi_3445_: f64;
+    var phi_3518_: f64;
+    var phi_3523_: f64;
+    var phi_3596_: f64;
     var phi_3669_: f64;
-    var phi_3670_: f64;
-    var phi_3671_: bool;
-    var phi_3672_: bool;
-    var phi_3673_: bool;
-    var phi_3674_: bool;
-    var phi_3683_: f64;
-    var phi_3688_: f64;
-    var phi_3699_: bool;
+    var phi_3674_: f64;
+    var phi_3695_: f64;
+    var phi_3696_: f64;
+    var phi_3697_: f64;
+    var phi_3372_: bool;
+    var phi_3699_: u32;
+    var phi_3700_: f64;
+    var phi_3701_: bool;
+    var phi_3702_: bool;
     var phi_3703_: bool;
-    var phi_3704_: f64;
-    var phi_3705_: bool;
-    var phi_3706_: bool;
-    var phi_3707_: bool;
+    var phi_3704_: u32;
+    var phi_3705_: f64;
+    var phi_3706_: f64;
+    var phi_3707_: f64;
     var phi_3708_: bool;
-    var phi_3709_: bool;
-    var phi_2053_: f64;
-    var phi_2055_: f64;
-    var phi_2057_: f64;
-    var phi_3710_: f64;
+    var phi_3709_: u32;
+    var phi_3710_: bool;
     var phi_3711_: bool;
     var phi_3712_: bool;
     var phi_3713_: bool;
     var phi_3714_: bool;
-    var phi_3715_: bool;
-    var phi_3716_: bool;
-    var local_25: bool;
-    var phi_3720_: f64;
-    var phi_3721_: bool;
-    var phi_3722_: bool;
-    var phi_3723_: bool;
-    var phi_3724_: bool;
-    var phi_3729_: type_44;
-    var phi_3730_: bool;
-    var phi_3731_: bool;
-    var phi_3732_: bool;
-    var local_26: f64;
-    var phi_3737_: type_44;
+    var phi_3723_: f64;
+    var phi_3728_: f64;
     var phi_3738_: bool;
-    var phi_3739_: bool;
-    var phi_3744_: type_44;
-    var phi_3745_: bool;
+    var phi_3742_: bool;
+    var phi_3743_: f64;
+    var phi_3744_: f64;
+    var phi_3745_: f64;
     var phi_3746_: bool;
-    var phi_3751_: type_44;
+    var phi_3747_: u32;
+    var phi_3748_: bool;
+    var phi_3749_: bool;
+    var phi_3750_: bool;
+    var phi_3751_: bool;
     var phi_3752_: bool;
-    var phi_3756_: type_44;
-    var phi_3770_: type_9;
-    var phi_3771_: type_9;
-    var phi_3794_: type_9;
-    var phi_3815_: f64;
-    var phi_3945_: type_16;
-    var phi_3948_: f64;
-    var phi_3969_: bool;
-    var phi_3975_: type_17;
-    var phi_3946_: type_16;
-    var phi_3989_: type_17;
-    var phi_3949_: f64;
+    var phi_2053_: f64;
+    var phi_2055_: f64;
+    var phi_2057_: f64;
+    var phi_2059_: bool;
+    var phi_2061_: u32;
+    var phi_3753_: f64;
+    var phi_3754_: bool;
+    var phi_3755_: bool;
+    var phi_3756_: bool;
+    var phi_3757_: bool;
+    var phi_3758_: bool;
+    var phi_3759_: bool;
+    var local_25: bool;
+    var phi_3763_: f64;
+    var phi_3764_: bool;
+    var phi_3765_: bool;
+    var phi_3766_: bool;
+    var phi_3767_: bool;
+    var phi_3772_: type_44;
+    var phi_3773_: bool;
+    var phi_3774_: bool;
+    var phi_3775_: bool;
+    var local_26: f64;
+    var phi_3780_: type_44;
+    var phi_3781_: bool;
+    var phi_3782_: bool;
+    var phi_3787_: type_44;
+    var phi_3788_: bool;
+    var phi_3789_: bool;
+    var phi_3794_: type_44;
+    var phi_3795_: bool;
+    var phi_3799_: type_44;
+    var phi_3813_: type_9;
+    var phi_3814_: type_9;
+    var phi_3837_: type_9;
+    var phi_3858_: f64;
+    var phi_3988_: type_16;
+    var phi_3991_: f64;
+    var phi_4012_: bool;
+    var phi_4018_: type_17;
+    var phi_3989_: type_16;
+    var phi_4032_: type_17;
+    var phi_3992_: f64;
     var local_27: f64;
-    var phi_3938_: f64;
-    var phi_4002_: f64;
-    var phi_4020_: f64;
-    var phi_4027_: f64;
-    var phi_4032_: f64;
-    var phi_4039_: f64;
-    var phi_4044_: f64;
-    var phi_4057_: f64;
-    var phi_4064_: f64;
-    var phi_4069_: f64;
-    var phi_4076_: f64;
-    var phi_4081_: f64;
-    var phi_4086_: f64;
-    var phi_4103_: f64;
-    var phi_4110_: f64;
-    var phi_4115_: f64;
-    var phi_4122_: f64;
-    var phi_4127_: f64;
-    var phi_4141_: f64;
-    var phi_4148_: f64;
+    var phi_3981_: f64;
+    var phi_4045_: f64;
+    var phi_4063_: f64;
+    var phi_4070_: f64;
+    var phi_4075_: f64;
+    var phi_4082_: f64;
+    var phi_4087_: f64;
+    var phi_4100_: f64;
+    var phi_4107_: f64;
+    var phi_4112_: f64;
+    var phi_4119_: f64;
+    var phi_4124_: f64;
+    var phi_4129_: f64;
+    var phi_4146_: f64;
     var phi_4153_: f64;
-    var phi_4160_: f64;
+    var phi_4158_: f64;
     var phi_4165_: f64;
     var phi_4170_: f64;
-    var phi_4187_: f64;
-    var phi_4194_: f64;
-    var phi_4199_: f64;
-    var phi_4206_: f64;
-    var phi_4211_: f64;
-    var phi_4225_: f64;
-    var phi_4232_: f64;
+    var phi_4184_: f64;
+    var phi_4191_: f64;
+    var phi_4196_: f64;
+    var phi_4203_: f64;
+    var phi_4208_: f64;
+    var phi_4213_: f64;
+    var phi_4230_: f64;
     var phi_4237_: f64;
-    var phi_4244_: f64;
+    var phi_4242_: f64;
     var phi_4249_: f64;
     var phi_4254_: f64;
-    var phi_4278_: bool;
-    var phi_4279_: bool;
-    var phi_4280_: bool;
+    var phi_4268_: f64;
+    var phi_4275_: f64;
+    var phi_4280_: f64;
+    var phi_4287_: f64;
+    var phi_4292_: f64;
+    var phi_4297_: f64;
+    var phi_4321_: bool;
+    var phi_4322_: bool;
+    var phi_4323_: bool;
     var local_28: bool;
-    var phi_4285_: type_44;
-    var phi_4286_: bool;
-    var phi_4291_: type_44;
-    var phi_4292_: bool;
-    var phi_4294_: type_44;
-    var phi_4295_: type_44;
-    var phi_4296_: bool;
-    var phi_4300_: type_44;
-    var phi_8270_: type_44;
-    var phi_8271_: type_44;
-    var phi_8284_: type_32;
-    var phi_8307_: u32;
-    var phi_8311_: type_22;
-    var phi_8312_: bool;
-    var phi_8331_: u32;
+    var phi_4328_: type_44;
+    var phi_4329_: bool;
+    var phi_4334_: type_44;
+    var phi_4335_: bool;
+    var phi_4337_: type_44;
+    var phi_4338_: type_44;
+    var phi_4339_: bool;
+    var phi_4343_: type_44;
+    var phi_8356_: type_44;
+    var phi_8357_: type_44;
+    var phi_8370_: type_32;
+    var phi_8393_: u32;
+    var phi_8397_: type_22;
+    var phi_8398_: bool;
+    var phi_8417_: u32;
     var local_29: u32;
     var local_30: f64;
     var local_31: f64;
@@ -2027,1629 +2067,1706 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e1062 = phi_1614_;
                 if ((_e1062 - (_e1032 + ((_e578.member_1 * (((_e1012 + (_e939 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1018 * f64(6f)) * (_e881 + _e935))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e936 + _e881) * (_e936 + _e935))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                    phi_8271_ = type_44(0u, type_44().member_1);
+                    phi_8357_ = type_44(0u, type_44().member_1);
                 } else {
                     if (_e578.member_1 > f64(0f)) {
-                        let _e3722 = f64(1f);
-                        let _e3723 = f64(0f);
-                        let _e3726 = local_12.member[0u];
-                        let _e3732 = local_12.member_1[0u];
-                        let _e3738 = local_12.member_2[0u];
-                        let _e3742 = (_e3726[0] - _e3732[0]);
-                        let _e3743 = (_e3726[1] - _e3732[1]);
-                        let _e3744 = (_e3726[2] - _e3732[2]);
-                        let _e3753 = local_12.member[1u];
-                        let _e3759 = local_12.member_1[1u];
-                        let _e3765 = local_12.member_2[1u];
-                        let _e3769 = (_e3753[0] - _e3759[0]);
-                        let _e3770 = (_e3753[1] - _e3759[1]);
-                        let _e3771 = (_e3753[2] - _e3759[2]);
-                        let _e3780 = local_12.member[0u];
-                        if (_e3780[0] < 0.0lf) {
-                            phi_1771_ = -(_e3780[0]);
+                        let _e3770 = f64(1f);
+                        let _e3771 = f64(0f);
+                        let _e3774 = local_12.member[0u];
+                        let _e3780 = local_12.member_1[0u];
+                        let _e3786 = local_12.member_2[0u];
+                        let _e3790 = (_e3774[0] - _e3780[0]);
+                        let _e3791 = (_e3774[1] - _e3780[1]);
+                        let _e3792 = (_e3774[2] - _e3780[2]);
+                        let _e3801 = local_12.member[1u];
+                        let _e3807 = local_12.member_1[1u];
+                        let _e3813 = local_12.member_2[1u];
+                        let _e3817 = (_e3801[0] - _e3807[0]);
+                        let _e3818 = (_e3801[1] - _e3807[1]);
+                        let _e3819 = (_e3801[2] - _e3807[2]);
+                        let _e3828 = local_12.member[0u];
+                        if (_e3828[0] < 0.0lf) {
+                            phi_1771_ = -(_e3828[0]);
                         } else {
-                            phi_1771_ = _e3780[0];
+                            phi_1771_ = _e3828[0];
                         }
-                        let _e3787 = phi_1771_;
-                        if (_e3780[1] < 0.0lf) {
-                            phi_1778_ = -(_e3780[1]);
+                        let _e3835 = phi_1771_;
+                        if (_e3828[1] < 0.0lf) {
+                            phi_1778_ = -(_e3828[1]);
                         } else {
-                            phi_1778_ = _e3780[1];
+                            phi_1778_ = _e3828[1];
                         }
-                        let _e3791 = phi_1778_;
-                        if (_e3787 > _e3791) {
-                            phi_1783_ = _e3787;
+                        let _e3839 = phi_1778_;
+                        if (_e3835 > _e3839) {
+                            phi_1783_ = _e3835;
                         } else {
-                            phi_1783_ = _e3791;
+                            phi_1783_ = _e3839;
                         }
-                        let _e3794 = phi_1783_;
-                        if (_e3780[2] < 0.0lf) {
-                            phi_1790_ = -(_e3780[2]);
+                        let _e3842 = phi_1783_;
+                        if (_e3828[2] < 0.0lf) {
+                            phi_1790_ = -(_e3828[2]);
                         } else {
-                            phi_1790_ = _e3780[2];
+                            phi_1790_ = _e3828[2];
                         }
-                        let _e3798 = phi_1790_;
-                        if (_e3794 > _e3798) {
-                            phi_1795_ = _e3794;
+                        let _e3846 = phi_1790_;
+                        if (_e3842 > _e3846) {
+                            phi_1795_ = _e3842;
                         } else {
-                            phi_1795_ = _e3798;
+                            phi_1795_ = _e3846;
                         }
-                        let _e3801 = phi_1795_;
-                        let _e3804 = local_12.member[1u];
-                        if (_e3804[0] < 0.0lf) {
-                            phi_1808_ = -(_e3804[0]);
+                        let _e3849 = phi_1795_;
+                        let _e3852 = local_12.member[1u];
+                        if (_e3852[0] < 0.0lf) {
+                            phi_1808_ = -(_e3852[0]);
                         } else {
-                            phi_1808_ = _e3804[0];
+                            phi_1808_ = _e3852[0];
                         }
-                        let _e3811 = phi_1808_;
-                        if (_e3804[1] < 0.0lf) {
-                            phi_1815_ = -(_e3804[1]);
+                        let _e3859 = phi_1808_;
+                        if (_e3852[1] < 0.0lf) {
+                            phi_1815_ = -(_e3852[1]);
                         } else {
-                            phi_1815_ = _e3804[1];
+                            phi_1815_ = _e3852[1];
                         }
-                        let _e3815 = phi_1815_;
-                        if (_e3811 > _e3815) {
-                            phi_1820_ = _e3811;
+                        let _e3863 = phi_1815_;
+                        if (_e3859 > _e3863) {
+                            phi_1820_ = _e3859;
                         } else {
-                            phi_1820_ = _e3815;
+                            phi_1820_ = _e3863;
                         }
-                        let _e3818 = phi_1820_;
-                        if (_e3804[2] < 0.0lf) {
-                            phi_1827_ = -(_e3804[2]);
+                        let _e3866 = phi_1820_;
+                        if (_e3852[2] < 0.0lf) {
+                            phi_1827_ = -(_e3852[2]);
                         } else {
-                            phi_1827_ = _e3804[2];
+                            phi_1827_ = _e3852[2];
                         }
-                        let _e3822 = phi_1827_;
-                        if (_e3818 > _e3822) {
-                            phi_1832_ = _e3818;
+                        let _e3870 = phi_1827_;
+                        if (_e3866 > _e3870) {
+                            phi_1832_ = _e3866;
                         } else {
-                            phi_1832_ = _e3822;
+                            phi_1832_ = _e3870;
                         }
-                        let _e3825 = phi_1832_;
-                        if (_e3801 > _e3825) {
-                            phi_1837_ = _e3801;
+                        let _e3873 = phi_1832_;
+                        if (_e3849 > _e3873) {
+                            phi_1837_ = _e3849;
                         } else {
-                            phi_1837_ = _e3825;
+                            phi_1837_ = _e3873;
                         }
-                        let _e3828 = phi_1837_;
-                        let _e3830 = local_12.member_3;
-                        let _e3834 = local_12.member_1[0u];
-                        if (_e3834[0] < 0.0lf) {
-                            phi_1854_ = -(_e3834[0]);
+                        let _e3876 = phi_1837_;
+                        let _e3878 = local_12.member_3;
+                        let _e3882 = local_12.member_1[0u];
+                        if (_e3882[0] < 0.0lf) {
+                            phi_1854_ = -(_e3882[0]);
                         } else {
-                            phi_1854_ = _e3834[0];
+                            phi_1854_ = _e3882[0];
                         }
-                        let _e3841 = phi_1854_;
-                        if (_e3834[1] < 0.0lf) {
-                            phi_1861_ = -(_e3834[1]);
+                        let _e3889 = phi_1854_;
+                        if (_e3882[1] < 0.0lf) {
+                            phi_1861_ = -(_e3882[1]);
                         } else {
-                            phi_1861_ = _e3834[1];
+                            phi_1861_ = _e3882[1];
                         }
-                        let _e3845 = phi_1861_;
-                        if (_e3841 > _e3845) {
-                            phi_1866_ = _e3841;
+                        let _e3893 = phi_1861_;
+                        if (_e3889 > _e3893) {
+                            phi_1866_ = _e3889;
                         } else {
-                            phi_1866_ = _e3845;
+                            phi_1866_ = _e3893;
                         }
-                        let _e3848 = phi_1866_;
-                        if (_e3834[2] < 0.0lf) {
-                            phi_1873_ = -(_e3834[2]);
+                        let _e3896 = phi_1866_;
+                        if (_e3882[2] < 0.0lf) {
+                            phi_1873_ = -(_e3882[2]);
                         } else {
-                            phi_1873_ = _e3834[2];
+                            phi_1873_ = _e3882[2];
                         }
-                        let _e3852 = phi_1873_;
-                        if (_e3848 > _e3852) {
-                            phi_1878_ = _e3848;
+                        let _e3900 = phi_1873_;
+                        if (_e3896 > _e3900) {
+                            phi_1878_ = _e3896;
                         } else {
-                            phi_1878_ = _e3852;
+                            phi_1878_ = _e3900;
                         }
-                        let _e3855 = phi_1878_;
-                        let _e3858 = local_12.member_1[1u];
-                        if (_e3858[0] < 0.0lf) {
-                            phi_1892_ = -(_e3858[0]);
+                        let _e3903 = phi_1878_;
+                        let _e3906 = local_12.member_1[1u];
+                        if (_e3906[0] < 0.0lf) {
+                            phi_1892_ = -(_e3906[0]);
                         } else {
-                            phi_1892_ = _e3858[0];
+                            phi_1892_ = _e3906[0];
                         }
-                        let _e3865 = phi_1892_;
-                        if (_e3858[1] < 0.0lf) {
-                            phi_1899_ = -(_e3858[1]);
+                        let _e3913 = phi_1892_;
+                        if (_e3906[1] < 0.0lf) {
+                            phi_1899_ = -(_e3906[1]);
                         } else {
-                            phi_1899_ = _e3858[1];
+                            phi_1899_ = _e3906[1];
                         }
-                        let _e3869 = phi_1899_;
-                        if (_e3865 > _e3869) {
-                            phi_1904_ = _e3865;
+                        let _e3917 = phi_1899_;
+                        if (_e3913 > _e3917) {
+                            phi_1904_ = _e3913;
                         } else {
-                            phi_1904_ = _e3869;
+                            phi_1904_ = _e3917;
                         }
-                        let _e3872 = phi_1904_;
-                        if (_e3858[2] < 0.0lf) {
-                            phi_1911_ = -(_e3858[2]);
+                        let _e3920 = phi_1904_;
+                        if (_e3906[2] < 0.0lf) {
+                            phi_1911_ = -(_e3906[2]);
                         } else {
-                            phi_1911_ = _e3858[2];
+                            phi_1911_ = _e3906[2];
                         }
-                        let _e3876 = phi_1911_;
-                        if (_e3872 > _e3876) {
-                            phi_1916_ = _e3872;
+                        let _e3924 = phi_1911_;
+                        if (_e3920 > _e3924) {
+                            phi_1916_ = _e3920;
                         } else {
-                            phi_1916_ = _e3876;
+                            phi_1916_ = _e3924;
                         }
-                        let _e3879 = phi_1916_;
-                        if (_e3855 > _e3879) {
-                            phi_1921_ = _e3855;
+                        let _e3927 = phi_1916_;
+                        if (_e3903 > _e3927) {
+                            phi_1921_ = _e3903;
                         } else {
-                            phi_1921_ = _e3879;
+                            phi_1921_ = _e3927;
                         }
-                        let _e3882 = phi_1921_;
-                        let _e3884 = local_12.member_3;
-                        let _e3888 = local_12.member_2[0u];
-                        if (_e3888[0] < 0.0lf) {
-                            phi_1938_ = -(_e3888[0]);
+                        let _e3930 = phi_1921_;
+                        let _e3932 = local_12.member_3;
+                        let _e3936 = local_12.member_2[0u];
+                        if (_e3936[0] < 0.0lf) {
+                            phi_1938_ = -(_e3936[0]);
                         } else {
-                            phi_1938_ = _e3888[0];
+                            phi_1938_ = _e3936[0];
                         }
-                        let _e3895 = phi_1938_;
-                        if (_e3888[1] < 0.0lf) {
-                            phi_1945_ = -(_e3888[1]);
+                        let _e3943 = phi_1938_;
+                        if (_e3936[1] < 0.0lf) {
+                            phi_1945_ = -(_e3936[1]);
                         } else {
-                            phi_1945_ = _e3888[1];
+                            phi_1945_ = _e3936[1];
                         }
-                        let _e3899 = phi_1945_;
-                        if (_e3895 > _e3899) {
-                            phi_1950_ = _e3895;
+                        let _e3947 = phi_1945_;
+                        if (_e3943 > _e3947) {
+                            phi_1950_ = _e3943;
                         } else {
-                            phi_1950_ = _e3899;
+                            phi_1950_ = _e3947;
                         }
-                        let _e3902 = phi_1950_;
-                        if (_e3888[2] < 0.0lf) {
-                            phi_1957_ = -(_e3888[2]);
+                        let _e3950 = phi_1950_;
+                        if (_e3936[2] < 0.0lf) {
+                            phi_1957_ = -(_e3936[2]);
                         } else {
-                            phi_1957_ = _e3888[2];
+                            phi_1957_ = _e3936[2];
                         }
-                        let _e3906 = phi_1957_;
-                        if (_e3902 > _e3906) {
-                            phi_1962_ = _e3902;
+                        let _e3954 = phi_1957_;
+                        if (_e3950 > _e3954) {
+                            phi_1962_ = _e3950;
                         } else {
-                            phi_1962_ = _e3906;
+                            phi_1962_ = _e3954;
                         }
-                        let _e3909 = phi_1962_;
-                        let _e3912 = local_12.member_2[1u];
-                        if (_e3912[0] < 0.0lf) {
-                            phi_1976_ = -(_e3912[0]);
+                        let _e3957 = phi_1962_;
+                        let _e3960 = local_12.member_2[1u];
+                        if (_e3960[0] < 0.0lf) {
+                            phi_1976_ = -(_e3960[0]);
                         } else {
-                            phi_1976_ = _e3912[0];
+                            phi_1976_ = _e3960[0];
                         }
-                        let _e3919 = phi_1976_;
-                        if (_e3912[1] < 0.0lf) {
-                            phi_1983_ = -(_e3912[1]);
+                        let _e3967 = phi_1976_;
+                        if (_e3960[1] < 0.0lf) {
+                            phi_1983_ = -(_e3960[1]);
                         } else {
-                            phi_1983_ = _e3912[1];
+                            phi_1983_ = _e3960[1];
                         }
-                        let _e3923 = phi_1983_;
-                        if (_e3919 > _e3923) {
-                            phi_1988_ = _e3919;
+                        let _e3971 = phi_1983_;
+                        if (_e3967 > _e3971) {
+                            phi_1988_ = _e3967;
                         } else {
-                            phi_1988_ = _e3923;
+                            phi_1988_ = _e3971;
                         }
-                        let _e3926 = phi_1988_;
-                        if (_e3912[2] < 0.0lf) {
-                            phi_1995_ = -(_e3912[2]);
+                        let _e3974 = phi_1988_;
+                        if (_e3960[2] < 0.0lf) {
+                            phi_1995_ = -(_e3960[2]);
                         } else {
-                            phi_1995_ = _e3912[2];
+                            phi_1995_ = _e3960[2];
                         }
-                        let _e3930 = phi_1995_;
-                        if (_e3926 > _e3930) {
-                            phi_2000_ = _e3926;
+                        let _e3978 = phi_1995_;
+                        if (_e3974 > _e3978) {
+                            phi_2000_ = _e3974;
                         } else {
-                            phi_2000_ = _e3930;
+                            phi_2000_ = _e3978;
                         }
-                        let _e3933 = phi_2000_;
-                        if (_e3909 > _e3933) {
-                            phi_2005_ = _e3909;
+                        let _e3981 = phi_2000_;
+                        if (_e3957 > _e3981) {
+                            phi_2005_ = _e3957;
                         } else {
-                            phi_2005_ = _e3933;
+                            phi_2005_ = _e3981;
                         }
-                        let _e3936 = phi_2005_;
-                        let _e3938 = local_12.member_3;
-                        let _e3946 = local_12.member_3;
-                        let _e3953 = f64(0f);
-                        let _e3954 = f64(1f);
-                        local_9 = type_34(array<f64, 4>(_e3953, _e3953, _e3953, _e3953), array<f64, 4>(_e3953, _e3953, _e3953, _e3953), array<f64, 4>(_e3954, _e3954, _e3954, _e3954));
+                        let _e3984 = phi_2005_;
+                        let _e3986 = local_12.member_3;
+                        let _e3994 = local_12.member_3;
+                        let _e4001 = f64(0f);
+                        let _e4002 = f64(1f);
+                        local_9 = type_34(array<f64, 4>(_e4001, _e4001, _e4001, _e4001), array<f64, 4>(_e4001, _e4001, _e4001, _e4001), array<f64, 4>(_e4002, _e4002, _e4002, _e4002));
                         phi_2049_ = type_9(0u, 96u);
-                        phi_2052_ = _e3723;
-                        phi_2054_ = _e3723;
-                        phi_2056_ = _e3723;
+                        phi_2052_ = _e3771;
+                        phi_2054_ = _e3771;
+                        phi_2056_ = _e3771;
+                        phi_2058_ = false;
+                        phi_2060_ = 0u;
                         loop {
-                            let _e3960 = phi_2049_;
-                            let _e3962 = phi_2052_;
-                            let _e3964 = phi_2054_;
-                            let _e3966 = phi_2056_;
-                            local_44 = _e3964;
-                            local_26 = _e3962;
-                            if (_e3960.member < _e3960.member_1) {
-                                phi_2050_ = type_9((_e3960.member + 1u), _e3960.member_1);
-                                phi_2079_ = type_9(1u, _e3960.member);
+                            let _e4008 = phi_2049_;
+                            let _e4010 = phi_2052_;
+                            let _e4012 = phi_2054_;
+                            let _e4014 = phi_2056_;
+                            let _e4016 = phi_2058_;
+                            let _e4018 = phi_2060_;
+                            local_44 = _e4012;
+                            local_26 = _e4010;
+                            if (_e4008.member < _e4008.member_1) {
+                                phi_2050_ = type_9((_e4008.member + 1u), _e4008.member_1);
+                                phi_2083_ = type_9(1u, _e4008.member);
                             } else {
-                                phi_2050_ = _e3960;
-                                phi_2079_ = type_9(0u, type_9().member_1);
+                                phi_2050_ = _e4008;
+                                phi_2083_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3978 = phi_2050_;
-                            let _e3980 = phi_2079_;
-                            if (bitcast<i32>(_e3980.member) != 0i) {
-                                let _e3987 = local_12.member[0u];
-                                let _e3993 = local_12.member[1u];
-                                let _e4009 = local_12.member_1[0u];
-                                let _e4015 = local_12.member_1[1u];
-                                let _e4031 = local_12.member_2[0u];
-                                let _e4037 = local_12.member_2[1u];
-                                let _e4051 = function_2(array<f64, 3>((_e3987[0] + ((_e3993[0] - _e3987[0]) * _e3962)), (_e3987[1] + ((_e3993[1] - _e3987[1]) * _e3962)), (_e3987[2] + ((_e3993[2] - _e3987[2]) * _e3962))), array<f64, 3>((_e4009[0] + ((_e4015[0] - _e4009[0]) * _e3962)), (_e4009[1] + ((_e4015[1] - _e4009[1]) * _e3962)), (_e4009[2] + ((_e4015[2] - _e4009[2]) * _e3962))), array<f64, 3>((_e4031[0] + ((_e4037[0] - _e4031[0]) * _e3962)), (_e4031[1] + ((_e4037[1] - _e4031[1]) * _e3962)), (_e4031[2] + ((_e4037[2] - _e4031[2]) * _e3962))), 1u);
-                                if (_e4051[0] < 0.0lf) {
-                                    phi_2191_ = -(_e4051[0]);
+                            let _e4030 = phi_2050_;
+                            let _e4032 = phi_2083_;
+                            if (bitcast<i32>(_e4032.member) != 0i) {
+                                let _e4038 = local_12.member[0u];
+                                let _e4044 = local_12.member[1u];
+                                let _e4060 = local_12.member_1[0u];
+                                let _e4066 = local_12.member_1[1u];
+                                let _e4082 = local_12.member_2[0u];
+                                let _e4088 = local_12.member_2[1u];
+                                let _e4102 = function_2(array<f64, 3>((_e4038[0] + ((_e4044[0] - _e4038[0]) * _e4010)), (_e4038[1] + ((_e4044[1] - _e4038[1]) * _e4010)), (_e4038[2] + ((_e4044[2] - _e4038[2]) * _e4010))), array<f64, 3>((_e4060[0] + ((_e4066[0] - _e4060[0]) * _e4010)), (_e4060[1] + ((_e4066[1] - _e4060[1]) * _e4010)), (_e4060[2] + ((_e4066[2] - _e4060[2]) * _e4010))), array<f64, 3>((_e4082[0] + ((_e4088[0] - _e4082[0]) * _e4010)), (_e4082[1] + ((_e4088[1] - _e4082[1]) * _e4010)), (_e4082[2] + ((_e4088[2] - _e4082[2]) * _e4010))), 1u);
+                                if (_e4018 == 0u) {
+                                    phi_2212_ = _e4102;
                                 } else {
-                                    phi_2191_ = _e4051[0];
+                                    let _e4104 = f64(0f);
+                                    if (_e4018 == 1u) {
+                                        phi_2198_ = _e4102[0];
+                                    } else {
+                                        phi_2198_ = _e4104;
+                                    }
+                                    let _e4108 = phi_2198_;
+                                    if (_e4018 == 2u) {
+                                        phi_2204_ = _e4102[1];
+                                    } else {
+                                        phi_2204_ = _e4104;
+                                    }
+                                    let _e4112 = phi_2204_;
+                                    if (_e4018 == 3u) {
+                                        phi_2210_ = _e4102[2];
+                                    } else {
+                                        phi_2210_ = _e4104;
+                                    }
+                                    let _e4116 = phi_2210_;
+                                    phi_2212_ = array<f64, 3>(_e4108, _e4112, _e4116);
                                 }
-                                let _e4056 = phi_2191_;
-                                if (_e4051[1] < 0.0lf) {
-                                    phi_2198_ = -(_e4051[1]);
+                                let _e4119 = phi_2212_;
+                                if (_e4119[0] < 0.0lf) {
+                                    phi_2219_ = -(_e4119[0]);
                                 } else {
-                                    phi_2198_ = _e4051[1];
+                                    phi_2219_ = _e4119[0];
                                 }
-                                let _e4061 = phi_2198_;
-                                if (_e4051[2] < 0.0lf) {
-                                    phi_2206_ = -(_e4051[2]);
+                                let _e4124 = phi_2219_;
+                                if (_e4119[1] < 0.0lf) {
+                                    phi_2226_ = -(_e4119[1]);
                                 } else {
-                                    phi_2206_ = _e4051[2];
+                                    phi_2226_ = _e4119[1];
                                 }
-                                let _e4067 = phi_2206_;
-                                let _e4068 = ((_e4056 + _e4061) + _e4067);
-                                if (_e4068 > f64(0f)) {
-                                    if ((bitcast<u64>(_e4068) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e4075 = (f64(1f) / _e4068);
-                                        let _e4077 = (_e4051[0] * _e4075);
-                                        let _e4079 = (_e4051[1] * _e4075);
-                                        let _e4081 = (_e4051[2] * _e4075);
-                                        let _e4086 = (((_e4077 * _e4077) + (_e4079 * _e4079)) + (_e4081 * _e4081));
-                                        if (_e4086 <= 2.2250738585072014e-308lf) {
-                                            if (_e4086 > 0.0lf) {
-                                                phi_2245_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e4129 = phi_2226_;
+                                if (_e4119[2] < 0.0lf) {
+                                    phi_2234_ = -(_e4119[2]);
+                                } else {
+                                    phi_2234_ = _e4119[2];
+                                }
+                                let _e4135 = phi_2234_;
+                                let _e4136 = ((_e4124 + _e4129) + _e4135);
+                                if (_e4136 > f64(0f)) {
+                                    if ((bitcast<u64>(_e4136) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e4143 = (f64(1f) / _e4136);
+                                        let _e4145 = (_e4119[0] * _e4143);
+                                        let _e4147 = (_e4119[1] * _e4143);
+                                        let _e4149 = (_e4119[2] * _e4143);
+                                        let _e4154 = (((_e4145 * _e4145) + (_e4147 * _e4147)) + (_e4149 * _e4149));
+                                        if (_e4154 <= 2.2250738585072014e-308lf) {
+                                            if (_e4154 > 0.0lf) {
+                                                phi_2273_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2245_ = 0.0lf;
+                                                phi_2273_ = 0.0lf;
                                             }
-                                            let _e4138 = phi_2245_;
-                                            phi_2309_ = _e4138;
+                                            let _e4206 = phi_2273_;
+                                            phi_2337_ = _e4206;
                                         } else {
-                                            phi_2252_ = type_16(0i, 5i);
-                                            phi_2255_ = bitcast<f64>(((bitcast<u64>(_e4086) / 2lu) + 2303426169912950784lu));
+                                            phi_2280_ = type_16(0i, 5i);
+                                            phi_2283_ = bitcast<f64>(((bitcast<u64>(_e4154) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e4093 = phi_2252_;
-                                                let _e4095 = phi_2255_;
-                                                local_24 = _e4095;
-                                                if (_e4093.member < _e4093.member_1) {
-                                                    let _e4102 = (_e4093.member + 1i);
-                                                    if ((false == (_e4102 > _e4093.member)) != false) {
-                                                        phi_2276_ = true;
+                                                let _e4161 = phi_2280_;
+                                                let _e4163 = phi_2283_;
+                                                local_24 = _e4163;
+                                                if (_e4161.member < _e4161.member_1) {
+                                                    let _e4170 = (_e4161.member + 1i);
+                                                    if ((false == (_e4170 > _e4161.member)) != false) {
+                                                        phi_2304_ = true;
                                                     } else {
-                                                        phi_2276_ = false;
+                                                        phi_2304_ = false;
                                                     }
-                                                    let _e4107 = phi_2276_;
-                                                    if _e4107 {
-                                                        phi_2282_ = type_17(0u, type_17().member_1);
+                                                    let _e4175 = phi_2304_;
+                                                    if _e4175 {
+                                                        phi_2310_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2282_ = type_17(1u, _e4102);
+                                                        phi_2310_ = type_17(1u, _e4170);
                                                     }
-                                                    let _e4112 = phi_2282_;
-                                                    phi_2253_ = type_16(_e4112.member_1, _e4093.member_1);
-                                                    phi_2296_ = type_17(1u, _e4093.member);
+                                                    let _e4180 = phi_2310_;
+                                                    phi_2281_ = type_16(_e4180.member_1, _e4161.member_1);
+                                                    phi_2324_ = type_17(1u, _e4161.member);
                                                 } else {
-                                                    phi_2253_ = _e4093;
-                                                    phi_2296_ = type_17(0u, type_17().member_1);
+                                                    phi_2281_ = _e4161;
+                                                    phi_2324_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e4118 = phi_2253_;
-                                                let _e4120 = phi_2296_;
-                                                let _e4123 = (bitcast<i32>(_e4120.member) != 0i);
-                                                if _e4123 {
-                                                    phi_2256_ = (0.5lf * (_e4095 + (_e4086 / _e4095)));
+                                                let _e4186 = phi_2281_;
+                                                let _e4188 = phi_2324_;
+                                                let _e4191 = (bitcast<i32>(_e4188.member) != 0i);
+                                                if _e4191 {
+                                                    phi_2284_ = (0.5lf * (_e4163 + (_e4154 / _e4163)));
                                                 } else {
-                                                    phi_2256_ = f64();
+                                                    phi_2284_ = f64();
                                                 }
-                                                let _e4128 = phi_2256_;
+                                                let _e4196 = phi_2284_;
                                                 continue;
                                                 continuing {
-                                                    phi_2252_ = _e4118;
-                                                    phi_2255_ = _e4128;
-                                                    break if !(_e4123);
+                                                    phi_2280_ = _e4186;
+                                                    phi_2283_ = _e4196;
+                                                    break if !(_e4191);
                                                 }
                                             }
-                                            let _e4133 = local_24;
-                                            phi_2309_ = (_e4133 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e4201 = local_24;
+                                            phi_2337_ = (_e4201 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e4140 = phi_2309_;
-                                        let _e4142 = (1.1102230246251565e-16lf * f64(12f));
-                                        let _e4149 = ((((((((_e3828 + _e3830) + (_e3882 + _e3884)) + (_e3936 + _e3938)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3946 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e578.member_1 * _e4140) * (f64(1f) + _e4142)));
-                                        let _e4154 = (((_e4077 * _e3726[0]) + (_e4079 * _e3726[1])) + (_e4081 * _e3726[2]));
-                                        let _e4159 = (((_e4077 * _e3742) + (_e4079 * _e3743)) + (_e4081 * _e3744));
-                                        let _e4164 = (((_e4077 * (_e3726[0] - _e3738[0])) + (_e4079 * (_e3726[1] - _e3738[1]))) + (_e4081 * (_e3726[2] - _e3738[2])));
-                                        let _e4169 = (((_e4077 * (_e3742 - _e3738[0])) + (_e4079 * (_e3743 - _e3738[1]))) + (_e4081 * (_e3744 - _e3738[2])));
-                                        let _e4175 = (((_e4077 * _e3753[0]) + (_e4079 * _e3753[1])) + (_e4081 * _e3753[2]));
-                                        let _e4180 = (((_e4077 * _e3769) + (_e4079 * _e3770)) + (_e4081 * _e3771));
-                                        let _e4185 = (((_e4077 * (_e3753[0] - _e3765[0])) + (_e4079 * (_e3753[1] - _e3765[1]))) + (_e4081 * (_e3753[2] - _e3765[2])));
-                                        let _e4190 = (((_e4077 * (_e3769 - _e3765[0])) + (_e4079 * (_e3770 - _e3765[1]))) + (_e4081 * (_e3771 - _e3765[2])));
-                                        if (_e4154 < 0.0lf) {
-                                            phi_2378_ = -(_e4154);
+                                        let _e4208 = phi_2337_;
+                                        let _e4210 = (1.1102230246251565e-16lf * f64(12f));
+                                        let _e4217 = ((((((((_e3876 + _e3878) + (_e3930 + _e3932)) + (_e3984 + _e3986)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3994 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e578.member_1 * _e4208) * (f64(1f) + _e4210)));
+                                        let _e4222 = (((_e4145 * _e3774[0]) + (_e4147 * _e3774[1])) + (_e4149 * _e3774[2]));
+                                        let _e4227 = (((_e4145 * _e3790) + (_e4147 * _e3791)) + (_e4149 * _e3792));
+                                        let _e4232 = (((_e4145 * (_e3774[0] - _e3786[0])) + (_e4147 * (_e3774[1] - _e3786[1]))) + (_e4149 * (_e3774[2] - _e3786[2])));
+                                        let _e4237 = (((_e4145 * (_e3790 - _e3786[0])) + (_e4147 * (_e3791 - _e3786[1]))) + (_e4149 * (_e3792 - _e3786[2])));
+                                        let _e4243 = (((_e4145 * _e3801[0]) + (_e4147 * _e3801[1])) + (_e4149 * _e3801[2]));
+                                        let _e4248 = (((_e4145 * _e3817) + (_e4147 * _e3818)) + (_e4149 * _e3819));
+                                        let _e4253 = (((_e4145 * (_e3801[0] - _e3813[0])) + (_e4147 * (_e3801[1] - _e3813[1]))) + (_e4149 * (_e3801[2] - _e3813[2])));
+                                        let _e4258 = (((_e4145 * (_e3817 - _e3813[0])) + (_e4147 * (_e3818 - _e3813[1]))) + (_e4149 * (_e3819 - _e3813[2])));
+                                        if (_e4222 < 0.0lf) {
+                                            phi_2406_ = -(_e4222);
                                         } else {
-                                            phi_2378_ = _e4154;
+                                            phi_2406_ = _e4222;
                                         }
-                                        let _e4195 = phi_2378_;
-                                        if (_e4175 < 0.0lf) {
-                                            phi_2384_ = -(_e4175);
+                                        let _e4263 = phi_2406_;
+                                        if (_e4243 < 0.0lf) {
+                                            phi_2412_ = -(_e4243);
                                         } else {
-                                            phi_2384_ = _e4175;
+                                            phi_2412_ = _e4243;
                                         }
-                                        let _e4199 = phi_2384_;
-                                        if (_e4159 < 0.0lf) {
-                                            phi_2393_ = -(_e4159);
+                                        let _e4267 = phi_2412_;
+                                        if (_e4227 < 0.0lf) {
+                                            phi_2421_ = -(_e4227);
                                         } else {
-                                            phi_2393_ = _e4159;
+                                            phi_2421_ = _e4227;
                                         }
-                                        let _e4206 = phi_2393_;
-                                        if (_e4180 < 0.0lf) {
-                                            phi_2399_ = -(_e4180);
+                                        let _e4274 = phi_2421_;
+                                        if (_e4248 < 0.0lf) {
+                                            phi_2427_ = -(_e4248);
                                         } else {
-                                            phi_2399_ = _e4180;
+                                            phi_2427_ = _e4248;
                                         }
-                                        let _e4210 = phi_2399_;
-                                        if (_e4164 < 0.0lf) {
-                                            phi_2408_ = -(_e4164);
+                                        let _e4278 = phi_2427_;
+                                        if (_e4232 < 0.0lf) {
+                                            phi_2436_ = -(_e4232);
                                         } else {
-                                            phi_2408_ = _e4164;
+                                            phi_2436_ = _e4232;
                                         }
-                                        let _e4217 = phi_2408_;
-                                        if (_e4185 < 0.0lf) {
-                                            phi_2414_ = -(_e4185);
+                                        let _e4285 = phi_2436_;
+                                        if (_e4253 < 0.0lf) {
+                                            phi_2442_ = -(_e4253);
                                         } else {
-                                            phi_2414_ = _e4185;
+                                            phi_2442_ = _e4253;
                                         }
-                                        let _e4221 = phi_2414_;
-                                        if (_e4169 < 0.0lf) {
-                                            phi_2423_ = -(_e4169);
+                                        let _e4289 = phi_2442_;
+                                        if (_e4237 < 0.0lf) {
+                                            phi_2451_ = -(_e4237);
                                         } else {
-                                            phi_2423_ = _e4169;
+                                            phi_2451_ = _e4237;
                                         }
-                                        let _e4228 = phi_2423_;
-                                        if (_e4190 < 0.0lf) {
-                                            phi_2429_ = -(_e4190);
+                                        let _e4296 = phi_2451_;
+                                        if (_e4258 < 0.0lf) {
+                                            phi_2457_ = -(_e4258);
                                         } else {
-                                            phi_2429_ = _e4190;
+                                            phi_2457_ = _e4258;
                                         }
-                                        let _e4232 = phi_2429_;
-                                        phi_2435_ = type_34(array<f64, 4>(_e4154, _e4159, _e4164, _e4169), array<f64, 4>(_e4175, _e4180, _e4185, _e4190), array<f64, 4>((_e4149 + ((_e4195 + _e4199) * _e4142)), (_e4149 + ((_e4206 + _e4210) * _e4142)), (_e4149 + ((_e4217 + _e4221) * _e4142)), (_e4149 + ((_e4228 + _e4232) * _e4142))));
-                                        phi_2436_ = false;
+                                        let _e4300 = phi_2457_;
+                                        phi_2463_ = type_34(array<f64, 4>(_e4222, _e4227, _e4232, _e4237), array<f64, 4>(_e4243, _e4248, _e4253, _e4258), array<f64, 4>((_e4217 + ((_e4263 + _e4267) * _e4210)), (_e4217 + ((_e4274 + _e4278) * _e4210)), (_e4217 + ((_e4285 + _e4289) * _e4210)), (_e4217 + ((_e4296 + _e4300) * _e4210))));
+                                        phi_2464_ = false;
                                     } else {
-                                        phi_2435_ = type_34();
-                                        phi_2436_ = true;
+                                        phi_2463_ = type_34();
+                                        phi_2464_ = true;
                                     }
-                                    let _e4239 = phi_2435_;
-                                    let _e4241 = phi_2436_;
-                                    phi_2437_ = _e4239;
-                                    phi_2438_ = _e4241;
+                                    let _e4307 = phi_2463_;
+                                    let _e4309 = phi_2464_;
+                                    phi_2465_ = _e4307;
+                                    phi_2466_ = _e4309;
                                 } else {
-                                    phi_2437_ = type_34();
-                                    phi_2438_ = true;
+                                    phi_2465_ = type_34();
+                                    phi_2466_ = true;
                                 }
-                                let _e4243 = phi_2437_;
-                                let _e4245 = phi_2438_;
-                                if _e4245 {
-                                    let _e4246 = f64(0f);
-                                    let _e4247 = f64(1f);
-                                    phi_2448_ = type_34(array<f64, 4>(_e4246, _e4246, _e4246, _e4246), array<f64, 4>(_e4246, _e4246, _e4246, _e4246), array<f64, 4>(_e4247, _e4247, _e4247, _e4247));
+                                let _e4311 = phi_2465_;
+                                let _e4313 = phi_2466_;
+                                if _e4313 {
+                                    let _e4314 = f64(0f);
+                                    let _e4315 = f64(1f);
+                                    phi_2476_ = type_34(array<f64, 4>(_e4314, _e4314, _e4314, _e4314), array<f64, 4>(_e4314, _e4314, _e4314, _e4314), array<f64, 4>(_e4315, _e4315, _e4315, _e4315));
                                 } else {
-                                    phi_2448_ = _e4243;
+                                    phi_2476_ = _e4311;
                                 }
-                                let _e4253 = phi_2448_;
-                                local_10 = type_34(array<f64, 4>(_e4253.member[0], _e4253.member[1], _e4253.member[2], _e4253.member[3]), array<f64, 4>(_e4253.member_1[0], _e4253.member_1[1], _e4253.member_1[2], _e4253.member_1[3]), array<f64, 4>(_e4253.member_2[0], _e4253.member_2[1], _e4253.member_2[2], _e4253.member_2[3]));
-                                let _e4273 = (_e3962 - _e3966);
-                                let _e4274 = f64(0f);
-                                let _e4277 = local_10.member[0u];
-                                let _e4280 = local_10.member_1[0u];
-                                let _e4283 = local_10.member[0u];
-                                let _e4289 = local_10.member_2[0u];
-                                if (((_e4277 + ((_e4280 - _e4283) * _e3962)) - _e4289) > _e4274) {
-                                    let _e4294 = local_10.member[1u];
-                                    let _e4297 = local_10.member_1[1u];
-                                    let _e4300 = local_10.member[1u];
-                                    let _e4306 = local_10.member_2[1u];
-                                    if (((_e4294 + ((_e4297 - _e4300) * _e3962)) - _e4306) > _e4274) {
-                                        let _e4311 = local_10.member[2u];
-                                        let _e4314 = local_10.member_1[2u];
-                                        let _e4317 = local_10.member[2u];
-                                        let _e4323 = local_10.member_2[2u];
-                                        if (((_e4311 + ((_e4314 - _e4317) * _e3962)) - _e4323) > _e4274) {
-                                            let _e4328 = local_10.member[3u];
-                                            let _e4331 = local_10.member_1[3u];
-                                            let _e4334 = local_10.member[3u];
-                                            let _e4340 = local_10.member_2[3u];
-                                            phi_2619_ = (((_e4328 + ((_e4331 - _e4334) * _e3962)) - _e4340) > _e4274);
-                                            phi_2620_ = false;
+                                let _e4321 = phi_2476_;
+                                local_10 = type_34(array<f64, 4>(_e4321.member[0], _e4321.member[1], _e4321.member[2], _e4321.member[3]), array<f64, 4>(_e4321.member_1[0], _e4321.member_1[1], _e4321.member_1[2], _e4321.member_1[3]), array<f64, 4>(_e4321.member_2[0], _e4321.member_2[1], _e4321.member_2[2], _e4321.member_2[3]));
+                                let _e4341 = (_e4010 - _e4014);
+                                let _e4343 = f64(0f);
+                                let _e4346 = local_10.member[0u];
+                                let _e4349 = local_10.member_1[0u];
+                                let _e4352 = local_10.member[0u];
+                                let _e4358 = local_10.member_2[0u];
+                                if (((_e4346 + ((_e4349 - _e4352) * _e4010)) - _e4358) > _e4343) {
+                                    let _e4363 = local_10.member[1u];
+                                    let _e4366 = local_10.member_1[1u];
+                                    let _e4369 = local_10.member[1u];
+                                    let _e4375 = local_10.member_2[1u];
+                                    if (((_e4363 + ((_e4366 - _e4369) * _e4010)) - _e4375) > _e4343) {
+                                        let _e4380 = local_10.member[2u];
+                                        let _e4383 = local_10.member_1[2u];
+                                        let _e4386 = local_10.member[2u];
+                                        let _e4392 = local_10.member_2[2u];
+                                        if (((_e4380 + ((_e4383 - _e4386) * _e4010)) - _e4392) > _e4343) {
+                                            let _e4397 = local_10.member[3u];
+                                            let _e4400 = local_10.member_1[3u];
+                                            let _e4403 = local_10.member[3u];
+                                            let _e4409 = local_10.member_2[3u];
+                                            phi_2648_ = (((_e4397 + ((_e4400 - _e4403) * _e4010)) - _e4409) > _e4343);
+                                            phi_2649_ = false;
                                         } else {
-                                            phi_2619_ = bool();
-                                            phi_2620_ = true;
+                                            phi_2648_ = bool();
+                                            phi_2649_ = true;
                                         }
-                                        let _e4344 = phi_2619_;
-                                        let _e4346 = phi_2620_;
-                                        phi_2621_ = _e4344;
-                                        phi_2622_ = _e4346;
+                                        let _e4413 = phi_2648_;
+                                        let _e4415 = phi_2649_;
+                                        phi_2650_ = _e4413;
+                                        phi_2651_ = _e4415;
                                     } else {
-                                        phi_2621_ = bool();
-                                        phi_2622_ = true;
+                                        phi_2650_ = bool();
+                                        phi_2651_ = true;
                                     }
-                                    let _e4348 = phi_2621_;
-                                    let _e4350 = phi_2622_;
-                                    phi_2623_ = _e4348;
-                                    phi_2624_ = _e4350;
+                                    let _e4417 = phi_2650_;
+                                    let _e4419 = phi_2651_;
+                                    phi_2652_ = _e4417;
+                                    phi_2653_ = _e4419;
                                 } else {
-                                    phi_2623_ = bool();
-                                    phi_2624_ = true;
+                                    phi_2652_ = bool();
+                                    phi_2653_ = true;
                                 }
-                                let _e4352 = phi_2623_;
-                                let _e4354 = phi_2624_;
-                                if _e4354 {
-                                    phi_2628_ = false;
+                                let _e4421 = phi_2652_;
+                                let _e4423 = phi_2653_;
+                                if _e4423 {
+                                    phi_2657_ = false;
                                 } else {
-                                    phi_2628_ = _e4352;
+                                    phi_2657_ = _e4421;
                                 }
-                                let _e4356 = phi_2628_;
-                                if _e4356 {
-                                    if (_e3962 <= _e3964) {
-                                        phi_2939_ = true;
+                                let _e4425 = phi_2657_;
+                                if _e4425 {
+                                    if (_e4010 <= _e4012) {
+                                        phi_2968_ = true;
                                     } else {
-                                        let _e4358 = f64(0f);
-                                        let _e4361 = local_9.member[0u];
-                                        let _e4364 = local_9.member_1[0u];
-                                        let _e4367 = local_9.member[0u];
-                                        let _e4373 = local_9.member_2[0u];
-                                        let _e4377 = local_10.member[0u];
-                                        let _e4380 = local_10.member_1[0u];
-                                        let _e4383 = local_10.member[0u];
-                                        let _e4389 = local_10.member_2[0u];
-                                        if ((((_e4361 + ((_e4364 - _e4367) * _e3962)) - _e4373) + ((_e4377 + ((_e4380 - _e4383) * _e3966)) - _e4389)) > _e4358) {
-                                            let _e4395 = local_9.member[1u];
-                                            let _e4398 = local_9.member_1[1u];
-                                            let _e4401 = local_9.member[1u];
-                                            let _e4407 = local_9.member_2[1u];
-                                            let _e4411 = local_10.member[1u];
-                                            let _e4414 = local_10.member_1[1u];
-                                            let _e4417 = local_10.member[1u];
-                                            let _e4423 = local_10.member_2[1u];
-                                            if ((((_e4395 + ((_e4398 - _e4401) * _e3962)) - _e4407) + ((_e4411 + ((_e4414 - _e4417) * _e3966)) - _e4423)) > _e4358) {
-                                                let _e4429 = local_9.member[2u];
-                                                let _e4432 = local_9.member_1[2u];
-                                                let _e4435 = local_9.member[2u];
-                                                let _e4441 = local_9.member_2[2u];
-                                                let _e4445 = local_10.member[2u];
-                                                let _e4448 = local_10.member_1[2u];
-                                                let _e4451 = local_10.member[2u];
-                                                let _e4457 = local_10.member_2[2u];
-                                                if ((((_e4429 + ((_e4432 - _e4435) * _e3962)) - _e4441) + ((_e4445 + ((_e4448 - _e4451) * _e3966)) - _e4457)) > _e4358) {
-                                                    let _e4463 = local_9.member[3u];
-                                                    let _e4466 = local_9.member_1[3u];
-                                                    let _e4469 = local_9.member[3u];
-                                                    let _e4475 = local_9.member_2[3u];
-                                                    let _e4479 = local_10.member[3u];
-                                                    let _e4482 = local_10.member_1[3u];
-                                                    let _e4485 = local_10.member[3u];
-                                                    let _e4491 = local_10.member_2[3u];
-                                                    phi_2926_ = ((((_e4463 + ((_e4466 - _e4469) * _e3962)) - _e4475) + ((_e4479 + ((_e4482 - _e4485) * _e3966)) - _e4491)) > _e4358);
-                                                    phi_2927_ = false;
+                                        let _e4427 = f64(0f);
+                                        let _e4430 = local_9.member[0u];
+                                        let _e4433 = local_9.member_1[0u];
+                                        let _e4436 = local_9.member[0u];
+                                        let _e4442 = local_9.member_2[0u];
+                                        let _e4446 = local_10.member[0u];
+                                        let _e4449 = local_10.member_1[0u];
+                                        let _e4452 = local_10.member[0u];
+                                        let _e4458 = local_10.member_2[0u];
+                                        if ((((_e4430 + ((_e4433 - _e4436) * _e4010)) - _e4442) + ((_e4446 + ((_e4449 - _e4452) * _e4014)) - _e4458)) > _e4427) {
+                                            let _e4464 = local_9.member[1u];
+                                            let _e4467 = local_9.member_1[1u];
+                                            let _e4470 = local_9.member[1u];
+                                            let _e4476 = local_9.member_2[1u];
+                                            let _e4480 = local_10.member[1u];
+                                            let _e4483 = local_10.member_1[1u];
+                                            let _e4486 = local_10.member[1u];
+                                            let _e4492 = local_10.member_2[1u];
+                                            if ((((_e4464 + ((_e4467 - _e4470) * _e4010)) - _e4476) + ((_e4480 + ((_e4483 - _e4486) * _e4014)) - _e4492)) > _e4427) {
+                                                let _e4498 = local_9.member[2u];
+                                                let _e4501 = local_9.member_1[2u];
+                                                let _e4504 = local_9.member[2u];
+                                                let _e4510 = local_9.member_2[2u];
+                                                let _e4514 = local_10.member[2u];
+                                                let _e4517 = local_10.member_1[2u];
+                                                let _e4520 = local_10.member[2u];
+                                                let _e4526 = local_10.member_2[2u];
+                                                if ((((_e4498 + ((_e4501 - _e4504) * _e4010)) - _e4510) + ((_e4514 + ((_e4517 - _e4520) * _e4014)) - _e4526)) > _e4427) {
+                                                    let _e4532 = local_9.member[3u];
+                                                    let _e4535 = local_9.member_1[3u];
+                                                    let _e4538 = local_9.member[3u];
+                                                    let _e4544 = local_9.member_2[3u];
+                                                    let _e4548 = local_10.member[3u];
+                                                    let _e4551 = local_10.member_1[3u];
+                                                    let _e4554 = local_10.member[3u];
+                                                    let _e4560 = local_10.member_2[3u];
+                                                    phi_2955_ = ((((_e4532 + ((_e4535 - _e4538) * _e4010)) - _e4544) + ((_e4548 + ((_e4551 - _e4554) * _e4014)) - _e4560)) > _e4427);
+                                                    phi_2956_ = false;
                                                 } else {
-                                                    phi_2926_ = bool();
-                                                    phi_2927_ = true;
+                                                    phi_2955_ = bool();
+                                                    phi_2956_ = true;
                                                 }
-                                                let _e4496 = phi_2926_;
-                                                let _e4498 = phi_2927_;
-                                                phi_2928_ = _e4496;
-                                                phi_2929_ = _e4498;
+                                                let _e4565 = phi_2955_;
+                                                let _e4567 = phi_2956_;
+                                                phi_2957_ = _e4565;
+                                                phi_2958_ = _e4567;
                                             } else {
-                                                phi_2928_ = bool();
-                                                phi_2929_ = true;
+                                                phi_2957_ = bool();
+                                                phi_2958_ = true;
                                             }
-                                            let _e4500 = phi_2928_;
-                                            let _e4502 = phi_2929_;
-                                            phi_2930_ = _e4500;
-                                            phi_2931_ = _e4502;
+                                            let _e4569 = phi_2957_;
+                                            let _e4571 = phi_2958_;
+                                            phi_2959_ = _e4569;
+                                            phi_2960_ = _e4571;
                                         } else {
-                                            phi_2930_ = bool();
-                                            phi_2931_ = true;
+                                            phi_2959_ = bool();
+                                            phi_2960_ = true;
                                         }
-                                        let _e4504 = phi_2930_;
-                                        let _e4506 = phi_2931_;
-                                        if _e4506 {
-                                            phi_2935_ = false;
+                                        let _e4573 = phi_2959_;
+                                        let _e4575 = phi_2960_;
+                                        if _e4575 {
+                                            phi_2964_ = false;
                                         } else {
-                                            phi_2935_ = _e4504;
+                                            phi_2964_ = _e4573;
                                         }
-                                        let _e4508 = phi_2935_;
-                                        phi_2939_ = _e4508;
+                                        let _e4577 = phi_2964_;
+                                        phi_2968_ = _e4577;
                                     }
-                                    let _e4510 = phi_2939_;
-                                    if _e4510 {
-                                        if (_e3980.member_1 > 0u) {
-                                            if (_e3962 >= _e3722) {
-                                                phi_2951_ = false;
+                                    let _e4579 = phi_2968_;
+                                    if _e4579 {
+                                        if _e4016 {
+                                            if (_e4010 >= _e3770) {
+                                                phi_2979_ = false;
                                             } else {
-                                                phi_2951_ = true;
+                                                phi_2979_ = true;
                                             }
-                                            let _e4514 = phi_2951_;
-                                            phi_2952_ = _e4514;
+                                            let _e4582 = phi_2979_;
+                                            phi_2980_ = _e4582;
                                         } else {
-                                            phi_2952_ = true;
+                                            phi_2980_ = true;
                                         }
-                                        let _e4516 = phi_2952_;
-                                        if _e4516 {
-                                            local_9 = type_34(array<f64, 4>(_e4253.member[0], _e4253.member[1], _e4253.member[2], _e4253.member[3]), array<f64, 4>(_e4253.member_1[0], _e4253.member_1[1], _e4253.member_1[2], _e4253.member_1[3]), array<f64, 4>(_e4253.member_2[0], _e4253.member_2[1], _e4253.member_2[2], _e4253.member_2[3]));
-                                            let _e4538 = local_9.member[0u];
-                                            let _e4541 = local_9.member_1[0u];
-                                            let _e4544 = local_9.member_2[0u];
-                                            if (_e4538 > _e4544) {
-                                                if (_e4541 > _e4544) {
-                                                    phi_3026_ = false;
+                                        let _e4584 = phi_2980_;
+                                        if _e4584 {
+                                            local_9 = type_34(array<f64, 4>(_e4321.member[0], _e4321.member[1], _e4321.member[2], _e4321.member[3]), array<f64, 4>(_e4321.member_1[0], _e4321.member_1[1], _e4321.member_1[2], _e4321.member_1[3]), array<f64, 4>(_e4321.member_2[0], _e4321.member_2[1], _e4321.member_2[2], _e4321.member_2[3]));
+                                            let _e4606 = local_9.member[0u];
+                                            let _e4609 = local_9.member_1[0u];
+                                            let _e4612 = local_9.member_2[0u];
+                                            if (_e4606 > _e4612) {
+                                                if (_e4609 > _e4612) {
+                                                    phi_3054_ = false;
                                                 } else {
-                                                    phi_3026_ = true;
+                                                    phi_3054_ = true;
                                                 }
-                                                let _e4548 = phi_3026_;
-                                                phi_3027_ = _e4548;
+                                                let _e4616 = phi_3054_;
+                                                phi_3055_ = _e4616;
                                             } else {
-                                                phi_3027_ = true;
-                                            }
-                                            let _e4550 = phi_3027_;
-                                            if _e4550 {
-                                                let _e4551 = (_e4541 >= _e4538);
-                                                if _e4551 {
-                                                    phi_3052_ = f64();
-                                                    phi_3053_ = false;
-                                                } else {
-                                                    if ((_e4538 - _e4541) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3050_ = (((_e4538 - _e4544) / (_e4538 - _e4541)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3051_ = false;
-                                                    } else {
-                                                        phi_3050_ = f64();
-                                                        phi_3051_ = true;
-                                                    }
-                                                    let _e4565 = phi_3050_;
-                                                    let _e4567 = phi_3051_;
-                                                    phi_3052_ = _e4565;
-                                                    phi_3053_ = _e4567;
-                                                }
-                                                let _e4569 = phi_3052_;
-                                                let _e4571 = phi_3053_;
-                                                phi_3054_ = _e4569;
-                                                phi_3055_ = _e4551;
-                                                phi_3056_ = _e4571;
-                                            } else {
-                                                phi_3054_ = f64();
                                                 phi_3055_ = true;
-                                                phi_3056_ = false;
                                             }
-                                            let _e4573 = phi_3054_;
-                                            let _e4575 = phi_3055_;
-                                            let _e4577 = phi_3056_;
-                                            if _e4575 {
-                                                phi_3061_ = f64(2f);
-                                                phi_3062_ = true;
-                                            } else {
-                                                phi_3061_ = _e3962;
-                                                phi_3062_ = _e4577;
-                                            }
-                                            let _e4580 = phi_3061_;
-                                            let _e4582 = phi_3062_;
-                                            if _e4582 {
-                                                phi_3066_ = _e4580;
-                                            } else {
-                                                phi_3066_ = _e4573;
-                                            }
-                                            let _e4584 = phi_3066_;
-                                            let _e4587 = local_9.member[1u];
-                                            let _e4590 = local_9.member_1[1u];
-                                            let _e4593 = local_9.member_2[1u];
-                                            if (_e4587 > _e4593) {
-                                                if (_e4590 > _e4593) {
-                                                    phi_3098_ = false;
+                                            let _e4618 = phi_3055_;
+                                            if _e4618 {
+                                                let _e4619 = (_e4609 >= _e4606);
+                                                if _e4619 {
+                                                    phi_3080_ = f64();
+                                                    phi_3081_ = false;
                                                 } else {
-                                                    phi_3098_ = true;
-                                                }
-                                                let _e4597 = phi_3098_;
-                                                phi_3099_ = _e4597;
-                                            } else {
-                                                phi_3099_ = true;
-                                            }
-                                            let _e4599 = phi_3099_;
-                                            if _e4599 {
-                                                let _e4600 = (_e4590 >= _e4587);
-                                                if _e4600 {
-                                                    phi_3124_ = f64();
-                                                    phi_3125_ = false;
-                                                } else {
-                                                    if ((_e4587 - _e4590) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3122_ = (((_e4587 - _e4593) / (_e4587 - _e4590)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3123_ = false;
+                                                    if ((_e4606 - _e4609) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3078_ = (((_e4606 - _e4612) / (_e4606 - _e4609)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3079_ = false;
                                                     } else {
-                                                        phi_3122_ = f64();
-                                                        phi_3123_ = true;
+                                                        phi_3078_ = f64();
+                                                        phi_3079_ = true;
                                                     }
-                                                    let _e4614 = phi_3122_;
-                                                    let _e4616 = phi_3123_;
-                                                    phi_3124_ = _e4614;
-                                                    phi_3125_ = _e4616;
+                                                    let _e4633 = phi_3078_;
+                                                    let _e4635 = phi_3079_;
+                                                    phi_3080_ = _e4633;
+                                                    phi_3081_ = _e4635;
                                                 }
-                                                let _e4618 = phi_3124_;
-                                                let _e4620 = phi_3125_;
-                                                phi_3126_ = _e4618;
-                                                phi_3127_ = _e4600;
-                                                phi_3128_ = _e4620;
+                                                let _e4637 = phi_3080_;
+                                                let _e4639 = phi_3081_;
+                                                phi_3082_ = _e4637;
+                                                phi_3083_ = _e4619;
+                                                phi_3084_ = _e4639;
                                             } else {
-                                                phi_3126_ = f64();
+                                                phi_3082_ = f64();
+                                                phi_3083_ = true;
+                                                phi_3084_ = false;
+                                            }
+                                            let _e4641 = phi_3082_;
+                                            let _e4643 = phi_3083_;
+                                            let _e4645 = phi_3084_;
+                                            if _e4643 {
+                                                phi_3089_ = f64(2f);
+                                                phi_3090_ = true;
+                                            } else {
+                                                phi_3089_ = _e4010;
+                                                phi_3090_ = _e4645;
+                                            }
+                                            let _e4648 = phi_3089_;
+                                            let _e4650 = phi_3090_;
+                                            if _e4650 {
+                                                phi_3094_ = _e4648;
+                                            } else {
+                                                phi_3094_ = _e4641;
+                                            }
+                                            let _e4652 = phi_3094_;
+                                            let _e4655 = local_9.member[1u];
+                                            let _e4658 = local_9.member_1[1u];
+                                            let _e4661 = local_9.member_2[1u];
+                                            if (_e4655 > _e4661) {
+                                                if (_e4658 > _e4661) {
+                                                    phi_3126_ = false;
+                                                } else {
+                                                    phi_3126_ = true;
+                                                }
+                                                let _e4665 = phi_3126_;
+                                                phi_3127_ = _e4665;
+                                            } else {
                                                 phi_3127_ = true;
-                                                phi_3128_ = false;
                                             }
-                                            let _e4622 = phi_3126_;
-                                            let _e4624 = phi_3127_;
-                                            let _e4626 = phi_3128_;
-                                            if _e4624 {
-                                                phi_3133_ = f64(2f);
-                                                phi_3134_ = true;
-                                            } else {
-                                                phi_3133_ = _e3962;
-                                                phi_3134_ = _e4626;
-                                            }
-                                            let _e4629 = phi_3133_;
-                                            let _e4631 = phi_3134_;
-                                            if _e4631 {
-                                                phi_3138_ = _e4629;
-                                            } else {
-                                                phi_3138_ = _e4622;
-                                            }
-                                            let _e4633 = phi_3138_;
-                                            if (_e4584 < _e4633) {
-                                                phi_3143_ = _e4584;
-                                            } else {
-                                                phi_3143_ = _e4633;
-                                            }
-                                            let _e4636 = phi_3143_;
-                                            let _e4639 = local_9.member[2u];
-                                            let _e4642 = local_9.member_1[2u];
-                                            let _e4645 = local_9.member_2[2u];
-                                            if (_e4639 > _e4645) {
-                                                if (_e4642 > _e4645) {
-                                                    phi_3175_ = false;
+                                            let _e4667 = phi_3127_;
+                                            if _e4667 {
+                                                let _e4668 = (_e4658 >= _e4655);
+                                                if _e4668 {
+                                                    phi_3152_ = f64();
+                                                    phi_3153_ = false;
                                                 } else {
-                                                    phi_3175_ = true;
-                                                }
-                                                let _e4649 = phi_3175_;
-                                                phi_3176_ = _e4649;
-                                            } else {
-                                                phi_3176_ = true;
-                                            }
-                                            let _e4651 = phi_3176_;
-                                            if _e4651 {
-                                                let _e4652 = (_e4642 >= _e4639);
-                                                if _e4652 {
-                                                    phi_3201_ = f64();
-                                                    phi_3202_ = false;
-                                                } else {
-                                                    if ((_e4639 - _e4642) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3199_ = (((_e4639 - _e4645) / (_e4639 - _e4642)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3200_ = false;
+                                                    if ((_e4655 - _e4658) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3150_ = (((_e4655 - _e4661) / (_e4655 - _e4658)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3151_ = false;
                                                     } else {
-                                                        phi_3199_ = f64();
-                                                        phi_3200_ = true;
+                                                        phi_3150_ = f64();
+                                                        phi_3151_ = true;
                                                     }
-                                                    let _e4666 = phi_3199_;
-                                                    let _e4668 = phi_3200_;
-                                                    phi_3201_ = _e4666;
-                                                    phi_3202_ = _e4668;
+                                                    let _e4682 = phi_3150_;
+                                                    let _e4684 = phi_3151_;
+                                                    phi_3152_ = _e4682;
+                                                    phi_3153_ = _e4684;
                                                 }
-                                                let _e4670 = phi_3201_;
-                                                let _e4672 = phi_3202_;
-                                                phi_3203_ = _e4670;
-                                                phi_3204_ = _e4652;
-                                                phi_3205_ = _e4672;
+                                                let _e4686 = phi_3152_;
+                                                let _e4688 = phi_3153_;
+                                                phi_3154_ = _e4686;
+                                                phi_3155_ = _e4668;
+                                                phi_3156_ = _e4688;
                                             } else {
-                                                phi_3203_ = f64();
+                                                phi_3154_ = f64();
+                                                phi_3155_ = true;
+                                                phi_3156_ = false;
+                                            }
+                                            let _e4690 = phi_3154_;
+                                            let _e4692 = phi_3155_;
+                                            let _e4694 = phi_3156_;
+                                            if _e4692 {
+                                                phi_3161_ = f64(2f);
+                                                phi_3162_ = true;
+                                            } else {
+                                                phi_3161_ = _e4010;
+                                                phi_3162_ = _e4694;
+                                            }
+                                            let _e4697 = phi_3161_;
+                                            let _e4699 = phi_3162_;
+                                            if _e4699 {
+                                                phi_3166_ = _e4697;
+                                            } else {
+                                                phi_3166_ = _e4690;
+                                            }
+                                            let _e4701 = phi_3166_;
+                                            if (_e4652 < _e4701) {
+                                                phi_3171_ = _e4652;
+                                            } else {
+                                                phi_3171_ = _e4701;
+                                            }
+                                            let _e4704 = phi_3171_;
+                                            let _e4707 = local_9.member[2u];
+                                            let _e4710 = local_9.member_1[2u];
+                                            let _e4713 = local_9.member_2[2u];
+                                            if (_e4707 > _e4713) {
+                                                if (_e4710 > _e4713) {
+                                                    phi_3203_ = false;
+                                                } else {
+                                                    phi_3203_ = true;
+                                                }
+                                                let _e4717 = phi_3203_;
+                                                phi_3204_ = _e4717;
+                                            } else {
                                                 phi_3204_ = true;
-                                                phi_3205_ = false;
                                             }
-                                            let _e4674 = phi_3203_;
-                                            let _e4676 = phi_3204_;
-                                            let _e4678 = phi_3205_;
-                                            if _e4676 {
-                                                phi_3210_ = f64(2f);
-                                                phi_3211_ = true;
-                                            } else {
-                                                phi_3210_ = _e3962;
-                                                phi_3211_ = _e4678;
-                                            }
-                                            let _e4681 = phi_3210_;
-                                            let _e4683 = phi_3211_;
-                                            if _e4683 {
-                                                phi_3215_ = _e4681;
-                                            } else {
-                                                phi_3215_ = _e4674;
-                                            }
-                                            let _e4685 = phi_3215_;
-                                            let _e4688 = local_9.member[3u];
-                                            let _e4691 = local_9.member_1[3u];
-                                            let _e4694 = local_9.member_2[3u];
-                                            if (_e4688 > _e4694) {
-                                                if (_e4691 > _e4694) {
-                                                    phi_3247_ = false;
+                                            let _e4719 = phi_3204_;
+                                            if _e4719 {
+                                                let _e4720 = (_e4710 >= _e4707);
+                                                if _e4720 {
+                                                    phi_3229_ = f64();
+                                                    phi_3230_ = false;
                                                 } else {
-                                                    phi_3247_ = true;
-                                                }
-                                                let _e4698 = phi_3247_;
-                                                phi_3248_ = _e4698;
-                                            } else {
-                                                phi_3248_ = true;
-                                            }
-                                            let _e4700 = phi_3248_;
-                                            if _e4700 {
-                                                let _e4701 = (_e4691 >= _e4688);
-                                                if _e4701 {
-                                                    phi_3273_ = f64();
-                                                    phi_3274_ = false;
-                                                } else {
-                                                    if ((_e4688 - _e4691) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3271_ = (((_e4688 - _e4694) / (_e4688 - _e4691)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3272_ = false;
+                                                    if ((_e4707 - _e4710) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3227_ = (((_e4707 - _e4713) / (_e4707 - _e4710)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3228_ = false;
                                                     } else {
-                                                        phi_3271_ = f64();
-                                                        phi_3272_ = true;
+                                                        phi_3227_ = f64();
+                                                        phi_3228_ = true;
                                                     }
-                                                    let _e4715 = phi_3271_;
-                                                    let _e4717 = phi_3272_;
-                                                    phi_3273_ = _e4715;
-                                                    phi_3274_ = _e4717;
+                                                    let _e4734 = phi_3227_;
+                                                    let _e4736 = phi_3228_;
+                                                    phi_3229_ = _e4734;
+                                                    phi_3230_ = _e4736;
                                                 }
-                                                let _e4719 = phi_3273_;
-                                                let _e4721 = phi_3274_;
-                                                phi_3275_ = _e4719;
-                                                phi_3276_ = _e4701;
-                                                phi_3277_ = _e4721;
+                                                let _e4738 = phi_3229_;
+                                                let _e4740 = phi_3230_;
+                                                phi_3231_ = _e4738;
+                                                phi_3232_ = _e4720;
+                                                phi_3233_ = _e4740;
                                             } else {
-                                                phi_3275_ = f64();
-                                                phi_3276_ = true;
-                                                phi_3277_ = false;
+                                                phi_3231_ = f64();
+                                                phi_3232_ = true;
+                                                phi_3233_ = false;
                                             }
-                                            let _e4723 = phi_3275_;
-                                            let _e4725 = phi_3276_;
-                                            let _e4727 = phi_3277_;
-                                            if _e4725 {
-                                                phi_3282_ = f64(2f);
-                                                phi_3283_ = true;
-                                            } else {
-                                                phi_3282_ = _e3962;
-                                                phi_3283_ = _e4727;
-                                            }
-                                            let _e4730 = phi_3282_;
-                                            let _e4732 = phi_3283_;
-                                            if _e4732 {
-                                                phi_3287_ = _e4730;
-                                            } else {
-                                                phi_3287_ = _e4723;
-                                            }
-                                            let _e4734 = phi_3287_;
-                                            if (_e4685 < _e4734) {
-                                                phi_3292_ = _e4685;
-                                            } else {
-                                                phi_3292_ = _e4734;
-                                            }
-                                            let _e4737 = phi_3292_;
-                                            if (_e4636 < _e4737) {
-                                                phi_3297_ = _e4636;
-                                            } else {
-                                                phi_3297_ = _e4737;
-                                            }
-                                            let _e4740 = phi_3297_;
-                                            if (_e4740 > _e3962) {
-                                                phi_3302_ = _e4740;
-                                            } else {
-                                                phi_3302_ = _e3962;
-                                            }
-                                            let _e4743 = phi_3302_;
-                                            let _e4744 = (_e4743 > _e3722);
+                                            let _e4742 = phi_3231_;
+                                            let _e4744 = phi_3232_;
+                                            let _e4746 = phi_3233_;
                                             if _e4744 {
-                                                phi_3314_ = f64();
-                                                phi_3315_ = false;
+                                                phi_3238_ = f64(2f);
+                                                phi_3239_ = true;
                                             } else {
-                                                if (_e3980.member_1 == 0u) {
-                                                    phi_3313_ = (_e3722 - _e3962);
-                                                } else {
-                                                    phi_3313_ = (_e4273 + _e4273);
-                                                }
-                                                let _e4749 = phi_3313_;
-                                                phi_3314_ = _e4749;
-                                                phi_3315_ = true;
+                                                phi_3238_ = _e4010;
+                                                phi_3239_ = _e4746;
                                             }
-                                            let _e4751 = phi_3314_;
-                                            let _e4753 = phi_3315_;
-                                            phi_3316_ = _e4743;
-                                            phi_3317_ = _e4751;
-                                            phi_3318_ = _e4753;
-                                            phi_3319_ = _e4744;
-                                            phi_3320_ = false;
-                                        } else {
-                                            phi_3316_ = f64();
-                                            phi_3317_ = f64();
-                                            phi_3318_ = false;
-                                            phi_3319_ = false;
-                                            phi_3320_ = true;
-                                        }
-                                        let _e4755 = phi_3316_;
-                                        let _e4757 = phi_3317_;
-                                        let _e4759 = phi_3318_;
-                                        let _e4761 = phi_3319_;
-                                        let _e4763 = phi_3320_;
-                                        phi_3321_ = _e4755;
-                                        phi_3322_ = _e4757;
-                                        phi_3323_ = false;
-                                        phi_3324_ = _e4759;
-                                        phi_3325_ = _e4761;
-                                        phi_3326_ = _e4763;
-                                    } else {
-                                        phi_3321_ = f64();
-                                        phi_3322_ = f64();
-                                        phi_3323_ = true;
-                                        phi_3324_ = false;
-                                        phi_3325_ = false;
-                                        phi_3326_ = false;
-                                    }
-                                    let _e4765 = phi_3321_;
-                                    let _e4767 = phi_3322_;
-                                    let _e4769 = phi_3323_;
-                                    let _e4771 = phi_3324_;
-                                    let _e4773 = phi_3325_;
-                                    let _e4775 = phi_3326_;
-                                    phi_3327_ = _e4765;
-                                    phi_3328_ = _e4767;
-                                    phi_3329_ = _e4769;
-                                    phi_3330_ = _e4771;
-                                    phi_3331_ = _e4773;
-                                    phi_3332_ = _e4775;
-                                } else {
-                                    phi_3327_ = f64();
-                                    phi_3328_ = f64();
-                                    phi_3329_ = true;
-                                    phi_3330_ = false;
-                                    phi_3331_ = false;
-                                    phi_3332_ = false;
-                                }
-                                let _e4777 = phi_3327_;
-                                let _e4779 = phi_3328_;
-                                let _e4781 = phi_3329_;
-                                let _e4783 = phi_3330_;
-                                let _e4785 = phi_3331_;
-                                let _e4787 = phi_3332_;
-                                if _e4781 {
-                                    let _e4788 = (_e3962 <= _e3964);
-                                    if _e4788 {
-                                        phi_3666_ = f64();
-                                        phi_3667_ = false;
-                                    } else {
-                                        let _e4791 = local_9.member[0u];
-                                        let _e4794 = local_9.member_1[0u];
-                                        let _e4797 = local_9.member[0u];
-                                        let _e4803 = local_9.member_2[0u];
-                                        let _e4804 = ((_e4791 + ((_e4794 - _e4797) * _e3966)) - _e4803);
-                                        let _e4807 = local_9.member[1u];
-                                        let _e4810 = local_9.member_1[1u];
-                                        let _e4813 = local_9.member[1u];
-                                        let _e4819 = local_9.member_2[1u];
-                                        let _e4820 = ((_e4807 + ((_e4810 - _e4813) * _e3966)) - _e4819);
-                                        if (_e4804 < _e4820) {
-                                            phi_3412_ = _e4804;
-                                        } else {
-                                            phi_3412_ = _e4820;
-                                        }
-                                        let _e4823 = phi_3412_;
-                                        let _e4826 = local_9.member[2u];
-                                        let _e4829 = local_9.member_1[2u];
-                                        let _e4832 = local_9.member[2u];
-                                        let _e4838 = local_9.member_2[2u];
-                                        let _e4839 = ((_e4826 + ((_e4829 - _e4832) * _e3966)) - _e4838);
-                                        let _e4842 = local_9.member[3u];
-                                        let _e4845 = local_9.member_1[3u];
-                                        let _e4848 = local_9.member[3u];
-                                        let _e4854 = local_9.member_2[3u];
-                                        let _e4855 = ((_e4842 + ((_e4845 - _e4848) * _e3966)) - _e4854);
-                                        if (_e4839 < _e4855) {
-                                            phi_3485_ = _e4839;
-                                        } else {
-                                            phi_3485_ = _e4855;
-                                        }
-                                        let _e4858 = phi_3485_;
-                                        if (_e4823 < _e4858) {
-                                            phi_3490_ = _e4823;
-                                        } else {
-                                            phi_3490_ = _e4858;
-                                        }
-                                        let _e4861 = phi_3490_;
-                                        let _e4864 = local_10.member[0u];
-                                        let _e4867 = local_10.member_1[0u];
-                                        let _e4870 = local_10.member[0u];
-                                        let _e4876 = local_10.member_2[0u];
-                                        let _e4877 = ((_e4864 + ((_e4867 - _e4870) * _e3962)) - _e4876);
-                                        let _e4880 = local_10.member[1u];
-                                        let _e4883 = local_10.member_1[1u];
-                                        let _e4886 = local_10.member[1u];
-                                        let _e4892 = local_10.member_2[1u];
-                                        let _e4893 = ((_e4880 + ((_e4883 - _e4886) * _e3962)) - _e4892);
-                                        if (_e4877 < _e4893) {
-                                            phi_3563_ = _e4877;
-                                        } else {
-                                            phi_3563_ = _e4893;
-                                        }
-                                        let _e4896 = phi_3563_;
-                                        let _e4899 = local_10.member[2u];
-                                        let _e4902 = local_10.member_1[2u];
-                                        let _e4905 = local_10.member[2u];
-                                        let _e4911 = local_10.member_2[2u];
-                                        let _e4912 = ((_e4899 + ((_e4902 - _e4905) * _e3962)) - _e4911);
-                                        let _e4915 = local_10.member[3u];
-                                        let _e4918 = local_10.member_1[3u];
-                                        let _e4921 = local_10.member[3u];
-                                        let _e4927 = local_10.member_2[3u];
-                                        let _e4928 = ((_e4915 + ((_e4918 - _e4921) * _e3962)) - _e4927);
-                                        if (_e4912 < _e4928) {
-                                            phi_3636_ = _e4912;
-                                        } else {
-                                            phi_3636_ = _e4928;
-                                        }
-                                        let _e4931 = phi_3636_;
-                                        if (_e4896 < _e4931) {
-                                            phi_3641_ = _e4896;
-                                        } else {
-                                            phi_3641_ = _e4931;
-                                        }
-                                        let _e4934 = phi_3641_;
-                                        let _e4935 = f64(0.0625f);
-                                        let _e4937 = f64(0.9f);
-                                        if (_e4934 > f64(0f)) {
-                                            phi_3664_ = f64(0.5f);
-                                        } else {
-                                            let _e4943 = (f64(0.95f) * (_e4861 / (_e4861 - _e4934)));
-                                            if (_e4943 > _e4935) {
-                                                if (_e4943 < _e4937) {
-                                                    phi_3662_ = _e4943;
-                                                } else {
-                                                    phi_3662_ = _e4937;
-                                                }
-                                                let _e4947 = phi_3662_;
-                                                phi_3663_ = _e4947;
+                                            let _e4749 = phi_3238_;
+                                            let _e4751 = phi_3239_;
+                                            if _e4751 {
+                                                phi_3243_ = _e4749;
                                             } else {
-                                                phi_3663_ = _e4935;
+                                                phi_3243_ = _e4742;
                                             }
-                                            let _e4949 = phi_3663_;
-                                            phi_3664_ = _e4949;
+                                            let _e4753 = phi_3243_;
+                                            let _e4756 = local_9.member[3u];
+                                            let _e4759 = local_9.member_1[3u];
+                                            let _e4762 = local_9.member_2[3u];
+                                            if (_e4756 > _e4762) {
+                                                if (_e4759 > _e4762) {
+                                                    phi_3275_ = false;
+                                                } else {
+                                                    phi_3275_ = true;
+                                                }
+                                                let _e4766 = phi_3275_;
+                                                phi_3276_ = _e4766;
+                                            } else {
+                                                phi_3276_ = true;
+                                            }
+                                            let _e4768 = phi_3276_;
+                                            if _e4768 {
+                                                let _e4769 = (_e4759 >= _e4756);
+                                                if _e4769 {
+                                                    phi_3301_ = f64();
+                                                    phi_3302_ = false;
+                                                } else {
+                                                    if ((_e4756 - _e4759) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3299_ = (((_e4756 - _e4762) / (_e4756 - _e4759)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3300_ = false;
+                                                    } else {
+                                                        phi_3299_ = f64();
+                                                        phi_3300_ = true;
+                                                    }
+                                                    let _e4783 = phi_3299_;
+                                                    let _e4785 = phi_3300_;
+                                                    phi_3301_ = _e4783;
+                                                    phi_3302_ = _e4785;
+                                                }
+                                                let _e4787 = phi_3301_;
+                                                let _e4789 = phi_3302_;
+                                                phi_3303_ = _e4787;
+                                                phi_3304_ = _e4769;
+                                                phi_3305_ = _e4789;
+                                            } else {
+                                                phi_3303_ = f64();
+                                                phi_3304_ = true;
+                                                phi_3305_ = false;
+                                            }
+                                            let _e4791 = phi_3303_;
+                                            let _e4793 = phi_3304_;
+                                            let _e4795 = phi_3305_;
+                                            if _e4793 {
+                                                phi_3310_ = f64(2f);
+                                                phi_3311_ = true;
+                                            } else {
+                                                phi_3310_ = _e4010;
+                                                phi_3311_ = _e4795;
+                                            }
+                                            let _e4798 = phi_3310_;
+                                            let _e4800 = phi_3311_;
+                                            if _e4800 {
+                                                phi_3315_ = _e4798;
+                                            } else {
+                                                phi_3315_ = _e4791;
+                                            }
+                                            let _e4802 = phi_3315_;
+                                            if (_e4753 < _e4802) {
+                                                phi_3320_ = _e4753;
+                                            } else {
+                                                phi_3320_ = _e4802;
+                                            }
+                                            let _e4805 = phi_3320_;
+                                            if (_e4704 < _e4805) {
+                                                phi_3325_ = _e4704;
+                                            } else {
+                                                phi_3325_ = _e4805;
+                                            }
+                                            let _e4808 = phi_3325_;
+                                            if (_e4808 > _e4010) {
+                                                phi_3330_ = _e4808;
+                                            } else {
+                                                phi_3330_ = _e4010;
+                                            }
+                                            let _e4811 = phi_3330_;
+                                            let _e4812 = (_e4811 > _e3770);
+                                            if _e4812 {
+                                                phi_3341_ = f64();
+                                                phi_3342_ = false;
+                                            } else {
+                                                if _e4016 {
+                                                    phi_3340_ = (_e4341 + _e4341);
+                                                } else {
+                                                    phi_3340_ = (_e3770 - _e4010);
+                                                }
+                                                let _e4816 = phi_3340_;
+                                                phi_3341_ = _e4816;
+                                                phi_3342_ = true;
+                                            }
+                                            let _e4818 = phi_3341_;
+                                            let _e4820 = phi_3342_;
+                                            phi_3343_ = _e4811;
+                                            phi_3344_ = _e4818;
+                                            phi_3345_ = _e4820;
+                                            phi_3346_ = _e4812;
+                                            phi_3347_ = false;
+                                        } else {
+                                            phi_3343_ = f64();
+                                            phi_3344_ = f64();
+                                            phi_3345_ = false;
+                                            phi_3346_ = false;
+                                            phi_3347_ = true;
                                         }
-                                        let _e4951 = phi_3664_;
-                                        phi_3666_ = (_e4273 * _e4951);
-                                        phi_3667_ = true;
+                                        let _e4822 = phi_3343_;
+                                        let _e4824 = phi_3344_;
+                                        let _e4826 = phi_3345_;
+                                        let _e4828 = phi_3346_;
+                                        let _e4830 = phi_3347_;
+                                        phi_3348_ = _e4822;
+                                        phi_3349_ = _e4824;
+                                        phi_3350_ = false;
+                                        phi_3351_ = _e4826;
+                                        phi_3352_ = _e4828;
+                                        phi_3353_ = _e4830;
+                                    } else {
+                                        phi_3348_ = f64();
+                                        phi_3349_ = f64();
+                                        phi_3350_ = true;
+                                        phi_3351_ = false;
+                                        phi_3352_ = false;
+                                        phi_3353_ = false;
                                     }
-                                    let _e4954 = phi_3666_;
-                                    let _e4956 = phi_3667_;
-                                    phi_3668_ = _e3964;
-                                    phi_3669_ = _e4954;
-                                    phi_3670_ = _e3966;
-                                    phi_3671_ = _e4956;
-                                    phi_3672_ = _e4788;
-                                    phi_3673_ = false;
-                                    phi_3674_ = false;
+                                    let _e4832 = phi_3348_;
+                                    let _e4834 = phi_3349_;
+                                    let _e4836 = phi_3350_;
+                                    let _e4838 = phi_3351_;
+                                    let _e4840 = phi_3352_;
+                                    let _e4842 = phi_3353_;
+                                    phi_3354_ = _e4832;
+                                    phi_3355_ = _e4834;
+                                    phi_3356_ = _e4836;
+                                    phi_3357_ = _e4838;
+                                    phi_3358_ = _e4840;
+                                    phi_3359_ = _e4842;
                                 } else {
-                                    phi_3668_ = _e4777;
-                                    phi_3669_ = _e4779;
-                                    phi_3670_ = _e3962;
-                                    phi_3671_ = _e4783;
-                                    phi_3672_ = false;
-                                    phi_3673_ = _e4785;
-                                    phi_3674_ = _e4787;
+                                    phi_3354_ = f64();
+                                    phi_3355_ = f64();
+                                    phi_3356_ = true;
+                                    phi_3357_ = false;
+                                    phi_3358_ = false;
+                                    phi_3359_ = false;
                                 }
-                                let _e4958 = phi_3668_;
-                                let _e4960 = phi_3669_;
-                                let _e4962 = phi_3670_;
-                                let _e4964 = phi_3671_;
-                                let _e4966 = phi_3672_;
-                                let _e4968 = phi_3673_;
-                                let _e4970 = phi_3674_;
-                                if _e4964 {
-                                    let _e4971 = (_e4962 + _e4960);
-                                    if (_e4971 > _e4958) {
-                                        phi_3683_ = _e4971;
+                                let _e4844 = phi_3354_;
+                                let _e4846 = phi_3355_;
+                                let _e4848 = phi_3356_;
+                                let _e4850 = phi_3357_;
+                                let _e4852 = phi_3358_;
+                                let _e4854 = phi_3359_;
+                                if _e4848 {
+                                    if (_e4010 <= _e4012) {
+                                        let _e5020 = (_e4018 + 1u);
+                                        let _e5021 = (_e5020 > 3u);
+                                        if _e5021 {
+                                            phi_3372_ = false;
+                                        } else {
+                                            phi_3372_ = true;
+                                        }
+                                        let _e5023 = phi_3372_;
+                                        phi_3699_ = _e5020;
+                                        phi_3700_ = f64();
+                                        phi_3701_ = false;
+                                        phi_3702_ = _e5023;
+                                        phi_3703_ = _e5021;
                                     } else {
-                                        phi_3683_ = _e4958;
-                                    }
-                                    let _e4974 = phi_3683_;
-                                    if (_e4974 < _e3722) {
-                                        phi_3688_ = _e4974;
-                                    } else {
-                                        phi_3688_ = _e3722;
-                                    }
-                                    let _e4977 = phi_3688_;
-                                    if (_e3980.member_1 > 0u) {
-                                        phi_3699_ = ((_e4977 - _e4962) > f64(0.0000000037252903f));
-                                    } else {
-                                        phi_3699_ = true;
-                                    }
-                                    let _e4983 = phi_3699_;
-                                    if _e4983 {
+                                        let _e4858 = local_9.member[0u];
+                                        let _e4861 = local_9.member_1[0u];
+                                        let _e4864 = local_9.member[0u];
+                                        let _e4870 = local_9.member_2[0u];
+                                        let _e4871 = ((_e4858 + ((_e4861 - _e4864) * _e4014)) - _e4870);
+                                        let _e4874 = local_9.member[1u];
+                                        let _e4877 = local_9.member_1[1u];
+                                        let _e4880 = local_9.member[1u];
+                                        let _e4886 = local_9.member_2[1u];
+                                        let _e4887 = ((_e4874 + ((_e4877 - _e4880) * _e4014)) - _e4886);
+                                        if (_e4871 < _e4887) {
+                                            phi_3445_ = _e4871;
+                                        } else {
+                                            phi_3445_ = _e4887;
+                                        }
+                                        let _e4890 = phi_3445_;
+                                        let _e4893 = local_9.member[2u];
+                                        let _e4896 = local_9.member_1[2u];
+                                        let _e4899 = local_9.member[2u];
+                                        let _e4905 = local_9.member_2[2u];
+                                        let _e4906 = ((_e4893 + ((_e4896 - _e4899) * _e4014)) - _e4905);
+                                        let _e4909 = local_9.member[3u];
+                                        let _e4912 = local_9.member_1[3u];
+                                        let _e4915 = local_9.member[3u];
+                                        let _e4921 = local_9.member_2[3u];
+                                        let _e4922 = ((_e4909 + ((_e4912 - _e4915) * _e4014)) - _e4921);
+                                        if (_e4906 < _e4922) {
+                                            phi_3518_ = _e4906;
+                                        } else {
+                                            phi_3518_ = _e4922;
+                                        }
+                                        let _e4925 = phi_3518_;
+                                        if (_e4890 < _e4925) {
+                                            phi_3523_ = _e4890;
+                                        } else {
+                                            phi_3523_ = _e4925;
+                                        }
+                                        let _e4928 = phi_3523_;
+                                        let _e4931 = local_10.member[0u];
+                                        let _e4934 = local_10.member_1[0u];
+                                        let _e4937 = local_10.member[0u];
+                                        let _e4943 = local_10.member_2[0u];
+                                        let _e4944 = ((_e4931 + ((_e4934 - _e4937) * _e4010)) - _e4943);
+                                        let _e4947 = local_10.member[1u];
+                                        let _e4950 = local_10.member_1[1u];
+                                        let _e4953 = local_10.member[1u];
+                                        let _e4959 = local_10.member_2[1u];
+                                        let _e4960 = ((_e4947 + ((_e4950 - _e4953) * _e4010)) - _e4959);
+                                        if (_e4944 < _e4960) {
+                                            phi_3596_ = _e4944;
+                                        } else {
+                                            phi_3596_ = _e4960;
+                                        }
+                                        let _e4963 = phi_3596_;
+                                        let _e4966 = local_10.member[2u];
+                                        let _e4969 = local_10.member_1[2u];
+                                        let _e4972 = local_10.member[2u];
+                                        let _e4978 = local_10.member_2[2u];
+                                        let _e4979 = ((_e4966 + ((_e4969 - _e4972) * _e4010)) - _e4978);
+                                        let _e4982 = local_10.member[3u];
+                                        let _e4985 = local_10.member_1[3u];
+                                        let _e4988 = local_10.member[3u];
+                                        let _e4994 = local_10.member_2[3u];
+                                        let _e4995 = ((_e4982 + ((_e4985 - _e4988) * _e4010)) - _e4994);
+                                        if (_e4979 < _e4995) {
+                                            phi_3669_ = _e4979;
+                                        } else {
+                                            phi_3669_ = _e4995;
+                                        }
+                                        let _e4998 = phi_3669_;
+                                        if (_e4963 < _e4998) {
+                                            phi_3674_ = _e4963;
+                                        } else {
+                                            phi_3674_ = _e4998;
+                                        }
+                                        let _e5001 = phi_3674_;
+                                        let _e5002 = f64(0.0625f);
+                                        let _e5004 = f64(0.9f);
+                                        if (_e5001 > f64(0f)) {
+                                            phi_3697_ = f64(0.5f);
+                                        } else {
+                                            let _e5010 = (f64(0.95f) * (_e4928 / (_e4928 - _e5001)));
+                                            if (_e5010 > _e5002) {
+                                                if (_e5010 < _e5004) {
+                                                    phi_3695_ = _e5010;
+                                                } else {
+                                                    phi_3695_ = _e5004;
+                                                }
+                                                let _e5014 = phi_3695_;
+                                                phi_3696_ = _e5014;
+                                            } else {
+                                                phi_3696_ = _e5002;
+                                            }
+                                            let _e5016 = phi_3696_;
+                                            phi_3697_ = _e5016;
+                                        }
+                                        let _e5018 = phi_3697_;
+                                        phi_3699_ = u32();
+                                        phi_3700_ = (_e4341 * _e5018);
+                                        phi_3701_ = true;
+                                        phi_3702_ = false;
                                         phi_3703_ = false;
-                                    } else {
-                                        phi_3703_ = true;
                                     }
-                                    let _e4985 = phi_3703_;
-                                    phi_3704_ = _e4977;
-                                    phi_3705_ = _e4983;
-                                    phi_3706_ = _e4985;
-                                    phi_3707_ = false;
-                                    phi_3708_ = false;
-                                    phi_3709_ = false;
+                                    let _e5025 = phi_3699_;
+                                    let _e5027 = phi_3700_;
+                                    let _e5029 = phi_3701_;
+                                    let _e5031 = phi_3702_;
+                                    let _e5033 = phi_3703_;
+                                    phi_3704_ = _e5025;
+                                    phi_3705_ = _e4012;
+                                    phi_3706_ = _e5027;
+                                    phi_3707_ = _e4014;
+                                    phi_3708_ = _e4016;
+                                    phi_3709_ = _e4018;
+                                    phi_3710_ = _e5029;
+                                    phi_3711_ = _e5031;
+                                    phi_3712_ = _e5033;
+                                    phi_3713_ = false;
+                                    phi_3714_ = false;
                                 } else {
-                                    phi_3704_ = f64();
-                                    phi_3705_ = false;
-                                    phi_3706_ = false;
-                                    phi_3707_ = _e4966;
-                                    phi_3708_ = _e4968;
-                                    phi_3709_ = _e4970;
+                                    phi_3704_ = u32();
+                                    phi_3705_ = _e4844;
+                                    phi_3706_ = _e4846;
+                                    phi_3707_ = _e4010;
+                                    phi_3708_ = true;
+                                    phi_3709_ = 0u;
+                                    phi_3710_ = _e4850;
+                                    phi_3711_ = false;
+                                    phi_3712_ = false;
+                                    phi_3713_ = _e4852;
+                                    phi_3714_ = _e4854;
                                 }
-                                let _e4987 = phi_3704_;
-                                let _e4989 = phi_3705_;
-                                let _e4991 = phi_3706_;
-                                let _e4993 = phi_3707_;
-                                let _e4995 = phi_3708_;
-                                let _e4997 = phi_3709_;
-                                phi_2053_ = _e4987;
-                                phi_2055_ = _e4958;
-                                phi_2057_ = _e4962;
-                                phi_3710_ = _e4958;
-                                phi_3711_ = _e4989;
-                                phi_3712_ = _e4991;
-                                phi_3713_ = false;
-                                phi_3714_ = _e4993;
-                                phi_3715_ = _e4995;
-                                phi_3716_ = _e4997;
+                                let _e5035 = phi_3704_;
+                                let _e5037 = phi_3705_;
+                                let _e5039 = phi_3706_;
+                                let _e5041 = phi_3707_;
+                                let _e5043 = phi_3708_;
+                                let _e5045 = phi_3709_;
+                                let _e5047 = phi_3710_;
+                                let _e5049 = phi_3711_;
+                                let _e5051 = phi_3712_;
+                                let _e5053 = phi_3713_;
+                                let _e5055 = phi_3714_;
+                                if _e5047 {
+                                    let _e5056 = (_e5041 + _e5039);
+                                    if (_e5056 > _e5037) {
+                                        phi_3723_ = _e5056;
+                                    } else {
+                                        phi_3723_ = _e5037;
+                                    }
+                                    let _e5059 = phi_3723_;
+                                    if (_e5059 < _e3770) {
+                                        phi_3728_ = _e5059;
+                                    } else {
+                                        phi_3728_ = _e3770;
+                                    }
+                                    let _e5062 = phi_3728_;
+                                    if !(_e4016) {
+                                        phi_3738_ = true;
+                                    } else {
+                                        phi_3738_ = ((_e5062 - _e5041) > f64(0.0000000037252903f));
+                                    }
+                                    let _e5067 = phi_3738_;
+                                    if _e5067 {
+                                        phi_3742_ = false;
+                                    } else {
+                                        phi_3742_ = true;
+                                    }
+                                    let _e5069 = phi_3742_;
+                                    phi_3743_ = _e5062;
+                                    phi_3744_ = _e5037;
+                                    phi_3745_ = _e5041;
+                                    phi_3746_ = _e5043;
+                                    phi_3747_ = _e5045;
+                                    phi_3748_ = _e5067;
+                                    phi_3749_ = _e5069;
+                                    phi_3750_ = false;
+                                    phi_3751_ = false;
+                                    phi_3752_ = false;
+                                } else {
+                                    phi_3743_ = _e4010;
+                                    phi_3744_ = _e4012;
+                                    phi_3745_ = _e4014;
+                                    phi_3746_ = _e4016;
+                                    phi_3747_ = _e5035;
+                                    phi_3748_ = _e5049;
+                                    phi_3749_ = false;
+                                    phi_3750_ = _e5051;
+                                    phi_3751_ = _e5053;
+                                    phi_3752_ = _e5055;
+                                }
+                                let _e5071 = phi_3743_;
+                                let _e5073 = phi_3744_;
+                                let _e5075 = phi_3745_;
+                                let _e5077 = phi_3746_;
+                                let _e5079 = phi_3747_;
+                                let _e5081 = phi_3748_;
+                                let _e5083 = phi_3749_;
+                                let _e5085 = phi_3750_;
+                                let _e5087 = phi_3751_;
+                                let _e5089 = phi_3752_;
+                                phi_2053_ = _e5071;
+                                phi_2055_ = _e5073;
+                                phi_2057_ = _e5075;
+                                phi_2059_ = _e5077;
+                                phi_2061_ = _e5079;
+                                phi_3753_ = _e5037;
+                                phi_3754_ = _e5081;
+                                phi_3755_ = _e5083;
+                                phi_3756_ = false;
+                                phi_3757_ = _e5085;
+                                phi_3758_ = _e5087;
+                                phi_3759_ = _e5089;
                             } else {
                                 phi_2053_ = f64();
                                 phi_2055_ = f64();
                                 phi_2057_ = f64();
-                                phi_3710_ = f64();
-                                phi_3711_ = false;
-                                phi_3712_ = false;
-                                phi_3713_ = true;
-                                phi_3714_ = false;
-                                phi_3715_ = false;
-                                phi_3716_ = false;
+                                phi_2059_ = bool();
+                                phi_2061_ = u32();
+                                phi_3753_ = f64();
+                                phi_3754_ = false;
+                                phi_3755_ = false;
+                                phi_3756_ = true;
+                                phi_3757_ = false;
+                                phi_3758_ = false;
+                                phi_3759_ = false;
                             }
-                            let _e4999 = phi_2053_;
-                            let _e5001 = phi_2055_;
-                            let _e5003 = phi_2057_;
-                            let _e5005 = phi_3710_;
-                            let _e5007 = phi_3711_;
-                            let _e5009 = phi_3712_;
-                            let _e5011 = phi_3713_;
-                            let _e5013 = phi_3714_;
-                            let _e5015 = phi_3715_;
-                            let _e5017 = phi_3716_;
-                            local_25 = _e5009;
-                            local_43 = _e5005;
-                            local_45 = _e5011;
-                            local_46 = _e5013;
-                            local_47 = _e5015;
-                            local_48 = _e5017;
+                            let _e5091 = phi_2053_;
+                            let _e5093 = phi_2055_;
+                            let _e5095 = phi_2057_;
+                            let _e5097 = phi_2059_;
+                            let _e5099 = phi_2061_;
+                            let _e5101 = phi_3753_;
+                            let _e5103 = phi_3754_;
+                            let _e5105 = phi_3755_;
+                            let _e5107 = phi_3756_;
+                            let _e5109 = phi_3757_;
+                            let _e5111 = phi_3758_;
+                            let _e5113 = phi_3759_;
+                            local_25 = _e5105;
+                            local_43 = _e5101;
+                            local_45 = _e5107;
+                            local_46 = _e5109;
+                            local_47 = _e5111;
+                            local_48 = _e5113;
                             continue;
                             continuing {
-                                phi_2049_ = _e3978;
-                                phi_2052_ = _e4999;
-                                phi_2054_ = _e5001;
-                                phi_2056_ = _e5003;
-                                break if !(_e5007);
+                                phi_2049_ = _e4030;
+                                phi_2052_ = _e5091;
+                                phi_2054_ = _e5093;
+                                phi_2056_ = _e5095;
+                                phi_2058_ = _e5097;
+                                phi_2060_ = _e5099;
+                                break if !(_e5103);
                             }
                         }
-                        let _e5020 = local_25;
-                        if _e5020 {
-                            let _e6305 = local_43;
-                            phi_3720_ = _e6305;
-                            phi_3721_ = true;
-                            phi_3722_ = false;
-                            phi_3723_ = false;
-                            phi_3724_ = false;
+                        let _e5116 = local_25;
+                        if _e5116 {
+                            let _e6441 = local_43;
+                            phi_3763_ = _e6441;
+                            phi_3764_ = true;
+                            phi_3765_ = false;
+                            phi_3766_ = false;
+                            phi_3767_ = false;
                         } else {
-                            let _e6307 = local_44;
-                            phi_3720_ = _e6307;
-                            let _e6310 = local_45;
-                            phi_3721_ = _e6310;
-                            let _e6313 = local_46;
-                            phi_3722_ = _e6313;
-                            let _e6316 = local_47;
-                            phi_3723_ = _e6316;
-                            let _e6319 = local_48;
-                            phi_3724_ = _e6319;
+                            let _e6443 = local_44;
+                            phi_3763_ = _e6443;
+                            let _e6446 = local_45;
+                            phi_3764_ = _e6446;
+                            let _e6449 = local_46;
+                            phi_3765_ = _e6449;
+                            let _e6452 = local_47;
+                            phi_3766_ = _e6452;
+                            let _e6455 = local_48;
+                            phi_3767_ = _e6455;
                         }
-                        let _e5022 = phi_3720_;
-                        let _e5024 = phi_3721_;
-                        let _e5026 = phi_3722_;
-                        let _e5028 = phi_3723_;
-                        let _e5030 = phi_3724_;
-                        if _e5024 {
-                            phi_3729_ = type_44(1u, _e5022);
-                            phi_3730_ = false;
-                            phi_3731_ = false;
-                            phi_3732_ = false;
+                        let _e5118 = phi_3763_;
+                        let _e5120 = phi_3764_;
+                        let _e5122 = phi_3765_;
+                        let _e5124 = phi_3766_;
+                        let _e5126 = phi_3767_;
+                        if _e5120 {
+                            phi_3772_ = type_44(1u, _e5118);
+                            phi_3773_ = false;
+                            phi_3774_ = false;
+                            phi_3775_ = false;
                         } else {
-                            phi_3729_ = type_44();
-                            phi_3730_ = _e5026;
-                            phi_3731_ = _e5028;
-                            phi_3732_ = _e5030;
+                            phi_3772_ = type_44();
+                            phi_3773_ = _e5122;
+                            phi_3774_ = _e5124;
+                            phi_3775_ = _e5126;
                         }
-                        let _e5033 = phi_3729_;
-                        let _e5035 = phi_3730_;
-                        let _e5037 = phi_3731_;
-                        let _e5039 = phi_3732_;
-                        if _e5035 {
-                            let _e5041 = local_26;
-                            phi_3737_ = type_44(1u, _e5041);
-                            phi_3738_ = false;
-                            phi_3739_ = false;
+                        let _e5129 = phi_3772_;
+                        let _e5131 = phi_3773_;
+                        let _e5133 = phi_3774_;
+                        let _e5135 = phi_3775_;
+                        if _e5131 {
+                            let _e5137 = local_26;
+                            phi_3780_ = type_44(1u, _e5137);
+                            phi_3781_ = false;
+                            phi_3782_ = false;
                         } else {
-                            phi_3737_ = type_44();
-                            phi_3738_ = _e5037;
-                            phi_3739_ = _e5039;
+                            phi_3780_ = type_44();
+                            phi_3781_ = _e5133;
+                            phi_3782_ = _e5135;
                         }
-                        let _e5044 = phi_3737_;
-                        let _e5046 = phi_3738_;
-                        let _e5048 = phi_3739_;
-                        if _e5046 {
-                            phi_3744_ = type_44(0u, type_44().member_1);
-                            phi_3745_ = false;
-                            phi_3746_ = true;
+                        let _e5140 = phi_3780_;
+                        let _e5142 = phi_3781_;
+                        let _e5144 = phi_3782_;
+                        if _e5142 {
+                            phi_3787_ = type_44(0u, type_44().member_1);
+                            phi_3788_ = false;
+                            phi_3789_ = true;
                         } else {
-                            phi_3744_ = _e5044;
-                            phi_3745_ = _e5048;
-                            phi_3746_ = _e5035;
+                            phi_3787_ = _e5140;
+                            phi_3788_ = _e5144;
+                            phi_3789_ = _e5131;
                         }
-                        let _e5052 = phi_3744_;
-                        let _e5054 = phi_3745_;
-                        let _e5056 = phi_3746_;
-                        if _e5054 {
-                            phi_3751_ = type_44(0u, type_44().member_1);
-                            phi_3752_ = true;
+                        let _e5148 = phi_3787_;
+                        let _e5150 = phi_3788_;
+                        let _e5152 = phi_3789_;
+                        if _e5150 {
+                            phi_3794_ = type_44(0u, type_44().member_1);
+                            phi_3795_ = true;
                         } else {
-                            phi_3751_ = _e5052;
-                            phi_3752_ = _e5056;
+                            phi_3794_ = _e5148;
+                            phi_3795_ = _e5152;
                         }
-                        let _e5060 = phi_3751_;
-                        let _e5062 = phi_3752_;
-                        if _e5062 {
-                            phi_3756_ = _e5060;
+                        let _e5156 = phi_3794_;
+                        let _e5158 = phi_3795_;
+                        if _e5158 {
+                            phi_3799_ = _e5156;
                         } else {
-                            phi_3756_ = _e5033;
+                            phi_3799_ = _e5129;
                         }
-                        let _e5064 = phi_3756_;
-                        if (_e5064.member != 0u) {
+                        let _e5160 = phi_3799_;
+                        if (_e5160.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_3770_ = type_9(0u, 3u);
+                            phi_3813_ = type_9(0u, 3u);
                             loop {
-                                let _e5076 = phi_3770_;
-                                if (_e5076.member < _e5076.member_1) {
-                                    phi_3771_ = type_9((_e5076.member + 1u), _e5076.member_1);
-                                    phi_3794_ = type_9(1u, _e5076.member);
+                                let _e5172 = phi_3813_;
+                                if (_e5172.member < _e5172.member_1) {
+                                    phi_3814_ = type_9((_e5172.member + 1u), _e5172.member_1);
+                                    phi_3837_ = type_9(1u, _e5172.member);
                                 } else {
-                                    phi_3771_ = _e5076;
-                                    phi_3794_ = type_9(0u, type_9().member_1);
+                                    phi_3814_ = _e5172;
+                                    phi_3837_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e5088 = phi_3771_;
-                                let _e5090 = phi_3794_;
-                                if (bitcast<i32>(_e5090.member) != 0i) {
-                                    let _e5096 = local_11[_e5090.member_1];
-                                    let _e5098 = (_e5064.member_1 + f64(_e5096));
-                                    if (_e5098 < _e3722) {
-                                        phi_3815_ = _e5098;
+                                let _e5184 = phi_3814_;
+                                let _e5186 = phi_3837_;
+                                if (bitcast<i32>(_e5186.member) != 0i) {
+                                    let _e5192 = local_11[_e5186.member_1];
+                                    let _e5194 = (_e5160.member_1 + f64(_e5192));
+                                    if (_e5194 < _e3770) {
+                                        phi_3858_ = _e5194;
                                     } else {
-                                        phi_3815_ = _e3722;
+                                        phi_3858_ = _e3770;
                                     }
-                                    let _e5101 = phi_3815_;
-                                    let _e5104 = local_12.member[0u];
-                                    let _e5110 = local_12.member[1u];
-                                    let _e5126 = local_12.member_1[0u];
-                                    let _e5132 = local_12.member_1[1u];
-                                    let _e5148 = local_12.member_2[0u];
-                                    let _e5154 = local_12.member_2[1u];
-                                    let _e5168 = function_2(array<f64, 3>((_e5104[0] + ((_e5110[0] - _e5104[0]) * _e5101)), (_e5104[1] + ((_e5110[1] - _e5104[1]) * _e5101)), (_e5104[2] + ((_e5110[2] - _e5104[2]) * _e5101))), array<f64, 3>((_e5126[0] + ((_e5132[0] - _e5126[0]) * _e5101)), (_e5126[1] + ((_e5132[1] - _e5126[1]) * _e5101)), (_e5126[2] + ((_e5132[2] - _e5126[2]) * _e5101))), array<f64, 3>((_e5148[0] + ((_e5154[0] - _e5148[0]) * _e5101)), (_e5148[1] + ((_e5154[1] - _e5148[1]) * _e5101)), (_e5148[2] + ((_e5154[2] - _e5148[2]) * _e5101))), 1u);
-                                    let _e5179 = (((_e5168[0] * _e5168[0]) + (_e5168[1] * _e5168[1])) + (_e5168[2] * _e5168[2]));
-                                    if (_e5179 <= 2.2250738585072014e-308lf) {
-                                        if (_e5179 > 0.0lf) {
-                                            phi_3938_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e5197 = phi_3858_;
+                                    let _e5200 = local_12.member[0u];
+                                    let _e5206 = local_12.member[1u];
+                                    let _e5222 = local_12.member_1[0u];
+                                    let _e5228 = local_12.member_1[1u];
+                                    let _e5244 = local_12.member_2[0u];
+                                    let _e5250 = local_12.member_2[1u];
+                                    let _e5264 = function_2(array<f64, 3>((_e5200[0] + ((_e5206[0] - _e5200[0]) * _e5197)), (_e5200[1] + ((_e5206[1] - _e5200[1]) * _e5197)), (_e5200[2] + ((_e5206[2] - _e5200[2]) * _e5197))), array<f64, 3>((_e5222[0] + ((_e5228[0] - _e5222[0]) * _e5197)), (_e5222[1] + ((_e5228[1] - _e5222[1]) * _e5197)), (_e5222[2] + ((_e5228[2] - _e5222[2]) * _e5197))), array<f64, 3>((_e5244[0] + ((_e5250[0] - _e5244[0]) * _e5197)), (_e5244[1] + ((_e5250[1] - _e5244[1]) * _e5197)), (_e5244[2] + ((_e5250[2] - _e5244[2]) * _e5197))), 1u);
+                                    let _e5275 = (((_e5264[0] * _e5264[0]) + (_e5264[1] * _e5264[1])) + (_e5264[2] * _e5264[2]));
+                                    if (_e5275 <= 2.2250738585072014e-308lf) {
+                                        if (_e5275 > 0.0lf) {
+                                            phi_3981_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_3938_ = 0.0lf;
+                                            phi_3981_ = 0.0lf;
                                         }
-                                        let _e5231 = phi_3938_;
-                                        phi_4002_ = _e5231;
+                                        let _e5327 = phi_3981_;
+                                        phi_4045_ = _e5327;
                                     } else {
-                                        phi_3945_ = type_16(0i, 5i);
-                                        phi_3948_ = bitcast<f64>(((bitcast<u64>(_e5179) / 2lu) + 2303426169912950784lu));
+                                        phi_3988_ = type_16(0i, 5i);
+                                        phi_3991_ = bitcast<f64>(((bitcast<u64>(_e5275) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e5186 = phi_3945_;
-                                            let _e5188 = phi_3948_;
-                                            local_27 = _e5188;
-                                            if (_e5186.member < _e5186.member_1) {
-                                                let _e5195 = (_e5186.member + 1i);
-                                                if ((false == (_e5195 > _e5186.member)) != false) {
-                                                    phi_3969_ = true;
+                                            let _e5282 = phi_3988_;
+                                            let _e5284 = phi_3991_;
+                                            local_27 = _e5284;
+                                            if (_e5282.member < _e5282.member_1) {
+                                                let _e5291 = (_e5282.member + 1i);
+                                                if ((false == (_e5291 > _e5282.member)) != false) {
+                                                    phi_4012_ = true;
                                                 } else {
-                                                    phi_3969_ = false;
+                                                    phi_4012_ = false;
                                                 }
-                                                let _e5200 = phi_3969_;
-                                                if _e5200 {
-                                                    phi_3975_ = type_17(0u, type_17().member_1);
+                                                let _e5296 = phi_4012_;
+                                                if _e5296 {
+                                                    phi_4018_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_3975_ = type_17(1u, _e5195);
+                                                    phi_4018_ = type_17(1u, _e5291);
                                                 }
-                                                let _e5205 = phi_3975_;
-                                                phi_3946_ = type_16(_e5205.member_1, _e5186.member_1);
-                                                phi_3989_ = type_17(1u, _e5186.member);
+                                                let _e5301 = phi_4018_;
+                                                phi_3989_ = type_16(_e5301.member_1, _e5282.member_1);
+                                                phi_4032_ = type_17(1u, _e5282.member);
                                             } else {
-                                                phi_3946_ = _e5186;
-                                                phi_3989_ = type_17(0u, type_17().member_1);
+                                                phi_3989_ = _e5282;
+                                                phi_4032_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e5211 = phi_3946_;
-                                            let _e5213 = phi_3989_;
-                                            let _e5216 = (bitcast<i32>(_e5213.member) != 0i);
-                                            if _e5216 {
-                                                phi_3949_ = (0.5lf * (_e5188 + (_e5179 / _e5188)));
+                                            let _e5307 = phi_3989_;
+                                            let _e5309 = phi_4032_;
+                                            let _e5312 = (bitcast<i32>(_e5309.member) != 0i);
+                                            if _e5312 {
+                                                phi_3992_ = (0.5lf * (_e5284 + (_e5275 / _e5284)));
                                             } else {
-                                                phi_3949_ = f64();
+                                                phi_3992_ = f64();
                                             }
-                                            let _e5221 = phi_3949_;
+                                            let _e5317 = phi_3992_;
                                             continue;
                                             continuing {
-                                                phi_3945_ = _e5211;
-                                                phi_3948_ = _e5221;
-                                                break if !(_e5216);
+                                                phi_3988_ = _e5307;
+                                                phi_3991_ = _e5317;
+                                                break if !(_e5312);
                                             }
                                         }
-                                        let _e5226 = local_27;
-                                        phi_4002_ = (_e5226 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e5322 = local_27;
+                                        phi_4045_ = (_e5322 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e5233 = phi_4002_;
-                                    let _e5241 = local_12.member[0u];
-                                    if (_e5241[0] < 0.0lf) {
-                                        phi_4020_ = -(_e5241[0]);
+                                    let _e5329 = phi_4045_;
+                                    let _e5337 = local_12.member[0u];
+                                    if (_e5337[0] < 0.0lf) {
+                                        phi_4063_ = -(_e5337[0]);
                                     } else {
-                                        phi_4020_ = _e5241[0];
+                                        phi_4063_ = _e5337[0];
                                     }
-                                    let _e5248 = phi_4020_;
-                                    if (_e5241[1] < 0.0lf) {
-                                        phi_4027_ = -(_e5241[1]);
+                                    let _e5344 = phi_4063_;
+                                    if (_e5337[1] < 0.0lf) {
+                                        phi_4070_ = -(_e5337[1]);
                                     } else {
-                                        phi_4027_ = _e5241[1];
+                                        phi_4070_ = _e5337[1];
                                     }
-                                    let _e5252 = phi_4027_;
-                                    if (_e5248 > _e5252) {
-                                        phi_4032_ = _e5248;
+                                    let _e5348 = phi_4070_;
+                                    if (_e5344 > _e5348) {
+                                        phi_4075_ = _e5344;
                                     } else {
-                                        phi_4032_ = _e5252;
+                                        phi_4075_ = _e5348;
                                     }
-                                    let _e5255 = phi_4032_;
-                                    if (_e5241[2] < 0.0lf) {
-                                        phi_4039_ = -(_e5241[2]);
+                                    let _e5351 = phi_4075_;
+                                    if (_e5337[2] < 0.0lf) {
+                                        phi_4082_ = -(_e5337[2]);
                                     } else {
-                                        phi_4039_ = _e5241[2];
+                                        phi_4082_ = _e5337[2];
                                     }
-                                    let _e5259 = phi_4039_;
-                                    if (_e5255 > _e5259) {
-                                        phi_4044_ = _e5255;
+                                    let _e5355 = phi_4082_;
+                                    if (_e5351 > _e5355) {
+                                        phi_4087_ = _e5351;
                                     } else {
-                                        phi_4044_ = _e5259;
+                                        phi_4087_ = _e5355;
                                     }
-                                    let _e5262 = phi_4044_;
-                                    let _e5265 = local_12.member[1u];
-                                    if (_e5265[0] < 0.0lf) {
-                                        phi_4057_ = -(_e5265[0]);
+                                    let _e5358 = phi_4087_;
+                                    let _e5361 = local_12.member[1u];
+                                    if (_e5361[0] < 0.0lf) {
+                                        phi_4100_ = -(_e5361[0]);
                                     } else {
-                                        phi_4057_ = _e5265[0];
+                                        phi_4100_ = _e5361[0];
                                     }
-                                    let _e5272 = phi_4057_;
-                                    if (_e5265[1] < 0.0lf) {
-                                        phi_4064_ = -(_e5265[1]);
+                                    let _e5368 = phi_4100_;
+                                    if (_e5361[1] < 0.0lf) {
+                                        phi_4107_ = -(_e5361[1]);
                                     } else {
-                                        phi_4064_ = _e5265[1];
+                                        phi_4107_ = _e5361[1];
                                     }
-                                    let _e5276 = phi_4064_;
-                                    if (_e5272 > _e5276) {
-                                        phi_4069_ = _e5272;
+                                    let _e5372 = phi_4107_;
+                                    if (_e5368 > _e5372) {
+                                        phi_4112_ = _e5368;
                                     } else {
-                                        phi_4069_ = _e5276;
+                                        phi_4112_ = _e5372;
                                     }
-                                    let _e5279 = phi_4069_;
-                                    if (_e5265[2] < 0.0lf) {
-                                        phi_4076_ = -(_e5265[2]);
+                                    let _e5375 = phi_4112_;
+                                    if (_e5361[2] < 0.0lf) {
+                                        phi_4119_ = -(_e5361[2]);
                                     } else {
-                                        phi_4076_ = _e5265[2];
+                                        phi_4119_ = _e5361[2];
                                     }
-                                    let _e5283 = phi_4076_;
-                                    if (_e5279 > _e5283) {
-                                        phi_4081_ = _e5279;
+                                    let _e5379 = phi_4119_;
+                                    if (_e5375 > _e5379) {
+                                        phi_4124_ = _e5375;
                                     } else {
-                                        phi_4081_ = _e5283;
+                                        phi_4124_ = _e5379;
                                     }
-                                    let _e5286 = phi_4081_;
-                                    if (_e5262 > _e5286) {
-                                        phi_4086_ = _e5262;
+                                    let _e5382 = phi_4124_;
+                                    if (_e5358 > _e5382) {
+                                        phi_4129_ = _e5358;
                                     } else {
-                                        phi_4086_ = _e5286;
+                                        phi_4129_ = _e5382;
                                     }
-                                    let _e5289 = phi_4086_;
-                                    let _e5291 = local_12.member_3;
-                                    let _e5295 = local_12.member_1[0u];
-                                    if (_e5295[0] < 0.0lf) {
-                                        phi_4103_ = -(_e5295[0]);
+                                    let _e5385 = phi_4129_;
+                                    let _e5387 = local_12.member_3;
+                                    let _e5391 = local_12.member_1[0u];
+                                    if (_e5391[0] < 0.0lf) {
+                                        phi_4146_ = -(_e5391[0]);
                                     } else {
-                                        phi_4103_ = _e5295[0];
+                                        phi_4146_ = _e5391[0];
                                     }
-                                    let _e5302 = phi_4103_;
-                                    if (_e5295[1] < 0.0lf) {
-                                        phi_4110_ = -(_e5295[1]);
+                                    let _e5398 = phi_4146_;
+                                    if (_e5391[1] < 0.0lf) {
+                                        phi_4153_ = -(_e5391[1]);
                                     } else {
-                                        phi_4110_ = _e5295[1];
+                                        phi_4153_ = _e5391[1];
                                     }
-                                    let _e5306 = phi_4110_;
-                                    if (_e5302 > _e5306) {
-                                        phi_4115_ = _e5302;
+                                    let _e5402 = phi_4153_;
+                                    if (_e5398 > _e5402) {
+                                        phi_4158_ = _e5398;
                                     } else {
-                                        phi_4115_ = _e5306;
+                                        phi_4158_ = _e5402;
                                     }
-                                    let _e5309 = phi_4115_;
-                                    if (_e5295[2] < 0.0lf) {
-                                        phi_4122_ = -(_e5295[2]);
+                                    let _e5405 = phi_4158_;
+                                    if (_e5391[2] < 0.0lf) {
+                                        phi_4165_ = -(_e5391[2]);
                                     } else {
-                                        phi_4122_ = _e5295[2];
+                                        phi_4165_ = _e5391[2];
                                     }
-                                    let _e5313 = phi_4122_;
-                                    if (_e5309 > _e5313) {
-                                        phi_4127_ = _e5309;
+                                    let _e5409 = phi_4165_;
+                                    if (_e5405 > _e5409) {
+                                        phi_4170_ = _e5405;
                                     } else {
-                                        phi_4127_ = _e5313;
+                                        phi_4170_ = _e5409;
                                     }
-                                    let _e5316 = phi_4127_;
-                                    let _e5319 = local_12.member_1[1u];
-                                    if (_e5319[0] < 0.0lf) {
-                                        phi_4141_ = -(_e5319[0]);
+                                    let _e5412 = phi_4170_;
+                                    let _e5415 = local_12.member_1[1u];
+                                    if (_e5415[0] < 0.0lf) {
+                                        phi_4184_ = -(_e5415[0]);
                                     } else {
-                                        phi_4141_ = _e5319[0];
+                                        phi_4184_ = _e5415[0];
                                     }
-                                    let _e5326 = phi_4141_;
-                                    if (_e5319[1] < 0.0lf) {
-                                        phi_4148_ = -(_e5319[1]);
+                                    let _e5422 = phi_4184_;
+                                    if (_e5415[1] < 0.0lf) {
+                                        phi_4191_ = -(_e5415[1]);
                                     } else {
-                                        phi_4148_ = _e5319[1];
+                                        phi_4191_ = _e5415[1];
                                     }
-                                    let _e5330 = phi_4148_;
-                                    if (_e5326 > _e5330) {
-                                        phi_4153_ = _e5326;
+                                    let _e5426 = phi_4191_;
+                                    if (_e5422 > _e5426) {
+                                        phi_4196_ = _e5422;
                                     } else {
-                                        phi_4153_ = _e5330;
+                                        phi_4196_ = _e5426;
                                     }
-                                    let _e5333 = phi_4153_;
-                                    if (_e5319[2] < 0.0lf) {
-                                        phi_4160_ = -(_e5319[2]);
+                                    let _e5429 = phi_4196_;
+                                    if (_e5415[2] < 0.0lf) {
+                                        phi_4203_ = -(_e5415[2]);
                                     } else {
-                                        phi_4160_ = _e5319[2];
+                                        phi_4203_ = _e5415[2];
                                     }
-                                    let _e5337 = phi_4160_;
-                                    if (_e5333 > _e5337) {
-                                        phi_4165_ = _e5333;
+                                    let _e5433 = phi_4203_;
+                                    if (_e5429 > _e5433) {
+                                        phi_4208_ = _e5429;
                                     } else {
-                                        phi_4165_ = _e5337;
+                                        phi_4208_ = _e5433;
                                     }
-                                    let _e5340 = phi_4165_;
-                                    if (_e5316 > _e5340) {
-                                        phi_4170_ = _e5316;
+                                    let _e5436 = phi_4208_;
+                                    if (_e5412 > _e5436) {
+                                        phi_4213_ = _e5412;
                                     } else {
-                                        phi_4170_ = _e5340;
+                                        phi_4213_ = _e5436;
                                     }
-                                    let _e5343 = phi_4170_;
-                                    let _e5345 = local_12.member_3;
-                                    let _e5349 = local_12.member_2[0u];
-                                    if (_e5349[0] < 0.0lf) {
-                                        phi_4187_ = -(_e5349[0]);
+                                    let _e5439 = phi_4213_;
+                                    let _e5441 = local_12.member_3;
+                                    let _e5445 = local_12.member_2[0u];
+                                    if (_e5445[0] < 0.0lf) {
+                                        phi_4230_ = -(_e5445[0]);
                                     } else {
-                                        phi_4187_ = _e5349[0];
+                                        phi_4230_ = _e5445[0];
                                     }
-                                    let _e5356 = phi_4187_;
-                                    if (_e5349[1] < 0.0lf) {
-                                        phi_4194_ = -(_e5349[1]);
+                                    let _e5452 = phi_4230_;
+                                    if (_e5445[1] < 0.0lf) {
+                                        phi_4237_ = -(_e5445[1]);
                                     } else {
-                                        phi_4194_ = _e5349[1];
+                                        phi_4237_ = _e5445[1];
                                     }
-                                    let _e5360 = phi_4194_;
-                                    if (_e5356 > _e5360) {
-                                        phi_4199_ = _e5356;
+                                    let _e5456 = phi_4237_;
+                                    if (_e5452 > _e5456) {
+                                        phi_4242_ = _e5452;
                                     } else {
-                                        phi_4199_ = _e5360;
+                                        phi_4242_ = _e5456;
                                     }
-                                    let _e5363 = phi_4199_;
-                                    if (_e5349[2] < 0.0lf) {
-                                        phi_4206_ = -(_e5349[2]);
+                                    let _e5459 = phi_4242_;
+                                    if (_e5445[2] < 0.0lf) {
+                                        phi_4249_ = -(_e5445[2]);
                                     } else {
-                                        phi_4206_ = _e5349[2];
+                                        phi_4249_ = _e5445[2];
                                     }
-                                    let _e5367 = phi_4206_;
-                                    if (_e5363 > _e5367) {
-                                        phi_4211_ = _e5363;
+                                    let _e5463 = phi_4249_;
+                                    if (_e5459 > _e5463) {
+                                        phi_4254_ = _e5459;
                                     } else {
-                                        phi_4211_ = _e5367;
+                                        phi_4254_ = _e5463;
                                     }
-                                    let _e5370 = phi_4211_;
-                                    let _e5373 = local_12.member_2[1u];
-                                    if (_e5373[0] < 0.0lf) {
-                                        phi_4225_ = -(_e5373[0]);
+                                    let _e5466 = phi_4254_;
+                                    let _e5469 = local_12.member_2[1u];
+                                    if (_e5469[0] < 0.0lf) {
+                                        phi_4268_ = -(_e5469[0]);
                                     } else {
-                                        phi_4225_ = _e5373[0];
+                                        phi_4268_ = _e5469[0];
                                     }
-                                    let _e5380 = phi_4225_;
-                                    if (_e5373[1] < 0.0lf) {
-                                        phi_4232_ = -(_e5373[1]);
+                                    let _e5476 = phi_4268_;
+                                    if (_e5469[1] < 0.0lf) {
+                                        phi_4275_ = -(_e5469[1]);
                                     } else {
-                                        phi_4232_ = _e5373[1];
+                                        phi_4275_ = _e5469[1];
                                     }
-                                    let _e5384 = phi_4232_;
-                                    if (_e5380 > _e5384) {
-                                        phi_4237_ = _e5380;
+                                    let _e5480 = phi_4275_;
+                                    if (_e5476 > _e5480) {
+                                        phi_4280_ = _e5476;
                                     } else {
-                                        phi_4237_ = _e5384;
+                                        phi_4280_ = _e5480;
                                     }
-                                    let _e5387 = phi_4237_;
-                                    if (_e5373[2] < 0.0lf) {
-                                        phi_4244_ = -(_e5373[2]);
+                                    let _e5483 = phi_4280_;
+                                    if (_e5469[2] < 0.0lf) {
+                                        phi_4287_ = -(_e5469[2]);
                                     } else {
-                                        phi_4244_ = _e5373[2];
+                                        phi_4287_ = _e5469[2];
                                     }
-                                    let _e5391 = phi_4244_;
-                                    if (_e5387 > _e5391) {
-                                        phi_4249_ = _e5387;
+                                    let _e5487 = phi_4287_;
+                                    if (_e5483 > _e5487) {
+                                        phi_4292_ = _e5483;
                                     } else {
-                                        phi_4249_ = _e5391;
+                                        phi_4292_ = _e5487;
                                     }
-                                    let _e5394 = phi_4249_;
-                                    if (_e5370 > _e5394) {
-                                        phi_4254_ = _e5370;
+                                    let _e5490 = phi_4292_;
+                                    if (_e5466 > _e5490) {
+                                        phi_4297_ = _e5466;
                                     } else {
-                                        phi_4254_ = _e5394;
+                                        phi_4297_ = _e5490;
                                     }
-                                    let _e5397 = phi_4254_;
-                                    let _e5399 = local_12.member_3;
-                                    let _e5407 = local_12.member_3;
-                                    let _e5417 = (((_e5233 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5289 + _e5291) + (_e5343 + _e5345)) + (_e5397 + _e5399)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5407 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e578.member_1);
-                                    if _e5417 {
-                                        phi_4278_ = false;
+                                    let _e5493 = phi_4297_;
+                                    let _e5495 = local_12.member_3;
+                                    let _e5503 = local_12.member_3;
+                                    let _e5513 = (((_e5329 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5385 + _e5387) + (_e5439 + _e5441)) + (_e5493 + _e5495)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5503 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e578.member_1);
+                                    if _e5513 {
+                                        phi_4321_ = false;
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4321_ = true;
                                     }
-                                    let _e5419 = phi_4278_;
-                                    phi_4279_ = _e5419;
-                                    phi_4280_ = _e5417;
+                                    let _e5515 = phi_4321_;
+                                    phi_4322_ = _e5515;
+                                    phi_4323_ = _e5513;
                                 } else {
-                                    phi_4279_ = false;
-                                    phi_4280_ = false;
+                                    phi_4322_ = false;
+                                    phi_4323_ = false;
                                 }
-                                let _e5421 = phi_4279_;
-                                let _e5423 = phi_4280_;
-                                local_28 = _e5423;
+                                let _e5517 = phi_4322_;
+                                let _e5519 = phi_4323_;
+                                local_28 = _e5519;
                                 continue;
                                 continuing {
-                                    phi_3770_ = _e5088;
-                                    break if !(_e5421);
+                                    phi_3813_ = _e5184;
+                                    break if !(_e5517);
                                 }
                             }
-                            let _e5426 = local_28;
-                            if _e5426 {
-                                phi_4285_ = type_44(1u, _e5064.member_1);
-                                phi_4286_ = false;
+                            let _e5522 = local_28;
+                            if _e5522 {
+                                phi_4328_ = type_44(1u, _e5160.member_1);
+                                phi_4329_ = false;
                             } else {
-                                phi_4285_ = type_44();
-                                phi_4286_ = true;
+                                phi_4328_ = type_44();
+                                phi_4329_ = true;
                             }
-                            let _e5429 = phi_4285_;
-                            let _e5431 = phi_4286_;
-                            if _e5431 {
-                                phi_4291_ = type_44(2u, _e5064.member_1);
-                                phi_4292_ = false;
+                            let _e5525 = phi_4328_;
+                            let _e5527 = phi_4329_;
+                            if _e5527 {
+                                phi_4334_ = type_44(2u, _e5160.member_1);
+                                phi_4335_ = false;
                             } else {
-                                phi_4291_ = type_44();
-                                phi_4292_ = true;
+                                phi_4334_ = type_44();
+                                phi_4335_ = true;
                             }
-                            let _e5434 = phi_4291_;
-                            let _e5436 = phi_4292_;
-                            phi_4294_ = _e5434;
-                            phi_4295_ = _e5429;
-                            phi_4296_ = _e5436;
+                            let _e5530 = phi_4334_;
+                            let _e5532 = phi_4335_;
+                            phi_4337_ = _e5530;
+                            phi_4338_ = _e5525;
+                            phi_4339_ = _e5532;
                         } else {
-                            phi_4294_ = type_44();
-                            phi_4295_ = type_44(0u, type_44().member_1);
-                            phi_4296_ = true;
+                            phi_4337_ = type_44();
+                            phi_4338_ = type_44(0u, type_44().member_1);
+                            phi_4339_ = true;
                         }
-                        let _e5438 = phi_4294_;
-                        let _e5440 = phi_4295_;
-                        let _e5442 = phi_4296_;
-                        if _e5442 {
-                            phi_4300_ = _e5440;
+                        let _e5534 = phi_4337_;
+                        let _e5536 = phi_4338_;
+                        let _e5538 = phi_4339_;
+                        if _e5538 {
+                            phi_4343_ = _e5536;
                         } else {
-                            phi_4300_ = _e5438;
+                            phi_4343_ = _e5534;
                         }
-                        let _e5444 = phi_4300_;
-                        phi_8270_ = _e5444;
+                        let _e5540 = phi_4343_;
+                        phi_8356_ = _e5540;
                     } else {
                         if (_e716 < 0.0lf) {
-                            phi_4311_ = -(_e716);
+                            phi_4354_ = -(_e716);
                         } else {
-                            phi_4311_ = _e716;
+                            phi_4354_ = _e716;
                         }
-                        let _e1073 = phi_4311_;
+                        let _e1073 = phi_4354_;
                         if (_e739 < 0.0lf) {
-                            phi_4317_ = -(_e739);
+                            phi_4360_ = -(_e739);
                         } else {
-                            phi_4317_ = _e739;
+                            phi_4360_ = _e739;
                         }
-                        let _e1077 = phi_4317_;
+                        let _e1077 = phi_4360_;
                         if (_e1073 > _e1077) {
-                            phi_4322_ = _e1073;
+                            phi_4365_ = _e1073;
                         } else {
-                            phi_4322_ = _e1077;
+                            phi_4365_ = _e1077;
                         }
-                        let _e1080 = phi_4322_;
+                        let _e1080 = phi_4365_;
                         if (_e762 < 0.0lf) {
-                            phi_4328_ = -(_e762);
+                            phi_4371_ = -(_e762);
                         } else {
-                            phi_4328_ = _e762;
+                            phi_4371_ = _e762;
                         }
-                        let _e1084 = phi_4328_;
+                        let _e1084 = phi_4371_;
                         if (_e773 < 0.0lf) {
-                            phi_4334_ = -(_e773);
+                            phi_4377_ = -(_e773);
                         } else {
-                            phi_4334_ = _e773;
+                            phi_4377_ = _e773;
                         }
-                        let _e1088 = phi_4334_;
+                        let _e1088 = phi_4377_;
                         if (_e1084 > _e1088) {
-                            phi_4339_ = _e1084;
+                            phi_4382_ = _e1084;
                         } else {
-                            phi_4339_ = _e1088;
+                            phi_4382_ = _e1088;
                         }
-                        let _e1091 = phi_4339_;
+                        let _e1091 = phi_4382_;
                         if (_e1080 > _e1091) {
-                            phi_4344_ = _e1080;
+                            phi_4387_ = _e1080;
                         } else {
-                            phi_4344_ = _e1091;
+                            phi_4387_ = _e1091;
                         }
-                        let _e1094 = phi_4344_;
+                        let _e1094 = phi_4387_;
                         let _e1096 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e1097 = f64(1f);
                         if (_e1094 >= _e1096) {
-                            phi_4354_ = (_e1094 <= (_e1097 / _e1096));
+                            phi_4397_ = (_e1094 <= (_e1097 / _e1096));
                         } else {
-                            phi_4354_ = false;
+                            phi_4397_ = false;
                         }
-                        let _e1102 = phi_4354_;
+                        let _e1102 = phi_4397_;
                         if _e1102 {
-                            phi_4361_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_4404_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4361_ = f64(2f);
+                            phi_4404_ = f64(2f);
                         }
-                        let _e1107 = phi_4361_;
+                        let _e1107 = phi_4404_;
                         let _e1109 = ((_e1032 * f64(0.34f)) + (_e1094 * _e1107));
                         if _e1102 {
-                            phi_4369_ = (_e1097 / _e1094);
+                            phi_4412_ = (_e1097 / _e1094);
                         } else {
-                            phi_4369_ = f64(0f);
+                            phi_4412_ = f64(0f);
                         }
-                        let _e1113 = phi_4369_;
+                        let _e1113 = phi_4412_;
                         let _e1114 = f64(0f);
                         let _e1115 = f64(1f);
                         let _e1116 = f64(3f);
@@ -3664,65 +3781,65 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e1131 > _e1114) {
                             if (_e1131 <= 2.2250738585072014e-308lf) {
                                 if (_e1131 > 0.0lf) {
-                                    phi_4405_ = (1.464336215552873e-154lf * 2.0lf);
+                                    phi_4448_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_4405_ = 0.0lf;
+                                    phi_4448_ = 0.0lf;
                                 }
-                                let _e1184 = phi_4405_;
-                                phi_4469_ = _e1184;
+                                let _e1184 = phi_4448_;
+                                phi_4512_ = _e1184;
                             } else {
-                                phi_4412_ = type_16(0i, 5i);
-                                phi_4415_ = bitcast<f64>(((bitcast<u64>(_e1131) / 2lu) + 2303426169912950784lu));
+                                phi_4455_ = type_16(0i, 5i);
+                                phi_4458_ = bitcast<f64>(((bitcast<u64>(_e1131) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e1139 = phi_4412_;
-                                    let _e1141 = phi_4415_;
+                                    let _e1139 = phi_4455_;
+                                    let _e1141 = phi_4458_;
                                     local_13 = _e1141;
                                     if (_e1139.member < _e1139.member_1) {
                                         let _e1148 = (_e1139.member + 1i);
                                         if ((false == (_e1148 > _e1139.member)) != false) {
-                                            phi_4436_ = true;
+                                            phi_4479_ = true;
                                         } else {
-                                            phi_4436_ = false;
+                                            phi_4479_ = false;
                                         }
-                                        let _e1153 = phi_4436_;
+                                        let _e1153 = phi_4479_;
                                         if _e1153 {
-                                            phi_4442_ = type_17(0u, type_17().member_1);
+                                            phi_4485_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_4442_ = type_17(1u, _e1148);
+                                            phi_4485_ = type_17(1u, _e1148);
                                         }
-                                        let _e1158 = phi_4442_;
-                                        phi_4413_ = type_16(_e1158.member_1, _e1139.member_1);
-                                        phi_4456_ = type_17(1u, _e1139.member);
+                                        let _e1158 = phi_4485_;
+                                        phi_4456_ = type_16(_e1158.member_1, _e1139.member_1);
+                                        phi_4499_ = type_17(1u, _e1139.member);
                                     } else {
-                                        phi_4413_ = _e1139;
-                                        phi_4456_ = type_17(0u, type_17().member_1);
+                                        phi_4456_ = _e1139;
+                                        phi_4499_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e1164 = phi_4413_;
-                                    let _e1166 = phi_4456_;
+                                    let _e1164 = phi_4456_;
+                                    let _e1166 = phi_4499_;
                                     let _e1169 = (bitcast<i32>(_e1166.member) != 0i);
                                     if _e1169 {
-                                        phi_4416_ = (0.5lf * (_e1141 + (_e1131 / _e1141)));
+                                        phi_4459_ = (0.5lf * (_e1141 + (_e1131 / _e1141)));
                                     } else {
-                                        phi_4416_ = f64();
+                                        phi_4459_ = f64();
                                     }
-                                    let _e1174 = phi_4416_;
+                                    let _e1174 = phi_4459_;
                                     continue;
                                     continuing {
-                                        phi_4412_ = _e1164;
-                                        phi_4415_ = _e1174;
+                                        phi_4455_ = _e1164;
+                                        phi_4458_ = _e1174;
                                         break if !(_e1169);
                                     }
                                 }
                                 let _e1179 = local_13;
-                                phi_4469_ = (_e1179 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                phi_4512_ = (_e1179 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e1186 = phi_4469_;
+                            let _e1186 = phi_4512_;
                             if (_e1123 < _e1114) {
-                                phi_4475_ = -(_e1186);
+                                phi_4518_ = -(_e1186);
                             } else {
-                                phi_4475_ = _e1186;
+                                phi_4518_ = _e1186;
                             }
-                            let _e1190 = phi_4475_;
+                            let _e1190 = phi_4518_;
                             let _e1192 = -((_e1123 + _e1190));
                             local_7[0u] = (_e1192 / (_e1192 + _e1124));
                             local_7[1u] = (_e1122 / (_e1122 + _e1192));
@@ -3734,21 +3851,21 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1205;
                                 local_7[1u] = _e1207;
                             }
-                            phi_4500_ = type_9(0u, 2u);
-                            phi_4503_ = 1u;
+                            phi_4543_ = type_9(0u, 2u);
+                            phi_4546_ = 1u;
                             loop {
-                                let _e1211 = phi_4500_;
-                                let _e1213 = phi_4503_;
+                                let _e1211 = phi_4543_;
+                                let _e1213 = phi_4546_;
                                 local_29 = _e1213;
                                 if (_e1211.member < _e1211.member_1) {
-                                    phi_4501_ = type_9((_e1211.member + 1u), _e1211.member_1);
-                                    phi_4526_ = type_9(1u, _e1211.member);
+                                    phi_4544_ = type_9((_e1211.member + 1u), _e1211.member_1);
+                                    phi_4569_ = type_9(1u, _e1211.member);
                                 } else {
-                                    phi_4501_ = _e1211;
-                                    phi_4526_ = type_9(0u, type_9().member_1);
+                                    phi_4544_ = _e1211;
+                                    phi_4569_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1225 = phi_4501_;
-                                let _e1227 = phi_4526_;
+                                let _e1225 = phi_4544_;
+                                let _e1227 = phi_4569_;
                                 let _e1231 = (bitcast<i32>(_e1227.member) != 0i);
                                 if _e1231 {
                                     let _e1233 = local_7[_e1227.member_1];
@@ -3757,49 +3874,49 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1236 < _e1115) {
                                             let _e1239 = local_7[_e1227.member_1];
                                             local_6[_e1213] = _e1239;
-                                            phi_4570_ = (_e1213 + 1u);
+                                            phi_4613_ = (_e1213 + 1u);
                                         } else {
-                                            phi_4570_ = _e1213;
+                                            phi_4613_ = _e1213;
                                         }
-                                        let _e1243 = phi_4570_;
-                                        phi_4571_ = _e1243;
+                                        let _e1243 = phi_4613_;
+                                        phi_4614_ = _e1243;
                                     } else {
-                                        phi_4571_ = _e1213;
+                                        phi_4614_ = _e1213;
                                     }
-                                    let _e1245 = phi_4571_;
-                                    phi_4504_ = _e1245;
+                                    let _e1245 = phi_4614_;
+                                    phi_4547_ = _e1245;
                                 } else {
-                                    phi_4504_ = u32();
+                                    phi_4547_ = u32();
                                 }
-                                let _e1247 = phi_4504_;
+                                let _e1247 = phi_4547_;
                                 continue;
                                 continuing {
-                                    phi_4500_ = _e1225;
-                                    phi_4503_ = _e1247;
+                                    phi_4543_ = _e1225;
+                                    phi_4546_ = _e1247;
                                     break if !(_e1231);
                                 }
                             }
-                            let _e5670 = local_29;
-                            phi_4572_ = _e5670;
+                            let _e5766 = local_29;
+                            phi_4615_ = _e5766;
                         } else {
-                            phi_4572_ = 1u;
+                            phi_4615_ = 1u;
                         }
-                        let _e1250 = phi_4572_;
+                        let _e1250 = phi_4615_;
                         local_6[_e1250] = _e1115;
                         let _e1252 = local_6;
                         local_8 = _e1252;
-                        phi_4592_ = type_9(0u, _e1250);
+                        phi_4635_ = type_9(0u, _e1250);
                         loop {
-                            let _e1255 = phi_4592_;
+                            let _e1255 = phi_4635_;
                             if (_e1255.member < _e1255.member_1) {
-                                phi_4593_ = type_9((_e1255.member + 1u), _e1255.member_1);
-                                phi_4616_ = type_9(1u, _e1255.member);
+                                phi_4636_ = type_9((_e1255.member + 1u), _e1255.member_1);
+                                phi_4659_ = type_9(1u, _e1255.member);
                             } else {
-                                phi_4593_ = _e1255;
-                                phi_4616_ = type_9(0u, type_9().member_1);
+                                phi_4636_ = _e1255;
+                                phi_4659_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1267 = phi_4593_;
-                            let _e1269 = phi_4616_;
+                            let _e1267 = phi_4636_;
+                            let _e1269 = phi_4659_;
                             if (bitcast<i32>(_e1269.member) != 0i) {
                                 let _e1275 = local_8[_e1269.member_1];
                                 let _e1278 = local_8[(_e1269.member_1 + 1u)];
@@ -3808,326 +3925,326 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1293 = (f64(1f) - _e1278);
                                 let _e1304 = ((((_e716 * _e1293) + (_e739 * _e1278)) * (_e1293 * _e1293)) + (((_e762 * _e1293) + (_e773 * _e1278)) * (_e1278 * _e1278)));
                                 if (_e1291 < 0.0lf) {
-                                    phi_4670_ = -(_e1291);
+                                    phi_4713_ = -(_e1291);
                                 } else {
-                                    phi_4670_ = _e1291;
+                                    phi_4713_ = _e1291;
                                 }
-                                let _e1308 = phi_4670_;
+                                let _e1308 = phi_4713_;
                                 let _e1309 = (_e1308 > _e1109);
                                 if (_e1304 < 0.0lf) {
-                                    phi_4677_ = -(_e1304);
+                                    phi_4720_ = -(_e1304);
                                 } else {
-                                    phi_4677_ = _e1304;
+                                    phi_4720_ = _e1304;
                                 }
-                                let _e1313 = phi_4677_;
+                                let _e1313 = phi_4720_;
                                 let _e1314 = (_e1313 > _e1109);
                                 let _e1315 = f64(0f);
                                 if _e1309 {
                                     if _e1314 {
-                                        phi_4689_ = ((_e1291 > _e1315) != (_e1304 > _e1315));
-                                        phi_4690_ = false;
+                                        phi_4732_ = ((_e1291 > _e1315) != (_e1304 > _e1315));
+                                        phi_4733_ = false;
                                     } else {
-                                        phi_4689_ = bool();
-                                        phi_4690_ = true;
+                                        phi_4732_ = bool();
+                                        phi_4733_ = true;
                                     }
-                                    let _e1320 = phi_4689_;
-                                    let _e1322 = phi_4690_;
-                                    phi_4691_ = _e1320;
-                                    phi_4692_ = _e1322;
+                                    let _e1320 = phi_4732_;
+                                    let _e1322 = phi_4733_;
+                                    phi_4734_ = _e1320;
+                                    phi_4735_ = _e1322;
                                 } else {
-                                    phi_4691_ = bool();
-                                    phi_4692_ = true;
+                                    phi_4734_ = bool();
+                                    phi_4735_ = true;
                                 }
-                                let _e1324 = phi_4691_;
-                                let _e1326 = phi_4692_;
+                                let _e1324 = phi_4734_;
+                                let _e1326 = phi_4735_;
                                 if _e1326 {
-                                    phi_4696_ = false;
+                                    phi_4739_ = false;
                                 } else {
-                                    phi_4696_ = _e1324;
+                                    phi_4739_ = _e1324;
                                 }
-                                let _e1328 = phi_4696_;
+                                let _e1328 = phi_4739_;
                                 if _e1309 {
                                     if _e1314 {
                                         if _e1328 {
-                                            phi_4708_ = type_45();
+                                            phi_4751_ = type_45();
                                         } else {
-                                            phi_4708_ = type_45(f64(1f), _e1315, _e1328);
+                                            phi_4751_ = type_45(f64(1f), _e1315, _e1328);
                                         }
-                                        let _e1332 = phi_4708_;
-                                        phi_4709_ = _e1332;
-                                        phi_4710_ = _e1328;
+                                        let _e1332 = phi_4751_;
+                                        phi_4752_ = _e1332;
+                                        phi_4753_ = _e1328;
                                     } else {
-                                        phi_4709_ = type_45();
-                                        phi_4710_ = true;
+                                        phi_4752_ = type_45();
+                                        phi_4753_ = true;
                                     }
-                                    let _e1334 = phi_4709_;
-                                    let _e1336 = phi_4710_;
-                                    phi_4711_ = _e1334;
-                                    phi_4712_ = _e1336;
+                                    let _e1334 = phi_4752_;
+                                    let _e1336 = phi_4753_;
+                                    phi_4754_ = _e1334;
+                                    phi_4755_ = _e1336;
                                 } else {
-                                    phi_4711_ = type_45();
-                                    phi_4712_ = true;
+                                    phi_4754_ = type_45();
+                                    phi_4755_ = true;
                                 }
-                                let _e1338 = phi_4711_;
-                                let _e1340 = phi_4712_;
+                                let _e1338 = phi_4754_;
+                                let _e1340 = phi_4755_;
                                 if _e1340 {
                                     if _e1309 {
                                         if (_e1291 < _e1315) {
-                                            phi_4725_ = f64(-1f);
+                                            phi_4768_ = f64(-1f);
                                         } else {
-                                            phi_4725_ = f64(1f);
+                                            phi_4768_ = f64(1f);
                                         }
-                                        let _e1345 = phi_4725_;
+                                        let _e1345 = phi_4768_;
                                         let _e1346 = f64(0.00000000000022737368f);
                                         let _e1347 = f64(0.5f);
                                         let _e1348 = f64(3f);
                                         let _e1351 = (_e762 - _e739);
-                                        phi_4738_ = type_9(0u, 64u);
-                                        phi_4741_ = _e1278;
-                                        phi_4743_ = _e1275;
-                                        phi_4745_ = (_e1347 * (_e1275 + _e1278));
+                                        phi_4781_ = type_9(0u, 64u);
+                                        phi_4784_ = _e1278;
+                                        phi_4786_ = _e1275;
+                                        phi_4788_ = (_e1347 * (_e1275 + _e1278));
                                         loop {
-                                            let _e1357 = phi_4738_;
-                                            let _e1359 = phi_4741_;
-                                            let _e1361 = phi_4743_;
-                                            let _e1363 = phi_4745_;
+                                            let _e1357 = phi_4781_;
+                                            let _e1359 = phi_4784_;
+                                            let _e1361 = phi_4786_;
+                                            let _e1363 = phi_4788_;
                                             local_31 = _e1361;
                                             if (_e1357.member < _e1357.member_1) {
-                                                phi_4739_ = type_9((_e1357.member + 1u), _e1357.member_1);
-                                                phi_4768_ = type_9(1u, _e1357.member);
+                                                phi_4782_ = type_9((_e1357.member + 1u), _e1357.member_1);
+                                                phi_4811_ = type_9(1u, _e1357.member);
                                             } else {
-                                                phi_4739_ = _e1357;
-                                                phi_4768_ = type_9(0u, type_9().member_1);
+                                                phi_4782_ = _e1357;
+                                                phi_4811_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1375 = phi_4739_;
-                                            let _e1377 = phi_4768_;
+                                            let _e1375 = phi_4782_;
+                                            let _e1377 = phi_4811_;
                                             if (bitcast<i32>(_e1377.member) != 0i) {
                                                 let _e1382 = (f64(1f) - _e1363);
                                                 let _e1395 = ((_e1345 * ((((_e716 * _e1382) + (_e739 * _e1363)) * (_e1382 * _e1382)) + (((_e762 * _e1382) + (_e773 * _e1363)) * (_e1363 * _e1363)))) - _e1109);
                                                 if (_e1395 > f64(0f)) {
-                                                    phi_4795_ = _e1359;
-                                                    phi_4796_ = _e1363;
+                                                    phi_4838_ = _e1359;
+                                                    phi_4839_ = _e1363;
                                                 } else {
-                                                    phi_4795_ = _e1363;
-                                                    phi_4796_ = _e1361;
+                                                    phi_4838_ = _e1363;
+                                                    phi_4839_ = _e1361;
                                                 }
-                                                let _e1399 = phi_4795_;
-                                                let _e1401 = phi_4796_;
+                                                let _e1399 = phi_4838_;
+                                                let _e1401 = phi_4839_;
                                                 let _e1403 = ((_e1399 - _e1401) > _e1346);
                                                 if _e1403 {
                                                     let _e1405 = (f64(1f) - _e1363);
                                                     let _e1417 = (-(_e1395) / (_e1345 * (((((_e739 - (_e1348 * _e716)) * _e1405) + (_e1351 * _e1363)) * _e1405) + (((_e1351 * _e1405) + (((_e1348 * _e773) - _e762) * _e1363)) * _e1363))));
                                                     if (_e1395 > f64(0f)) {
-                                                        phi_4824_ = (_e1347 * _e1346);
+                                                        phi_4867_ = (_e1347 * _e1346);
                                                     } else {
-                                                        phi_4824_ = -((_e1347 * _e1346));
+                                                        phi_4867_ = -((_e1347 * _e1346));
                                                     }
-                                                    let _e1424 = phi_4824_;
+                                                    let _e1424 = phi_4867_;
                                                     let _e1426 = ((_e1363 + _e1417) + _e1424);
                                                     if (_e1426 > _e1401) {
                                                         if (_e1426 < _e1399) {
                                                             if (_e1417 < 0.0lf) {
-                                                                phi_4840_ = -(_e1417);
+                                                                phi_4883_ = -(_e1417);
                                                             } else {
-                                                                phi_4840_ = _e1417;
+                                                                phi_4883_ = _e1417;
                                                             }
-                                                            let _e1432 = phi_4840_;
+                                                            let _e1432 = phi_4883_;
                                                             if (_e1432 < (_e1347 * (_e1399 - _e1401))) {
-                                                                phi_4847_ = false;
+                                                                phi_4890_ = false;
                                                             } else {
-                                                                phi_4847_ = true;
+                                                                phi_4890_ = true;
                                                             }
-                                                            let _e1437 = phi_4847_;
-                                                            phi_4848_ = _e1437;
+                                                            let _e1437 = phi_4890_;
+                                                            phi_4891_ = _e1437;
                                                         } else {
-                                                            phi_4848_ = true;
+                                                            phi_4891_ = true;
                                                         }
-                                                        let _e1439 = phi_4848_;
-                                                        phi_4849_ = _e1439;
+                                                        let _e1439 = phi_4891_;
+                                                        phi_4892_ = _e1439;
                                                     } else {
-                                                        phi_4849_ = true;
+                                                        phi_4892_ = true;
                                                     }
-                                                    let _e1441 = phi_4849_;
+                                                    let _e1441 = phi_4892_;
                                                     if _e1441 {
-                                                        phi_4855_ = (_e1347 * (_e1401 + _e1399));
+                                                        phi_4898_ = (_e1347 * (_e1401 + _e1399));
                                                     } else {
-                                                        phi_4855_ = _e1426;
+                                                        phi_4898_ = _e1426;
                                                     }
-                                                    let _e1445 = phi_4855_;
-                                                    phi_4856_ = _e1445;
-                                                    phi_4857_ = false;
+                                                    let _e1445 = phi_4898_;
+                                                    phi_4899_ = _e1445;
+                                                    phi_4900_ = false;
                                                 } else {
-                                                    phi_4856_ = f64();
-                                                    phi_4857_ = true;
+                                                    phi_4899_ = f64();
+                                                    phi_4900_ = true;
                                                 }
-                                                let _e1447 = phi_4856_;
-                                                let _e1449 = phi_4857_;
-                                                phi_4742_ = _e1399;
-                                                phi_4744_ = _e1401;
-                                                phi_4746_ = _e1447;
-                                                phi_4858_ = _e1401;
-                                                phi_4859_ = _e1403;
-                                                phi_4860_ = _e1449;
+                                                let _e1447 = phi_4899_;
+                                                let _e1449 = phi_4900_;
+                                                phi_4785_ = _e1399;
+                                                phi_4787_ = _e1401;
+                                                phi_4789_ = _e1447;
+                                                phi_4901_ = _e1401;
+                                                phi_4902_ = _e1403;
+                                                phi_4903_ = _e1449;
                                             } else {
-                                                phi_4742_ = f64();
-                                                phi_4744_ = f64();
-                                                phi_4746_ = f64();
-                                                phi_4858_ = f64();
-                                                phi_4859_ = false;
-                                                phi_4860_ = false;
+                                                phi_4785_ = f64();
+                                                phi_4787_ = f64();
+                                                phi_4789_ = f64();
+                                                phi_4901_ = f64();
+                                                phi_4902_ = false;
+                                                phi_4903_ = false;
                                             }
-                                            let _e1451 = phi_4742_;
-                                            let _e1453 = phi_4744_;
-                                            let _e1455 = phi_4746_;
-                                            let _e1457 = phi_4858_;
-                                            let _e1459 = phi_4859_;
-                                            let _e1461 = phi_4860_;
+                                            let _e1451 = phi_4785_;
+                                            let _e1453 = phi_4787_;
+                                            let _e1455 = phi_4789_;
+                                            let _e1457 = phi_4901_;
+                                            let _e1459 = phi_4902_;
+                                            let _e1461 = phi_4903_;
                                             local_14 = _e1461;
                                             local_30 = _e1457;
                                             continue;
                                             continuing {
-                                                phi_4738_ = _e1375;
-                                                phi_4741_ = _e1451;
-                                                phi_4743_ = _e1453;
-                                                phi_4745_ = _e1455;
+                                                phi_4781_ = _e1375;
+                                                phi_4784_ = _e1451;
+                                                phi_4786_ = _e1453;
+                                                phi_4788_ = _e1455;
                                                 break if !(_e1459);
                                             }
                                         }
                                         let _e1464 = local_14;
                                         if _e1464 {
-                                            let _e5712 = local_30;
-                                            phi_4864_ = _e5712;
+                                            let _e5808 = local_30;
+                                            phi_4907_ = _e5808;
                                         } else {
-                                            let _e5714 = local_31;
-                                            phi_4864_ = _e5714;
+                                            let _e5810 = local_31;
+                                            phi_4907_ = _e5810;
                                         }
-                                        let _e1466 = phi_4864_;
-                                        phi_4865_ = _e1466;
+                                        let _e1466 = phi_4907_;
+                                        phi_4908_ = _e1466;
                                     } else {
-                                        phi_4865_ = _e1275;
+                                        phi_4908_ = _e1275;
                                     }
-                                    let _e1468 = phi_4865_;
+                                    let _e1468 = phi_4908_;
                                     if _e1314 {
                                         if (_e1304 < _e1315) {
-                                            phi_4875_ = f64(-1f);
+                                            phi_4918_ = f64(-1f);
                                         } else {
-                                            phi_4875_ = f64(1f);
+                                            phi_4918_ = f64(1f);
                                         }
-                                        let _e1473 = phi_4875_;
-                                        phi_4880_ = type_9(0u, 64u);
-                                        phi_4883_ = f64((2f * 0.00000000000022737368f));
+                                        let _e1473 = phi_4918_;
+                                        phi_4923_ = type_9(0u, 64u);
+                                        phi_4926_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1477 = phi_4880_;
-                                            let _e1479 = phi_4883_;
+                                            let _e1477 = phi_4923_;
+                                            let _e1479 = phi_4926_;
                                             if (_e1477.member < _e1477.member_1) {
-                                                phi_4881_ = type_9((_e1477.member + 1u), _e1477.member_1);
-                                                phi_4906_ = type_9(1u, _e1477.member);
+                                                phi_4924_ = type_9((_e1477.member + 1u), _e1477.member_1);
+                                                phi_4949_ = type_9(1u, _e1477.member);
                                             } else {
-                                                phi_4881_ = _e1477;
-                                                phi_4906_ = type_9(0u, type_9().member_1);
+                                                phi_4924_ = _e1477;
+                                                phi_4949_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1491 = phi_4881_;
-                                            let _e1493 = phi_4906_;
+                                            let _e1491 = phi_4924_;
+                                            let _e1493 = phi_4949_;
                                             if (bitcast<i32>(_e1493.member) != 0i) {
                                                 let _e1497 = (_e1468 + _e1479);
                                                 if (_e1497 < _e1278) {
                                                     let _e1500 = (f64(1f) - _e1497);
                                                     let _e1513 = ((_e1473 * ((((_e716 * _e1500) + (_e739 * _e1497)) * (_e1500 * _e1500)) + (((_e762 * _e1500) + (_e773 * _e1497)) * (_e1497 * _e1497)))) > _e1109);
                                                     if _e1513 {
-                                                        phi_4937_ = f64();
-                                                        phi_4938_ = false;
+                                                        phi_4980_ = f64();
+                                                        phi_4981_ = false;
                                                     } else {
-                                                        phi_4937_ = (_e1479 + _e1479);
-                                                        phi_4938_ = true;
+                                                        phi_4980_ = (_e1479 + _e1479);
+                                                        phi_4981_ = true;
                                                     }
-                                                    let _e1516 = phi_4937_;
-                                                    let _e1518 = phi_4938_;
-                                                    phi_4939_ = _e1516;
-                                                    phi_4940_ = _e1518;
-                                                    phi_4941_ = _e1513;
-                                                    phi_4942_ = false;
+                                                    let _e1516 = phi_4980_;
+                                                    let _e1518 = phi_4981_;
+                                                    phi_4982_ = _e1516;
+                                                    phi_4983_ = _e1518;
+                                                    phi_4984_ = _e1513;
+                                                    phi_4985_ = false;
                                                 } else {
-                                                    phi_4939_ = f64();
-                                                    phi_4940_ = false;
-                                                    phi_4941_ = false;
-                                                    phi_4942_ = true;
+                                                    phi_4982_ = f64();
+                                                    phi_4983_ = false;
+                                                    phi_4984_ = false;
+                                                    phi_4985_ = true;
                                                 }
-                                                let _e1520 = phi_4939_;
-                                                let _e1522 = phi_4940_;
-                                                let _e1524 = phi_4941_;
-                                                let _e1526 = phi_4942_;
-                                                phi_4943_ = _e1497;
-                                                phi_4884_ = _e1520;
-                                                phi_4944_ = _e1522;
-                                                phi_4945_ = _e1524;
-                                                phi_4946_ = _e1526;
-                                                phi_4947_ = false;
+                                                let _e1520 = phi_4982_;
+                                                let _e1522 = phi_4983_;
+                                                let _e1524 = phi_4984_;
+                                                let _e1526 = phi_4985_;
+                                                phi_4986_ = _e1497;
+                                                phi_4927_ = _e1520;
+                                                phi_4987_ = _e1522;
+                                                phi_4988_ = _e1524;
+                                                phi_4989_ = _e1526;
+                                                phi_4990_ = false;
                                             } else {
-                                                phi_4943_ = f64();
-                                                phi_4884_ = f64();
-                                                phi_4944_ = false;
-                                                phi_4945_ = false;
-                                                phi_4946_ = false;
-                                                phi_4947_ = true;
+                                                phi_4986_ = f64();
+                                                phi_4927_ = f64();
+                                                phi_4987_ = false;
+                                                phi_4988_ = false;
+                                                phi_4989_ = false;
+                                                phi_4990_ = true;
                                             }
-                                            let _e1528 = phi_4943_;
-                                            let _e1530 = phi_4884_;
-                                            let _e1532 = phi_4944_;
-                                            let _e1534 = phi_4945_;
-                                            let _e1536 = phi_4946_;
-                                            let _e1538 = phi_4947_;
+                                            let _e1528 = phi_4986_;
+                                            let _e1530 = phi_4927_;
+                                            let _e1532 = phi_4987_;
+                                            let _e1534 = phi_4988_;
+                                            let _e1536 = phi_4989_;
+                                            let _e1538 = phi_4990_;
                                             local_15 = _e1534;
                                             local_32 = _e1536;
                                             local_33 = _e1538;
                                             local_34 = _e1528;
                                             continue;
                                             continuing {
-                                                phi_4880_ = _e1491;
-                                                phi_4883_ = _e1530;
+                                                phi_4923_ = _e1491;
+                                                phi_4926_ = _e1530;
                                                 break if !(_e1532);
                                             }
                                         }
                                         let _e1541 = local_15;
                                         if _e1541 {
-                                            phi_4951_ = false;
-                                            phi_4952_ = false;
+                                            phi_4994_ = false;
+                                            phi_4995_ = false;
                                         } else {
-                                            let _e5736 = local_32;
-                                            phi_4951_ = _e5736;
-                                            let _e5739 = local_33;
-                                            phi_4952_ = _e5739;
+                                            let _e5832 = local_32;
+                                            phi_4994_ = _e5832;
+                                            let _e5835 = local_33;
+                                            phi_4995_ = _e5835;
                                         }
-                                        let _e1543 = phi_4951_;
-                                        let _e1545 = phi_4952_;
+                                        let _e1543 = phi_4994_;
+                                        let _e1545 = phi_4995_;
                                         if _e1543 {
-                                            phi_4956_ = true;
+                                            phi_4999_ = true;
                                         } else {
-                                            phi_4956_ = _e1545;
+                                            phi_4999_ = _e1545;
                                         }
-                                        let _e1547 = phi_4956_;
+                                        let _e1547 = phi_4999_;
                                         if _e1547 {
-                                            phi_4960_ = _e1278;
+                                            phi_5003_ = _e1278;
                                         } else {
-                                            let _e5743 = local_34;
-                                            phi_4960_ = _e5743;
+                                            let _e5839 = local_34;
+                                            phi_5003_ = _e5839;
                                         }
-                                        let _e1549 = phi_4960_;
-                                        phi_4961_ = _e1549;
+                                        let _e1549 = phi_5003_;
+                                        phi_5004_ = _e1549;
                                     } else {
-                                        phi_4961_ = _e1278;
+                                        phi_5004_ = _e1278;
                                     }
-                                    let _e1551 = phi_4961_;
-                                    phi_4963_ = type_45(_e1468, _e1551, _e1328);
+                                    let _e1551 = phi_5004_;
+                                    phi_5006_ = type_45(_e1468, _e1551, _e1328);
                                 } else {
-                                    phi_4963_ = _e1338;
+                                    phi_5006_ = _e1338;
                                 }
-                                let _e1554 = phi_4963_;
+                                let _e1554 = phi_5006_;
                                 if (_e1554.member > _e1554.member_1) {
-                                    phi_8226_ = f64();
-                                    phi_8227_ = true;
-                                    phi_8228_ = false;
-                                    phi_8229_ = false;
-                                    phi_8230_ = false;
+                                    phi_8312_ = f64();
+                                    phi_8313_ = true;
+                                    phi_8314_ = false;
+                                    phi_8315_ = false;
+                                    phi_8316_ = false;
                                 } else {
                                     let _e1562 = ((_e1554.member_1 - _e1554.member) * f64(0.5f));
                                     let _e1563 = (_e1554.member + _e1562);
@@ -4135,72 +4252,72 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1568 = local_12.member_3;
                                     let _e1571 = local_12.member[0u];
                                     if (_e1571[0] < 0.0lf) {
-                                        phi_4994_ = -(_e1571[0]);
+                                        phi_5037_ = -(_e1571[0]);
                                     } else {
-                                        phi_4994_ = _e1571[0];
+                                        phi_5037_ = _e1571[0];
                                     }
-                                    let _e1578 = phi_4994_;
+                                    let _e1578 = phi_5037_;
                                     if (_e1571[1] < 0.0lf) {
-                                        phi_5001_ = -(_e1571[1]);
+                                        phi_5044_ = -(_e1571[1]);
                                     } else {
-                                        phi_5001_ = _e1571[1];
+                                        phi_5044_ = _e1571[1];
                                     }
-                                    let _e1582 = phi_5001_;
+                                    let _e1582 = phi_5044_;
                                     if (_e1578 > _e1582) {
-                                        phi_5006_ = _e1578;
+                                        phi_5049_ = _e1578;
                                     } else {
-                                        phi_5006_ = _e1582;
+                                        phi_5049_ = _e1582;
                                     }
-                                    let _e1585 = phi_5006_;
+                                    let _e1585 = phi_5049_;
                                     if (_e1571[2] < 0.0lf) {
-                                        phi_5013_ = -(_e1571[2]);
+                                        phi_5056_ = -(_e1571[2]);
                                     } else {
-                                        phi_5013_ = _e1571[2];
+                                        phi_5056_ = _e1571[2];
                                     }
-                                    let _e1589 = phi_5013_;
+                                    let _e1589 = phi_5056_;
                                     if (_e1585 > _e1589) {
-                                        phi_5018_ = _e1585;
+                                        phi_5061_ = _e1585;
                                     } else {
-                                        phi_5018_ = _e1589;
+                                        phi_5061_ = _e1589;
                                     }
-                                    let _e1592 = phi_5018_;
+                                    let _e1592 = phi_5061_;
                                     let _e1594 = local_12.member[1u];
                                     if (_e1594[0] < 0.0lf) {
-                                        phi_5031_ = -(_e1594[0]);
+                                        phi_5074_ = -(_e1594[0]);
                                     } else {
-                                        phi_5031_ = _e1594[0];
+                                        phi_5074_ = _e1594[0];
                                     }
-                                    let _e1601 = phi_5031_;
+                                    let _e1601 = phi_5074_;
                                     if (_e1594[1] < 0.0lf) {
-                                        phi_5038_ = -(_e1594[1]);
+                                        phi_5081_ = -(_e1594[1]);
                                     } else {
-                                        phi_5038_ = _e1594[1];
+                                        phi_5081_ = _e1594[1];
                                     }
-                                    let _e1605 = phi_5038_;
+                                    let _e1605 = phi_5081_;
                                     if (_e1601 > _e1605) {
-                                        phi_5043_ = _e1601;
+                                        phi_5086_ = _e1601;
                                     } else {
-                                        phi_5043_ = _e1605;
+                                        phi_5086_ = _e1605;
                                     }
-                                    let _e1608 = phi_5043_;
+                                    let _e1608 = phi_5086_;
                                     if (_e1594[2] < 0.0lf) {
-                                        phi_5050_ = -(_e1594[2]);
+                                        phi_5093_ = -(_e1594[2]);
                                     } else {
-                                        phi_5050_ = _e1594[2];
+                                        phi_5093_ = _e1594[2];
                                     }
-                                    let _e1612 = phi_5050_;
+                                    let _e1612 = phi_5093_;
                                     if (_e1608 > _e1612) {
-                                        phi_5055_ = _e1608;
+                                        phi_5098_ = _e1608;
                                     } else {
-                                        phi_5055_ = _e1612;
+                                        phi_5098_ = _e1612;
                                     }
-                                    let _e1615 = phi_5055_;
+                                    let _e1615 = phi_5098_;
                                     if (_e1592 > _e1615) {
-                                        phi_5060_ = _e1592;
+                                        phi_5103_ = _e1592;
                                     } else {
-                                        phi_5060_ = _e1615;
+                                        phi_5103_ = _e1615;
                                     }
-                                    let _e1618 = phi_5060_;
+                                    let _e1618 = phi_5103_;
                                     let _e1621 = local_12.member[0u];
                                     let _e1626 = local_12.member[1u];
                                     let _e1636 = (_e1621[0] + ((_e1626[0] - _e1621[0]) * _e1563));
@@ -4212,136 +4329,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1650 = (_e1640[1] - _e1645[1]);
                                     let _e1651 = (_e1640[2] - _e1645[2]);
                                     if (_e1649 < 0.0lf) {
-                                        phi_5119_ = -(_e1649);
+                                        phi_5162_ = -(_e1649);
                                     } else {
-                                        phi_5119_ = _e1649;
+                                        phi_5162_ = _e1649;
                                     }
-                                    let _e1655 = phi_5119_;
+                                    let _e1655 = phi_5162_;
                                     if (_e1650 < 0.0lf) {
-                                        phi_5125_ = -(_e1650);
+                                        phi_5168_ = -(_e1650);
                                     } else {
-                                        phi_5125_ = _e1650;
+                                        phi_5168_ = _e1650;
                                     }
-                                    let _e1659 = phi_5125_;
+                                    let _e1659 = phi_5168_;
                                     if (_e1655 > _e1659) {
-                                        phi_5130_ = _e1655;
+                                        phi_5173_ = _e1655;
                                     } else {
-                                        phi_5130_ = _e1659;
+                                        phi_5173_ = _e1659;
                                     }
-                                    let _e1662 = phi_5130_;
+                                    let _e1662 = phi_5173_;
                                     if (_e1651 < 0.0lf) {
-                                        phi_5136_ = -(_e1651);
+                                        phi_5179_ = -(_e1651);
                                     } else {
-                                        phi_5136_ = _e1651;
+                                        phi_5179_ = _e1651;
                                     }
-                                    let _e1666 = phi_5136_;
+                                    let _e1666 = phi_5179_;
                                     if (_e1662 > _e1666) {
-                                        phi_5141_ = _e1662;
+                                        phi_5184_ = _e1662;
                                     } else {
-                                        phi_5141_ = _e1666;
+                                        phi_5184_ = _e1666;
                                     }
-                                    let _e1669 = phi_5141_;
+                                    let _e1669 = phi_5184_;
                                     let _e1677 = ((((_e1566 * _e1669) * f64(1.01f)) + ((_e1618 + _e1568) * (1.1102230246251565e-16lf * f64(8f)))) + _e1568);
                                     if (_e1636 < 0.0lf) {
-                                        phi_5155_ = -(_e1636);
+                                        phi_5198_ = -(_e1636);
                                     } else {
-                                        phi_5155_ = _e1636;
+                                        phi_5198_ = _e1636;
                                     }
-                                    let _e1681 = phi_5155_;
+                                    let _e1681 = phi_5198_;
                                     if (_e1637 < 0.0lf) {
-                                        phi_5161_ = -(_e1637);
+                                        phi_5204_ = -(_e1637);
                                     } else {
-                                        phi_5161_ = _e1637;
+                                        phi_5204_ = _e1637;
                                     }
-                                    let _e1685 = phi_5161_;
+                                    let _e1685 = phi_5204_;
                                     if (_e1681 > _e1685) {
-                                        phi_5166_ = _e1681;
+                                        phi_5209_ = _e1681;
                                     } else {
-                                        phi_5166_ = _e1685;
+                                        phi_5209_ = _e1685;
                                     }
-                                    let _e1688 = phi_5166_;
+                                    let _e1688 = phi_5209_;
                                     if (_e1638 < 0.0lf) {
-                                        phi_5172_ = -(_e1638);
+                                        phi_5215_ = -(_e1638);
                                     } else {
-                                        phi_5172_ = _e1638;
+                                        phi_5215_ = _e1638;
                                     }
-                                    let _e1692 = phi_5172_;
+                                    let _e1692 = phi_5215_;
                                     if (_e1688 > _e1692) {
-                                        phi_5177_ = _e1688;
+                                        phi_5220_ = _e1688;
                                     } else {
-                                        phi_5177_ = _e1692;
+                                        phi_5220_ = _e1692;
                                     }
-                                    let _e1695 = phi_5177_;
+                                    let _e1695 = phi_5220_;
                                     local_2 = type_35(array<f64, 3>(_e1636, _e1637, _e1638), _e1677, (_e1695 + _e1677));
                                     let _e1701 = local_12.member_3;
                                     let _e1703 = local_12.member_1[0u];
                                     if (_e1703[0] < 0.0lf) {
-                                        phi_5203_ = -(_e1703[0]);
+                                        phi_5246_ = -(_e1703[0]);
                                     } else {
-                                        phi_5203_ = _e1703[0];
+                                        phi_5246_ = _e1703[0];
                                     }
-                                    let _e1710 = phi_5203_;
+                                    let _e1710 = phi_5246_;
                                     if (_e1703[1] < 0.0lf) {
-                                        phi_5210_ = -(_e1703[1]);
+                                        phi_5253_ = -(_e1703[1]);
                                     } else {
-                                        phi_5210_ = _e1703[1];
+                                        phi_5253_ = _e1703[1];
                                     }
-                                    let _e1714 = phi_5210_;
+                                    let _e1714 = phi_5253_;
                                     if (_e1710 > _e1714) {
-                                        phi_5215_ = _e1710;
+                                        phi_5258_ = _e1710;
                                     } else {
-                                        phi_5215_ = _e1714;
+                                        phi_5258_ = _e1714;
                                     }
-                                    let _e1717 = phi_5215_;
+                                    let _e1717 = phi_5258_;
                                     if (_e1703[2] < 0.0lf) {
-                                        phi_5222_ = -(_e1703[2]);
+                                        phi_5265_ = -(_e1703[2]);
                                     } else {
-                                        phi_5222_ = _e1703[2];
+                                        phi_5265_ = _e1703[2];
                                     }
-                                    let _e1721 = phi_5222_;
+                                    let _e1721 = phi_5265_;
                                     if (_e1717 > _e1721) {
-                                        phi_5227_ = _e1717;
+                                        phi_5270_ = _e1717;
                                     } else {
-                                        phi_5227_ = _e1721;
+                                        phi_5270_ = _e1721;
                                     }
-                                    let _e1724 = phi_5227_;
+                                    let _e1724 = phi_5270_;
                                     let _e1726 = local_12.member_1[1u];
                                     if (_e1726[0] < 0.0lf) {
-                                        phi_5240_ = -(_e1726[0]);
+                                        phi_5283_ = -(_e1726[0]);
                                     } else {
-                                        phi_5240_ = _e1726[0];
+                                        phi_5283_ = _e1726[0];
                                     }
-                                    let _e1733 = phi_5240_;
+                                    let _e1733 = phi_5283_;
                                     if (_e1726[1] < 0.0lf) {
-                                        phi_5247_ = -(_e1726[1]);
+                                        phi_5290_ = -(_e1726[1]);
                                     } else {
-                                        phi_5247_ = _e1726[1];
+                                        phi_5290_ = _e1726[1];
                                     }
-                                    let _e1737 = phi_5247_;
+                                    let _e1737 = phi_5290_;
                                     if (_e1733 > _e1737) {
-                                        phi_5252_ = _e1733;
+                                        phi_5295_ = _e1733;
                                     } else {
-                                        phi_5252_ = _e1737;
+                                        phi_5295_ = _e1737;
                                     }
-                                    let _e1740 = phi_5252_;
+                                    let _e1740 = phi_5295_;
                                     if (_e1726[2] < 0.0lf) {
-                                        phi_5259_ = -(_e1726[2]);
+                                        phi_5302_ = -(_e1726[2]);
                                     } else {
-                                        phi_5259_ = _e1726[2];
+                                        phi_5302_ = _e1726[2];
                                     }
-                                    let _e1744 = phi_5259_;
+                                    let _e1744 = phi_5302_;
                                     if (_e1740 > _e1744) {
-                                        phi_5264_ = _e1740;
+                                        phi_5307_ = _e1740;
                                     } else {
-                                        phi_5264_ = _e1744;
+                                        phi_5307_ = _e1744;
                                     }
-                                    let _e1747 = phi_5264_;
+                                    let _e1747 = phi_5307_;
                                     if (_e1724 > _e1747) {
-                                        phi_5269_ = _e1724;
+                                        phi_5312_ = _e1724;
                                     } else {
-                                        phi_5269_ = _e1747;
+                                        phi_5312_ = _e1747;
                                     }
-                                    let _e1750 = phi_5269_;
+                                    let _e1750 = phi_5312_;
                                     let _e1753 = local_12.member_1[0u];
                                     let _e1758 = local_12.member_1[1u];
                                     let _e1768 = (_e1753[0] + ((_e1758[0] - _e1753[0]) * _e1563));
@@ -4353,136 +4470,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1782 = (_e1772[1] - _e1777[1]);
                                     let _e1783 = (_e1772[2] - _e1777[2]);
                                     if (_e1781 < 0.0lf) {
-                                        phi_5328_ = -(_e1781);
+                                        phi_5371_ = -(_e1781);
                                     } else {
-                                        phi_5328_ = _e1781;
+                                        phi_5371_ = _e1781;
                                     }
-                                    let _e1787 = phi_5328_;
+                                    let _e1787 = phi_5371_;
                                     if (_e1782 < 0.0lf) {
-                                        phi_5334_ = -(_e1782);
+                                        phi_5377_ = -(_e1782);
                                     } else {
-                                        phi_5334_ = _e1782;
+                                        phi_5377_ = _e1782;
                                     }
-                                    let _e1791 = phi_5334_;
+                                    let _e1791 = phi_5377_;
                                     if (_e1787 > _e1791) {
-                                        phi_5339_ = _e1787;
+                                        phi_5382_ = _e1787;
                                     } else {
-                                        phi_5339_ = _e1791;
+                                        phi_5382_ = _e1791;
                                     }
-                                    let _e1794 = phi_5339_;
+                                    let _e1794 = phi_5382_;
                                     if (_e1783 < 0.0lf) {
-                                        phi_5345_ = -(_e1783);
+                                        phi_5388_ = -(_e1783);
                                     } else {
-                                        phi_5345_ = _e1783;
+                                        phi_5388_ = _e1783;
                                     }
-                                    let _e1798 = phi_5345_;
+                                    let _e1798 = phi_5388_;
                                     if (_e1794 > _e1798) {
-                                        phi_5350_ = _e1794;
+                                        phi_5393_ = _e1794;
                                     } else {
-                                        phi_5350_ = _e1798;
+                                        phi_5393_ = _e1798;
                                     }
-                                    let _e1801 = phi_5350_;
+                                    let _e1801 = phi_5393_;
                                     let _e1809 = ((((_e1566 * _e1801) * f64(1.01f)) + ((_e1750 + _e1701) * (1.1102230246251565e-16lf * f64(8f)))) + _e1701);
                                     if (_e1768 < 0.0lf) {
-                                        phi_5364_ = -(_e1768);
+                                        phi_5407_ = -(_e1768);
                                     } else {
-                                        phi_5364_ = _e1768;
+                                        phi_5407_ = _e1768;
                                     }
-                                    let _e1813 = phi_5364_;
+                                    let _e1813 = phi_5407_;
                                     if (_e1769 < 0.0lf) {
-                                        phi_5370_ = -(_e1769);
+                                        phi_5413_ = -(_e1769);
                                     } else {
-                                        phi_5370_ = _e1769;
+                                        phi_5413_ = _e1769;
                                     }
-                                    let _e1817 = phi_5370_;
+                                    let _e1817 = phi_5413_;
                                     if (_e1813 > _e1817) {
-                                        phi_5375_ = _e1813;
+                                        phi_5418_ = _e1813;
                                     } else {
-                                        phi_5375_ = _e1817;
+                                        phi_5418_ = _e1817;
                                     }
-                                    let _e1820 = phi_5375_;
+                                    let _e1820 = phi_5418_;
                                     if (_e1770 < 0.0lf) {
-                                        phi_5381_ = -(_e1770);
+                                        phi_5424_ = -(_e1770);
                                     } else {
-                                        phi_5381_ = _e1770;
+                                        phi_5424_ = _e1770;
                                     }
-                                    let _e1824 = phi_5381_;
+                                    let _e1824 = phi_5424_;
                                     if (_e1820 > _e1824) {
-                                        phi_5386_ = _e1820;
+                                        phi_5429_ = _e1820;
                                     } else {
-                                        phi_5386_ = _e1824;
+                                        phi_5429_ = _e1824;
                                     }
-                                    let _e1827 = phi_5386_;
+                                    let _e1827 = phi_5429_;
                                     local_3 = type_35(array<f64, 3>(_e1768, _e1769, _e1770), _e1809, (_e1827 + _e1809));
                                     let _e1833 = local_12.member_3;
                                     let _e1835 = local_12.member_2[0u];
                                     if (_e1835[0] < 0.0lf) {
-                                        phi_5412_ = -(_e1835[0]);
+                                        phi_5455_ = -(_e1835[0]);
                                     } else {
-                                        phi_5412_ = _e1835[0];
+                                        phi_5455_ = _e1835[0];
                                     }
-                                    let _e1842 = phi_5412_;
+                                    let _e1842 = phi_5455_;
                                     if (_e1835[1] < 0.0lf) {
-                                        phi_5419_ = -(_e1835[1]);
+                                        phi_5462_ = -(_e1835[1]);
                                     } else {
-                                        phi_5419_ = _e1835[1];
+                                        phi_5462_ = _e1835[1];
                                     }
-                                    let _e1846 = phi_5419_;
+                                    let _e1846 = phi_5462_;
                                     if (_e1842 > _e1846) {
-                                        phi_5424_ = _e1842;
+                                        phi_5467_ = _e1842;
                                     } else {
-                                        phi_5424_ = _e1846;
+                                        phi_5467_ = _e1846;
                                     }
-                                    let _e1849 = phi_5424_;
+                                    let _e1849 = phi_5467_;
                                     if (_e1835[2] < 0.0lf) {
-                                        phi_5431_ = -(_e1835[2]);
+                                        phi_5474_ = -(_e1835[2]);
                                     } else {
-                                        phi_5431_ = _e1835[2];
+                                        phi_5474_ = _e1835[2];
                                     }
-                                    let _e1853 = phi_5431_;
+                                    let _e1853 = phi_5474_;
                                     if (_e1849 > _e1853) {
-                                        phi_5436_ = _e1849;
+                                        phi_5479_ = _e1849;
                                     } else {
-                                        phi_5436_ = _e1853;
+                                        phi_5479_ = _e1853;
                                     }
-                                    let _e1856 = phi_5436_;
+                                    let _e1856 = phi_5479_;
                                     let _e1858 = local_12.member_2[1u];
                                     if (_e1858[0] < 0.0lf) {
-                                        phi_5449_ = -(_e1858[0]);
+                                        phi_5492_ = -(_e1858[0]);
                                     } else {
-                                        phi_5449_ = _e1858[0];
+                                        phi_5492_ = _e1858[0];
                                     }
-                                    let _e1865 = phi_5449_;
+                                    let _e1865 = phi_5492_;
                                     if (_e1858[1] < 0.0lf) {
-                                        phi_5456_ = -(_e1858[1]);
+                                        phi_5499_ = -(_e1858[1]);
                                     } else {
-                                        phi_5456_ = _e1858[1];
+                                        phi_5499_ = _e1858[1];
                                     }
-                                    let _e1869 = phi_5456_;
+                                    let _e1869 = phi_5499_;
                                     if (_e1865 > _e1869) {
-                                        phi_5461_ = _e1865;
+                                        phi_5504_ = _e1865;
                                     } else {
-                                        phi_5461_ = _e1869;
+                                        phi_5504_ = _e1869;
                                     }
-                                    let _e1872 = phi_5461_;
+                                    let _e1872 = phi_5504_;
                                     if (_e1858[2] < 0.0lf) {
-                                        phi_5468_ = -(_e1858[2]);
+                                        phi_5511_ = -(_e1858[2]);
                                     } else {
-                                        phi_5468_ = _e1858[2];
+                                        phi_5511_ = _e1858[2];
                                     }
-                                    let _e1876 = phi_5468_;
+                                    let _e1876 = phi_5511_;
                                     if (_e1872 > _e1876) {
-                                        phi_5473_ = _e1872;
+                                        phi_5516_ = _e1872;
                                     } else {
-                                        phi_5473_ = _e1876;
+                                        phi_5516_ = _e1876;
                                     }
-                                    let _e1879 = phi_5473_;
+                                    let _e1879 = phi_5516_;
                                     if (_e1856 > _e1879) {
-                                        phi_5478_ = _e1856;
+                                        phi_5521_ = _e1856;
                                     } else {
-                                        phi_5478_ = _e1879;
+                                        phi_5521_ = _e1879;
                                     }
-                                    let _e1882 = phi_5478_;
+                                    let _e1882 = phi_5521_;
                                     let _e1885 = local_12.member_2[0u];
                                     let _e1890 = local_12.member_2[1u];
                                     let _e1900 = (_e1885[0] + ((_e1890[0] - _e1885[0]) * _e1563));
@@ -4494,66 +4611,66 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1914 = (_e1904[1] - _e1909[1]);
                                     let _e1915 = (_e1904[2] - _e1909[2]);
                                     if (_e1913 < 0.0lf) {
-                                        phi_5537_ = -(_e1913);
+                                        phi_5580_ = -(_e1913);
                                     } else {
-                                        phi_5537_ = _e1913;
+                                        phi_5580_ = _e1913;
                                     }
-                                    let _e1919 = phi_5537_;
+                                    let _e1919 = phi_5580_;
                                     if (_e1914 < 0.0lf) {
-                                        phi_5543_ = -(_e1914);
+                                        phi_5586_ = -(_e1914);
                                     } else {
-                                        phi_5543_ = _e1914;
+                                        phi_5586_ = _e1914;
                                     }
-                                    let _e1923 = phi_5543_;
+                                    let _e1923 = phi_5586_;
                                     if (_e1919 > _e1923) {
-                                        phi_5548_ = _e1919;
+                                        phi_5591_ = _e1919;
                                     } else {
-                                        phi_5548_ = _e1923;
+                                        phi_5591_ = _e1923;
                                     }
-                                    let _e1926 = phi_5548_;
+                                    let _e1926 = phi_5591_;
                                     if (_e1915 < 0.0lf) {
-                                        phi_5554_ = -(_e1915);
+                                        phi_5597_ = -(_e1915);
                                     } else {
-                                        phi_5554_ = _e1915;
+                                        phi_5597_ = _e1915;
                                     }
-                                    let _e1930 = phi_5554_;
+                                    let _e1930 = phi_5597_;
                                     if (_e1926 > _e1930) {
-                                        phi_5559_ = _e1926;
+                                        phi_5602_ = _e1926;
                                     } else {
-                                        phi_5559_ = _e1930;
+                                        phi_5602_ = _e1930;
                                     }
-                                    let _e1933 = phi_5559_;
+                                    let _e1933 = phi_5602_;
                                     let _e1941 = ((((_e1566 * _e1933) * f64(1.01f)) + ((_e1882 + _e1833) * (1.1102230246251565e-16lf * f64(8f)))) + _e1833);
                                     if (_e1900 < 0.0lf) {
-                                        phi_5573_ = -(_e1900);
+                                        phi_5616_ = -(_e1900);
                                     } else {
-                                        phi_5573_ = _e1900;
+                                        phi_5616_ = _e1900;
                                     }
-                                    let _e1945 = phi_5573_;
+                                    let _e1945 = phi_5616_;
                                     if (_e1901 < 0.0lf) {
-                                        phi_5579_ = -(_e1901);
+                                        phi_5622_ = -(_e1901);
                                     } else {
-                                        phi_5579_ = _e1901;
+                                        phi_5622_ = _e1901;
                                     }
-                                    let _e1949 = phi_5579_;
+                                    let _e1949 = phi_5622_;
                                     if (_e1945 > _e1949) {
-                                        phi_5584_ = _e1945;
+                                        phi_5627_ = _e1945;
                                     } else {
-                                        phi_5584_ = _e1949;
+                                        phi_5627_ = _e1949;
                                     }
-                                    let _e1952 = phi_5584_;
+                                    let _e1952 = phi_5627_;
                                     if (_e1902 < 0.0lf) {
-                                        phi_5590_ = -(_e1902);
+                                        phi_5633_ = -(_e1902);
                                     } else {
-                                        phi_5590_ = _e1902;
+                                        phi_5633_ = _e1902;
                                     }
-                                    let _e1956 = phi_5590_;
+                                    let _e1956 = phi_5633_;
                                     if (_e1952 > _e1956) {
-                                        phi_5595_ = _e1952;
+                                        phi_5638_ = _e1952;
                                     } else {
-                                        phi_5595_ = _e1956;
+                                        phi_5638_ = _e1956;
                                     }
-                                    let _e1959 = phi_5595_;
+                                    let _e1959 = phi_5638_;
                                     local_4 = type_35(array<f64, 3>(_e1900, _e1901, _e1902), _e1941, (_e1959 + _e1941));
                                     let _e1964 = local_3.member;
                                     let _e1969 = local_4.member;
@@ -4561,68 +4678,68 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1978 = ((_e1964[2] * _e1969[0]) - (_e1964[0] * _e1969[2]));
                                     let _e1981 = ((_e1964[0] * _e1969[1]) - (_e1964[1] * _e1969[0]));
                                     if (_e1975 < 0.0lf) {
-                                        phi_5644_ = -(_e1975);
+                                        phi_5687_ = -(_e1975);
                                     } else {
-                                        phi_5644_ = _e1975;
+                                        phi_5687_ = _e1975;
                                     }
-                                    let _e1985 = phi_5644_;
+                                    let _e1985 = phi_5687_;
                                     if (_e1978 < 0.0lf) {
-                                        phi_5650_ = -(_e1978);
+                                        phi_5693_ = -(_e1978);
                                     } else {
-                                        phi_5650_ = _e1978;
+                                        phi_5693_ = _e1978;
                                     }
-                                    let _e1989 = phi_5650_;
+                                    let _e1989 = phi_5693_;
                                     if (_e1985 > _e1989) {
                                         if (_e1975 < 0.0lf) {
-                                            phi_5660_ = -(_e1975);
+                                            phi_5703_ = -(_e1975);
                                         } else {
-                                            phi_5660_ = _e1975;
+                                            phi_5703_ = _e1975;
                                         }
-                                        let _e2007 = phi_5660_;
+                                        let _e2007 = phi_5703_;
                                         if (_e1981 < 0.0lf) {
-                                            phi_5666_ = -(_e1981);
+                                            phi_5709_ = -(_e1981);
                                         } else {
-                                            phi_5666_ = _e1981;
+                                            phi_5709_ = _e1981;
                                         }
-                                        let _e2011 = phi_5666_;
+                                        let _e2011 = phi_5709_;
                                         if (_e2007 > _e2011) {
-                                            phi_5671_ = 2u;
-                                            phi_5672_ = 1u;
+                                            phi_5714_ = 2u;
+                                            phi_5715_ = 1u;
                                         } else {
-                                            phi_5671_ = 1u;
-                                            phi_5672_ = 0u;
+                                            phi_5714_ = 1u;
+                                            phi_5715_ = 0u;
                                         }
-                                        let _e2014 = phi_5671_;
-                                        let _e2016 = phi_5672_;
-                                        phi_5691_ = _e2014;
-                                        phi_5692_ = _e2016;
+                                        let _e2014 = phi_5714_;
+                                        let _e2016 = phi_5715_;
+                                        phi_5734_ = _e2014;
+                                        phi_5735_ = _e2016;
                                     } else {
                                         if (_e1978 < 0.0lf) {
-                                            phi_5678_ = -(_e1978);
+                                            phi_5721_ = -(_e1978);
                                         } else {
-                                            phi_5678_ = _e1978;
+                                            phi_5721_ = _e1978;
                                         }
-                                        let _e1994 = phi_5678_;
+                                        let _e1994 = phi_5721_;
                                         if (_e1981 < 0.0lf) {
-                                            phi_5684_ = -(_e1981);
+                                            phi_5727_ = -(_e1981);
                                         } else {
-                                            phi_5684_ = _e1981;
+                                            phi_5727_ = _e1981;
                                         }
-                                        let _e1998 = phi_5684_;
+                                        let _e1998 = phi_5727_;
                                         if (_e1994 > _e1998) {
-                                            phi_5689_ = 0u;
-                                            phi_5690_ = 2u;
+                                            phi_5732_ = 0u;
+                                            phi_5733_ = 2u;
                                         } else {
-                                            phi_5689_ = 1u;
-                                            phi_5690_ = 0u;
+                                            phi_5732_ = 1u;
+                                            phi_5733_ = 0u;
                                         }
-                                        let _e2001 = phi_5689_;
-                                        let _e2003 = phi_5690_;
-                                        phi_5691_ = _e2001;
-                                        phi_5692_ = _e2003;
+                                        let _e2001 = phi_5732_;
+                                        let _e2003 = phi_5733_;
+                                        phi_5734_ = _e2001;
+                                        phi_5735_ = _e2003;
                                     }
-                                    let _e2018 = phi_5691_;
-                                    let _e2020 = phi_5692_;
+                                    let _e2018 = phi_5734_;
+                                    let _e2020 = phi_5735_;
                                     let _e2023 = local_3.member[_e2020];
                                     let _e2026 = local_4.member[_e2018];
                                     let _e2030 = local_3.member[_e2018];
@@ -4640,18 +4757,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e2067 = local_4.member_2;
                                     let _e2071 = (((((_e2039 * _e2041) + (_e2044 * _e2046)) * f64(2.01f)) + (((_e2052 * _e2037) * (_e2055 * _e2037)) * (1.1102230246251565e-16lf * _e2037))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2036 + _e2064) * (_e2036 + _e2067))));
                                     if (_e2035 < 0.0lf) {
-                                        phi_5765_ = -(_e2035);
+                                        phi_5808_ = -(_e2035);
                                     } else {
-                                        phi_5765_ = _e2035;
+                                        phi_5808_ = _e2035;
                                     }
-                                    let _e2075 = phi_5765_;
+                                    let _e2075 = phi_5808_;
                                     if (_e2075 > _e2071) {
                                         if (_e2035 < f64(0f)) {
-                                            phi_5777_ = f64(-1f);
+                                            phi_5820_ = f64(-1f);
                                         } else {
-                                            phi_5777_ = f64(1f);
+                                            phi_5820_ = f64(1f);
                                         }
-                                        let _e2082 = phi_5777_;
+                                        let _e2082 = phi_5820_;
                                         let _e2085 = local_2.member[_e2020];
                                         let _e2088 = local_4.member[_e2018];
                                         let _e2092 = local_2.member[_e2018];
@@ -4686,23 +4803,23 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2186 = (((_e2085 * _e2088) - (_e2092 * _e2095)) * _e2082);
                                         let _e2187 = (((_e2136 * _e2139) - (_e2143 * _e2146)) * _e2082);
                                         if (_e2185 < 0.0lf) {
-                                            phi_5920_ = -(_e2185);
+                                            phi_5963_ = -(_e2185);
                                         } else {
-                                            phi_5920_ = _e2185;
+                                            phi_5963_ = _e2185;
                                         }
-                                        let _e2191 = phi_5920_;
+                                        let _e2191 = phi_5963_;
                                         if (_e2186 < 0.0lf) {
-                                            phi_5926_ = -(_e2186);
+                                            phi_5969_ = -(_e2186);
                                         } else {
-                                            phi_5926_ = _e2186;
+                                            phi_5969_ = _e2186;
                                         }
-                                        let _e2195 = phi_5926_;
+                                        let _e2195 = phi_5969_;
                                         if (_e2187 < 0.0lf) {
-                                            phi_5933_ = -(_e2187);
+                                            phi_5976_ = -(_e2187);
                                         } else {
-                                            phi_5933_ = _e2187;
+                                            phi_5976_ = _e2187;
                                         }
-                                        let _e2200 = phi_5933_;
+                                        let _e2200 = phi_5976_;
                                         let _e2204 = (((_e2191 + _e2195) + _e2200) * (1.1102230246251565e-16lf * f64(4f)));
                                         local_5[0u].member = _e2186;
                                         local_5[0u].member_1 = _e2133;
@@ -4712,118 +4829,118 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         local_5[2u].member_1 = ((_e2071 + _e2133) + _e2204);
                                         local_5[3u].member = (_e2185 - _e2187);
                                         local_5[3u].member_1 = ((_e2071 + _e2184) + _e2204);
-                                        phi_5977_ = type_9(0u, 4u);
-                                        phi_5980_ = true;
+                                        phi_6020_ = type_9(0u, 4u);
+                                        phi_6023_ = true;
                                         loop {
-                                            let _e2225 = phi_5977_;
-                                            let _e2227 = phi_5980_;
+                                            let _e2225 = phi_6020_;
+                                            let _e2227 = phi_6023_;
                                             local_17 = _e2227;
                                             if (_e2225.member < _e2225.member_1) {
-                                                phi_5978_ = type_9((_e2225.member + 1u), _e2225.member_1);
-                                                phi_6003_ = type_9(1u, _e2225.member);
+                                                phi_6021_ = type_9((_e2225.member + 1u), _e2225.member_1);
+                                                phi_6046_ = type_9(1u, _e2225.member);
                                             } else {
-                                                phi_5978_ = _e2225;
-                                                phi_6003_ = type_9(0u, type_9().member_1);
+                                                phi_6021_ = _e2225;
+                                                phi_6046_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2239 = phi_5978_;
-                                            let _e2241 = phi_6003_;
+                                            let _e2239 = phi_6021_;
+                                            let _e2241 = phi_6046_;
                                             if (bitcast<i32>(_e2241.member) != 0i) {
                                                 let _e2248 = local_5[_e2241.member_1].member;
                                                 let _e2251 = local_5[_e2241.member_1].member_1;
                                                 let _e2253 = (_e2248 < -(_e2251));
                                                 if _e2253 {
-                                                    phi_6030_ = bool();
-                                                    phi_6031_ = false;
+                                                    phi_6073_ = bool();
+                                                    phi_6074_ = false;
                                                 } else {
-                                                    phi_6030_ = (_e2227 && (_e2248 > _e2251));
-                                                    phi_6031_ = true;
+                                                    phi_6073_ = (_e2227 && (_e2248 > _e2251));
+                                                    phi_6074_ = true;
                                                 }
-                                                let _e2257 = phi_6030_;
-                                                let _e2259 = phi_6031_;
-                                                phi_5981_ = _e2257;
-                                                phi_6032_ = _e2259;
-                                                phi_6033_ = _e2253;
+                                                let _e2257 = phi_6073_;
+                                                let _e2259 = phi_6074_;
+                                                phi_6024_ = _e2257;
+                                                phi_6075_ = _e2259;
+                                                phi_6076_ = _e2253;
                                             } else {
-                                                phi_5981_ = bool();
-                                                phi_6032_ = false;
-                                                phi_6033_ = false;
+                                                phi_6024_ = bool();
+                                                phi_6075_ = false;
+                                                phi_6076_ = false;
                                             }
-                                            let _e2261 = phi_5981_;
-                                            let _e2263 = phi_6032_;
-                                            let _e2265 = phi_6033_;
+                                            let _e2261 = phi_6024_;
+                                            let _e2263 = phi_6075_;
+                                            let _e2265 = phi_6076_;
                                             local_16 = _e2265;
                                             continue;
                                             continuing {
-                                                phi_5977_ = _e2239;
-                                                phi_5980_ = _e2261;
+                                                phi_6020_ = _e2239;
+                                                phi_6023_ = _e2261;
                                                 break if !(_e2263);
                                             }
                                         }
                                         let _e2268 = local_16;
                                         if _e2268 {
-                                            phi_6037_ = false;
+                                            phi_6080_ = false;
                                         } else {
-                                            phi_6037_ = true;
+                                            phi_6080_ = true;
                                         }
-                                        let _e2270 = phi_6037_;
+                                        let _e2270 = phi_6080_;
                                         if _e2270 {
                                             let _e2272 = local_17;
                                             if _e2272 {
-                                                phi_6044_ = 1u;
+                                                phi_6087_ = 1u;
                                             } else {
-                                                phi_6044_ = 2u;
+                                                phi_6087_ = 2u;
                                             }
-                                            let _e2274 = phi_6044_;
-                                            phi_6045_ = _e2274;
-                                            phi_6046_ = false;
+                                            let _e2274 = phi_6087_;
+                                            phi_6088_ = _e2274;
+                                            phi_6089_ = false;
                                         } else {
-                                            phi_6045_ = u32();
-                                            phi_6046_ = true;
+                                            phi_6088_ = u32();
+                                            phi_6089_ = true;
                                         }
-                                        let _e2276 = phi_6045_;
-                                        let _e2278 = phi_6046_;
-                                        phi_6047_ = _e2276;
-                                        phi_6048_ = 0u;
-                                        phi_6049_ = _e2278;
+                                        let _e2276 = phi_6088_;
+                                        let _e2278 = phi_6089_;
+                                        phi_6090_ = _e2276;
+                                        phi_6091_ = 0u;
+                                        phi_6092_ = _e2278;
                                     } else {
-                                        phi_6047_ = u32();
-                                        phi_6048_ = 2u;
-                                        phi_6049_ = true;
+                                        phi_6090_ = u32();
+                                        phi_6091_ = 2u;
+                                        phi_6092_ = true;
                                     }
-                                    let _e2280 = phi_6047_;
-                                    let _e2282 = phi_6048_;
-                                    let _e2284 = phi_6049_;
+                                    let _e2280 = phi_6090_;
+                                    let _e2282 = phi_6091_;
+                                    let _e2284 = phi_6092_;
                                     if _e2284 {
-                                        phi_6053_ = _e2282;
+                                        phi_6096_ = _e2282;
                                     } else {
-                                        phi_6053_ = _e2280;
+                                        phi_6096_ = _e2280;
                                     }
-                                    let _e2286 = phi_6053_;
+                                    let _e2286 = phi_6096_;
                                     let _e2287 = (_e2286 == 0u);
                                     if _e2287 {
-                                        phi_8222_ = f64();
-                                        phi_8223_ = false;
-                                        phi_8224_ = false;
-                                        phi_8225_ = false;
+                                        phi_8308_ = f64();
+                                        phi_8309_ = false;
+                                        phi_8310_ = false;
+                                        phi_8311_ = false;
                                     } else {
                                         if (_e2286 == 1u) {
                                             if _e1554.member_2 {
                                                 if ((_e1554.member_1 - _e1554.member) <= f64(0.0000005f)) {
-                                                    phi_6074_ = false;
+                                                    phi_6117_ = false;
                                                 } else {
-                                                    phi_6074_ = true;
+                                                    phi_6117_ = true;
                                                 }
-                                                let _e2296 = phi_6074_;
-                                                phi_6075_ = _e2296;
+                                                let _e2296 = phi_6117_;
+                                                phi_6118_ = _e2296;
                                             } else {
-                                                phi_6075_ = true;
+                                                phi_6118_ = true;
                                             }
-                                            let _e2298 = phi_6075_;
-                                            phi_6076_ = _e2298;
+                                            let _e2298 = phi_6118_;
+                                            phi_6119_ = _e2298;
                                         } else {
-                                            phi_6076_ = true;
+                                            phi_6119_ = true;
                                         }
-                                        let _e2300 = phi_6076_;
+                                        let _e2300 = phi_6119_;
                                         if _e2300 {
                                             let _e2306 = local_12.member[0u];
                                             let _e2312 = local_12.member_1[0u];
@@ -4839,1395 +4956,1472 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2351 = (_e2333[2] - _e2339[2]);
                                             let _e2360 = local_12.member[0u];
                                             if (_e2360[0] < 0.0lf) {
-                                                phi_6225_ = -(_e2360[0]);
+                                                phi_6268_ = -(_e2360[0]);
                                             } else {
-                                                phi_6225_ = _e2360[0];
+                                                phi_6268_ = _e2360[0];
                                             }
-                                            let _e2367 = phi_6225_;
+                                            let _e2367 = phi_6268_;
                                             if (_e2360[1] < 0.0lf) {
-                                                phi_6232_ = -(_e2360[1]);
+                                                phi_6275_ = -(_e2360[1]);
                                             } else {
-                                                phi_6232_ = _e2360[1];
+                                                phi_6275_ = _e2360[1];
                                             }
-                                            let _e2371 = phi_6232_;
+                                            let _e2371 = phi_6275_;
                                             if (_e2367 > _e2371) {
-                                                phi_6237_ = _e2367;
+                                                phi_6280_ = _e2367;
                                             } else {
-                                                phi_6237_ = _e2371;
+                                                phi_6280_ = _e2371;
                                             }
-                                            let _e2374 = phi_6237_;
+                                            let _e2374 = phi_6280_;
                                             if (_e2360[2] < 0.0lf) {
-                                                phi_6244_ = -(_e2360[2]);
+                                                phi_6287_ = -(_e2360[2]);
                                             } else {
-                                                phi_6244_ = _e2360[2];
+                                                phi_6287_ = _e2360[2];
                                             }
-                                            let _e2378 = phi_6244_;
+                                            let _e2378 = phi_6287_;
                                             if (_e2374 > _e2378) {
-                                                phi_6249_ = _e2374;
+                                                phi_6292_ = _e2374;
                                             } else {
-                                                phi_6249_ = _e2378;
+                                                phi_6292_ = _e2378;
                                             }
-                                            let _e2381 = phi_6249_;
+                                            let _e2381 = phi_6292_;
                                             let _e2384 = local_12.member[1u];
                                             if (_e2384[0] < 0.0lf) {
-                                                phi_6262_ = -(_e2384[0]);
+                                                phi_6305_ = -(_e2384[0]);
                                             } else {
-                                                phi_6262_ = _e2384[0];
+                                                phi_6305_ = _e2384[0];
                                             }
-                                            let _e2391 = phi_6262_;
+                                            let _e2391 = phi_6305_;
                                             if (_e2384[1] < 0.0lf) {
-                                                phi_6269_ = -(_e2384[1]);
+                                                phi_6312_ = -(_e2384[1]);
                                             } else {
-                                                phi_6269_ = _e2384[1];
+                                                phi_6312_ = _e2384[1];
                                             }
-                                            let _e2395 = phi_6269_;
+                                            let _e2395 = phi_6312_;
                                             if (_e2391 > _e2395) {
-                                                phi_6274_ = _e2391;
+                                                phi_6317_ = _e2391;
                                             } else {
-                                                phi_6274_ = _e2395;
+                                                phi_6317_ = _e2395;
                                             }
-                                            let _e2398 = phi_6274_;
+                                            let _e2398 = phi_6317_;
                                             if (_e2384[2] < 0.0lf) {
-                                                phi_6281_ = -(_e2384[2]);
+                                                phi_6324_ = -(_e2384[2]);
                                             } else {
-                                                phi_6281_ = _e2384[2];
+                                                phi_6324_ = _e2384[2];
                                             }
-                                            let _e2402 = phi_6281_;
+                                            let _e2402 = phi_6324_;
                                             if (_e2398 > _e2402) {
-                                                phi_6286_ = _e2398;
+                                                phi_6329_ = _e2398;
                                             } else {
-                                                phi_6286_ = _e2402;
+                                                phi_6329_ = _e2402;
                                             }
-                                            let _e2405 = phi_6286_;
+                                            let _e2405 = phi_6329_;
                                             if (_e2381 > _e2405) {
-                                                phi_6291_ = _e2381;
+                                                phi_6334_ = _e2381;
                                             } else {
-                                                phi_6291_ = _e2405;
+                                                phi_6334_ = _e2405;
                                             }
-                                            let _e2408 = phi_6291_;
+                                            let _e2408 = phi_6334_;
                                             let _e2410 = local_12.member_3;
                                             let _e2414 = local_12.member_1[0u];
                                             if (_e2414[0] < 0.0lf) {
-                                                phi_6308_ = -(_e2414[0]);
+                                                phi_6351_ = -(_e2414[0]);
                                             } else {
-                                                phi_6308_ = _e2414[0];
+                                                phi_6351_ = _e2414[0];
                                             }
-                                            let _e2421 = phi_6308_;
+                                            let _e2421 = phi_6351_;
                                             if (_e2414[1] < 0.0lf) {
-                                                phi_6315_ = -(_e2414[1]);
+                                                phi_6358_ = -(_e2414[1]);
                                             } else {
-                                                phi_6315_ = _e2414[1];
+                                                phi_6358_ = _e2414[1];
                                             }
-                                            let _e2425 = phi_6315_;
+                                            let _e2425 = phi_6358_;
                                             if (_e2421 > _e2425) {
-                                                phi_6320_ = _e2421;
+                                                phi_6363_ = _e2421;
                                             } else {
-                                                phi_6320_ = _e2425;
+                                                phi_6363_ = _e2425;
                                             }
-                                            let _e2428 = phi_6320_;
+                                            let _e2428 = phi_6363_;
                                             if (_e2414[2] < 0.0lf) {
-                                                phi_6327_ = -(_e2414[2]);
+                                                phi_6370_ = -(_e2414[2]);
                                             } else {
-                                                phi_6327_ = _e2414[2];
+                                                phi_6370_ = _e2414[2];
                                             }
-                                            let _e2432 = phi_6327_;
+                                            let _e2432 = phi_6370_;
                                             if (_e2428 > _e2432) {
-                                                phi_6332_ = _e2428;
+                                                phi_6375_ = _e2428;
                                             } else {
-                                                phi_6332_ = _e2432;
+                                                phi_6375_ = _e2432;
                                             }
-                                            let _e2435 = phi_6332_;
+                                            let _e2435 = phi_6375_;
                                             let _e2438 = local_12.member_1[1u];
                                             if (_e2438[0] < 0.0lf) {
-                                                phi_6346_ = -(_e2438[0]);
+                                                phi_6389_ = -(_e2438[0]);
                                             } else {
-                                                phi_6346_ = _e2438[0];
+                                                phi_6389_ = _e2438[0];
                                             }
-                                            let _e2445 = phi_6346_;
+                                            let _e2445 = phi_6389_;
                                             if (_e2438[1] < 0.0lf) {
-                                                phi_6353_ = -(_e2438[1]);
+                                                phi_6396_ = -(_e2438[1]);
                                             } else {
-                                                phi_6353_ = _e2438[1];
+                                                phi_6396_ = _e2438[1];
                                             }
-                                            let _e2449 = phi_6353_;
+                                            let _e2449 = phi_6396_;
                                             if (_e2445 > _e2449) {
-                                                phi_6358_ = _e2445;
+                                                phi_6401_ = _e2445;
                                             } else {
-                                                phi_6358_ = _e2449;
+                                                phi_6401_ = _e2449;
                                             }
-                                            let _e2452 = phi_6358_;
+                                            let _e2452 = phi_6401_;
                                             if (_e2438[2] < 0.0lf) {
-                                                phi_6365_ = -(_e2438[2]);
+                                                phi_6408_ = -(_e2438[2]);
                                             } else {
-                                                phi_6365_ = _e2438[2];
+                                                phi_6408_ = _e2438[2];
                                             }
-                                            let _e2456 = phi_6365_;
+                                            let _e2456 = phi_6408_;
                                             if (_e2452 > _e2456) {
-                                                phi_6370_ = _e2452;
+                                                phi_6413_ = _e2452;
                                             } else {
-                                                phi_6370_ = _e2456;
+                                                phi_6413_ = _e2456;
                                             }
-                                            let _e2459 = phi_6370_;
+                                            let _e2459 = phi_6413_;
                                             if (_e2435 > _e2459) {
-                                                phi_6375_ = _e2435;
+                                                phi_6418_ = _e2435;
                                             } else {
-                                                phi_6375_ = _e2459;
+                                                phi_6418_ = _e2459;
                                             }
-                                            let _e2462 = phi_6375_;
+                                            let _e2462 = phi_6418_;
                                             let _e2464 = local_12.member_3;
                                             let _e2468 = local_12.member_2[0u];
                                             if (_e2468[0] < 0.0lf) {
-                                                phi_6392_ = -(_e2468[0]);
+                                                phi_6435_ = -(_e2468[0]);
                                             } else {
-                                                phi_6392_ = _e2468[0];
+                                                phi_6435_ = _e2468[0];
                                             }
-                                            let _e2475 = phi_6392_;
+                                            let _e2475 = phi_6435_;
                                             if (_e2468[1] < 0.0lf) {
-                                                phi_6399_ = -(_e2468[1]);
+                                                phi_6442_ = -(_e2468[1]);
                                             } else {
-                                                phi_6399_ = _e2468[1];
+                                                phi_6442_ = _e2468[1];
                                             }
-                                            let _e2479 = phi_6399_;
+                                            let _e2479 = phi_6442_;
                                             if (_e2475 > _e2479) {
-                                                phi_6404_ = _e2475;
+                                                phi_6447_ = _e2475;
                                             } else {
-                                                phi_6404_ = _e2479;
+                                                phi_6447_ = _e2479;
                                             }
-                                            let _e2482 = phi_6404_;
+                                            let _e2482 = phi_6447_;
                                             if (_e2468[2] < 0.0lf) {
-                                                phi_6411_ = -(_e2468[2]);
+                                                phi_6454_ = -(_e2468[2]);
                                             } else {
-                                                phi_6411_ = _e2468[2];
+                                                phi_6454_ = _e2468[2];
                                             }
-                                            let _e2486 = phi_6411_;
+                                            let _e2486 = phi_6454_;
                                             if (_e2482 > _e2486) {
-                                                phi_6416_ = _e2482;
+                                                phi_6459_ = _e2482;
                                             } else {
-                                                phi_6416_ = _e2486;
+                                                phi_6459_ = _e2486;
                                             }
-                                            let _e2489 = phi_6416_;
+                                            let _e2489 = phi_6459_;
                                             let _e2492 = local_12.member_2[1u];
                                             if (_e2492[0] < 0.0lf) {
-                                                phi_6430_ = -(_e2492[0]);
+                                                phi_6473_ = -(_e2492[0]);
                                             } else {
-                                                phi_6430_ = _e2492[0];
+                                                phi_6473_ = _e2492[0];
                                             }
-                                            let _e2499 = phi_6430_;
+                                            let _e2499 = phi_6473_;
                                             if (_e2492[1] < 0.0lf) {
-                                                phi_6437_ = -(_e2492[1]);
+                                                phi_6480_ = -(_e2492[1]);
                                             } else {
-                                                phi_6437_ = _e2492[1];
+                                                phi_6480_ = _e2492[1];
                                             }
-                                            let _e2503 = phi_6437_;
+                                            let _e2503 = phi_6480_;
                                             if (_e2499 > _e2503) {
-                                                phi_6442_ = _e2499;
+                                                phi_6485_ = _e2499;
                                             } else {
-                                                phi_6442_ = _e2503;
+                                                phi_6485_ = _e2503;
                                             }
-                                            let _e2506 = phi_6442_;
+                                            let _e2506 = phi_6485_;
                                             if (_e2492[2] < 0.0lf) {
-                                                phi_6449_ = -(_e2492[2]);
+                                                phi_6492_ = -(_e2492[2]);
                                             } else {
-                                                phi_6449_ = _e2492[2];
+                                                phi_6492_ = _e2492[2];
                                             }
-                                            let _e2510 = phi_6449_;
+                                            let _e2510 = phi_6492_;
                                             if (_e2506 > _e2510) {
-                                                phi_6454_ = _e2506;
+                                                phi_6497_ = _e2506;
                                             } else {
-                                                phi_6454_ = _e2510;
+                                                phi_6497_ = _e2510;
                                             }
-                                            let _e2513 = phi_6454_;
+                                            let _e2513 = phi_6497_;
                                             if (_e2489 > _e2513) {
-                                                phi_6459_ = _e2489;
+                                                phi_6502_ = _e2489;
                                             } else {
-                                                phi_6459_ = _e2513;
+                                                phi_6502_ = _e2513;
                                             }
-                                            let _e2516 = phi_6459_;
+                                            let _e2516 = phi_6502_;
                                             let _e2518 = local_12.member_3;
                                             let _e2526 = local_12.member_3;
                                             let _e2533 = f64(0f);
                                             let _e2534 = f64(1f);
                                             local = type_34(array<f64, 4>(_e2533, _e2533, _e2533, _e2533), array<f64, 4>(_e2533, _e2533, _e2533, _e2533), array<f64, 4>(_e2534, _e2534, _e2534, _e2534));
-                                            phi_6503_ = type_9(0u, 96u);
-                                            phi_6506_ = _e1554.member;
-                                            phi_6508_ = _e1554.member;
-                                            phi_6510_ = _e1554.member;
+                                            phi_6546_ = type_9(0u, 96u);
+                                            phi_6549_ = _e1554.member;
+                                            phi_6551_ = _e1554.member;
+                                            phi_6553_ = _e1554.member;
+                                            phi_6555_ = false;
+                                            phi_6557_ = 0u;
                                             loop {
-                                                let _e2540 = phi_6503_;
-                                                let _e2542 = phi_6506_;
-                                                let _e2544 = phi_6508_;
-                                                let _e2546 = phi_6510_;
+                                                let _e2540 = phi_6546_;
+                                                let _e2542 = phi_6549_;
+                                                let _e2544 = phi_6551_;
+                                                let _e2546 = phi_6553_;
+                                                let _e2548 = phi_6555_;
+                                                let _e2550 = phi_6557_;
                                                 local_36 = _e2544;
                                                 local_20 = _e2542;
                                                 if (_e2540.member < _e2540.member_1) {
-                                                    phi_6504_ = type_9((_e2540.member + 1u), _e2540.member_1);
-                                                    phi_6533_ = type_9(1u, _e2540.member);
+                                                    phi_6547_ = type_9((_e2540.member + 1u), _e2540.member_1);
+                                                    phi_6580_ = type_9(1u, _e2540.member);
                                                 } else {
-                                                    phi_6504_ = _e2540;
-                                                    phi_6533_ = type_9(0u, type_9().member_1);
+                                                    phi_6547_ = _e2540;
+                                                    phi_6580_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2558 = phi_6504_;
-                                                let _e2560 = phi_6533_;
-                                                if (bitcast<i32>(_e2560.member) != 0i) {
-                                                    let _e2567 = local_12.member[0u];
-                                                    let _e2573 = local_12.member[1u];
-                                                    let _e2589 = local_12.member_1[0u];
-                                                    let _e2595 = local_12.member_1[1u];
-                                                    let _e2611 = local_12.member_2[0u];
-                                                    let _e2617 = local_12.member_2[1u];
-                                                    let _e2631 = function_2(array<f64, 3>((_e2567[0] + ((_e2573[0] - _e2567[0]) * _e2542)), (_e2567[1] + ((_e2573[1] - _e2567[1]) * _e2542)), (_e2567[2] + ((_e2573[2] - _e2567[2]) * _e2542))), array<f64, 3>((_e2589[0] + ((_e2595[0] - _e2589[0]) * _e2542)), (_e2589[1] + ((_e2595[1] - _e2589[1]) * _e2542)), (_e2589[2] + ((_e2595[2] - _e2589[2]) * _e2542))), array<f64, 3>((_e2611[0] + ((_e2617[0] - _e2611[0]) * _e2542)), (_e2611[1] + ((_e2617[1] - _e2611[1]) * _e2542)), (_e2611[2] + ((_e2617[2] - _e2611[2]) * _e2542))), 1u);
-                                                    if (_e2631[0] < 0.0lf) {
-                                                        phi_6645_ = -(_e2631[0]);
+                                                let _e2562 = phi_6547_;
+                                                let _e2564 = phi_6580_;
+                                                if (bitcast<i32>(_e2564.member) != 0i) {
+                                                    let _e2570 = local_12.member[0u];
+                                                    let _e2576 = local_12.member[1u];
+                                                    let _e2592 = local_12.member_1[0u];
+                                                    let _e2598 = local_12.member_1[1u];
+                                                    let _e2614 = local_12.member_2[0u];
+                                                    let _e2620 = local_12.member_2[1u];
+                                                    let _e2634 = function_2(array<f64, 3>((_e2570[0] + ((_e2576[0] - _e2570[0]) * _e2542)), (_e2570[1] + ((_e2576[1] - _e2570[1]) * _e2542)), (_e2570[2] + ((_e2576[2] - _e2570[2]) * _e2542))), array<f64, 3>((_e2592[0] + ((_e2598[0] - _e2592[0]) * _e2542)), (_e2592[1] + ((_e2598[1] - _e2592[1]) * _e2542)), (_e2592[2] + ((_e2598[2] - _e2592[2]) * _e2542))), array<f64, 3>((_e2614[0] + ((_e2620[0] - _e2614[0]) * _e2542)), (_e2614[1] + ((_e2620[1] - _e2614[1]) * _e2542)), (_e2614[2] + ((_e2620[2] - _e2614[2]) * _e2542))), 1u);
+                                                    if (_e2550 == 0u) {
+                                                        phi_6709_ = _e2634;
                                                     } else {
-                                                        phi_6645_ = _e2631[0];
+                                                        let _e2636 = f64(0f);
+                                                        if (_e2550 == 1u) {
+                                                            phi_6695_ = _e2634[0];
+                                                        } else {
+                                                            phi_6695_ = _e2636;
+                                                        }
+                                                        let _e2640 = phi_6695_;
+                                                        if (_e2550 == 2u) {
+                                                            phi_6701_ = _e2634[1];
+                                                        } else {
+                                                            phi_6701_ = _e2636;
+                                                        }
+                                                        let _e2644 = phi_6701_;
+                                                        if (_e2550 == 3u) {
+                                                            phi_6707_ = _e2634[2];
+                                                        } else {
+                                                            phi_6707_ = _e2636;
+                                                        }
+                                                        let _e2648 = phi_6707_;
+                                                        phi_6709_ = array<f64, 3>(_e2640, _e2644, _e2648);
                                                     }
-                                                    let _e2636 = phi_6645_;
-                                                    if (_e2631[1] < 0.0lf) {
-                                                        phi_6652_ = -(_e2631[1]);
+                                                    let _e2651 = phi_6709_;
+                                                    if (_e2651[0] < 0.0lf) {
+                                                        phi_6716_ = -(_e2651[0]);
                                                     } else {
-                                                        phi_6652_ = _e2631[1];
+                                                        phi_6716_ = _e2651[0];
                                                     }
-                                                    let _e2641 = phi_6652_;
-                                                    if (_e2631[2] < 0.0lf) {
-                                                        phi_6660_ = -(_e2631[2]);
+                                                    let _e2656 = phi_6716_;
+                                                    if (_e2651[1] < 0.0lf) {
+                                                        phi_6723_ = -(_e2651[1]);
                                                     } else {
-                                                        phi_6660_ = _e2631[2];
+                                                        phi_6723_ = _e2651[1];
                                                     }
-                                                    let _e2647 = phi_6660_;
-                                                    let _e2648 = ((_e2636 + _e2641) + _e2647);
-                                                    if (_e2648 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2648) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2655 = (f64(1f) / _e2648);
-                                                            let _e2657 = (_e2631[0] * _e2655);
-                                                            let _e2659 = (_e2631[1] * _e2655);
-                                                            let _e2661 = (_e2631[2] * _e2655);
-                                                            let _e2666 = (((_e2657 * _e2657) + (_e2659 * _e2659)) + (_e2661 * _e2661));
-                                                            if (_e2666 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2666 > 0.0lf) {
-                                                                    phi_6699_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2661 = phi_6723_;
+                                                    if (_e2651[2] < 0.0lf) {
+                                                        phi_6731_ = -(_e2651[2]);
+                                                    } else {
+                                                        phi_6731_ = _e2651[2];
+                                                    }
+                                                    let _e2667 = phi_6731_;
+                                                    let _e2668 = ((_e2656 + _e2661) + _e2667);
+                                                    if (_e2668 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2668) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2675 = (f64(1f) / _e2668);
+                                                            let _e2677 = (_e2651[0] * _e2675);
+                                                            let _e2679 = (_e2651[1] * _e2675);
+                                                            let _e2681 = (_e2651[2] * _e2675);
+                                                            let _e2686 = (((_e2677 * _e2677) + (_e2679 * _e2679)) + (_e2681 * _e2681));
+                                                            if (_e2686 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2686 > 0.0lf) {
+                                                                    phi_6770_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_6699_ = 0.0lf;
+                                                                    phi_6770_ = 0.0lf;
                                                                 }
-                                                                let _e2718 = phi_6699_;
-                                                                phi_6763_ = _e2718;
+                                                                let _e2738 = phi_6770_;
+                                                                phi_6834_ = _e2738;
                                                             } else {
-                                                                phi_6706_ = type_16(0i, 5i);
-                                                                phi_6709_ = bitcast<f64>(((bitcast<u64>(_e2666) / 2lu) + 2303426169912950784lu));
+                                                                phi_6777_ = type_16(0i, 5i);
+                                                                phi_6780_ = bitcast<f64>(((bitcast<u64>(_e2686) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2673 = phi_6706_;
-                                                                    let _e2675 = phi_6709_;
-                                                                    local_18 = _e2675;
-                                                                    if (_e2673.member < _e2673.member_1) {
-                                                                        let _e2682 = (_e2673.member + 1i);
-                                                                        if ((false == (_e2682 > _e2673.member)) != false) {
-                                                                            phi_6730_ = true;
+                                                                    let _e2693 = phi_6777_;
+                                                                    let _e2695 = phi_6780_;
+                                                                    local_18 = _e2695;
+                                                                    if (_e2693.member < _e2693.member_1) {
+                                                                        let _e2702 = (_e2693.member + 1i);
+                                                                        if ((false == (_e2702 > _e2693.member)) != false) {
+                                                                            phi_6801_ = true;
                                                                         } else {
-                                                                            phi_6730_ = false;
+                                                                            phi_6801_ = false;
                                                                         }
-                                                                        let _e2687 = phi_6730_;
-                                                                        if _e2687 {
-                                                                            phi_6736_ = type_17(0u, type_17().member_1);
+                                                                        let _e2707 = phi_6801_;
+                                                                        if _e2707 {
+                                                                            phi_6807_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_6736_ = type_17(1u, _e2682);
+                                                                            phi_6807_ = type_17(1u, _e2702);
                                                                         }
-                                                                        let _e2692 = phi_6736_;
-                                                                        phi_6707_ = type_16(_e2692.member_1, _e2673.member_1);
-                                                                        phi_6750_ = type_17(1u, _e2673.member);
+                                                                        let _e2712 = phi_6807_;
+                                                                        phi_6778_ = type_16(_e2712.member_1, _e2693.member_1);
+                                                                        phi_6821_ = type_17(1u, _e2693.member);
                                                                     } else {
-                                                                        phi_6707_ = _e2673;
-                                                                        phi_6750_ = type_17(0u, type_17().member_1);
+                                                                        phi_6778_ = _e2693;
+                                                                        phi_6821_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2698 = phi_6707_;
-                                                                    let _e2700 = phi_6750_;
-                                                                    let _e2703 = (bitcast<i32>(_e2700.member) != 0i);
-                                                                    if _e2703 {
-                                                                        phi_6710_ = (0.5lf * (_e2675 + (_e2666 / _e2675)));
+                                                                    let _e2718 = phi_6778_;
+                                                                    let _e2720 = phi_6821_;
+                                                                    let _e2723 = (bitcast<i32>(_e2720.member) != 0i);
+                                                                    if _e2723 {
+                                                                        phi_6781_ = (0.5lf * (_e2695 + (_e2686 / _e2695)));
                                                                     } else {
-                                                                        phi_6710_ = f64();
+                                                                        phi_6781_ = f64();
                                                                     }
-                                                                    let _e2708 = phi_6710_;
+                                                                    let _e2728 = phi_6781_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_6706_ = _e2698;
-                                                                        phi_6709_ = _e2708;
-                                                                        break if !(_e2703);
+                                                                        phi_6777_ = _e2718;
+                                                                        phi_6780_ = _e2728;
+                                                                        break if !(_e2723);
                                                                     }
                                                                 }
-                                                                let _e2713 = local_18;
-                                                                phi_6763_ = (_e2713 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2733 = local_18;
+                                                                phi_6834_ = (_e2733 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2720 = phi_6763_;
-                                                            let _e2722 = (1.1102230246251565e-16lf * f64(12f));
-                                                            let _e2729 = ((((((((_e2408 + _e2410) + (_e2462 + _e2464)) + (_e2516 + _e2518)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2526 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2720) * (f64(1f) + _e2722)));
-                                                            let _e2734 = (((_e2657 * _e2306[0]) + (_e2659 * _e2306[1])) + (_e2661 * _e2306[2]));
-                                                            let _e2739 = (((_e2657 * _e2322) + (_e2659 * _e2323)) + (_e2661 * _e2324));
-                                                            let _e2744 = (((_e2657 * (_e2306[0] - _e2318[0])) + (_e2659 * (_e2306[1] - _e2318[1]))) + (_e2661 * (_e2306[2] - _e2318[2])));
-                                                            let _e2749 = (((_e2657 * (_e2322 - _e2318[0])) + (_e2659 * (_e2323 - _e2318[1]))) + (_e2661 * (_e2324 - _e2318[2])));
-                                                            let _e2755 = (((_e2657 * _e2333[0]) + (_e2659 * _e2333[1])) + (_e2661 * _e2333[2]));
-                                                            let _e2760 = (((_e2657 * _e2349) + (_e2659 * _e2350)) + (_e2661 * _e2351));
-                                                            let _e2765 = (((_e2657 * (_e2333[0] - _e2345[0])) + (_e2659 * (_e2333[1] - _e2345[1]))) + (_e2661 * (_e2333[2] - _e2345[2])));
-                                                            let _e2770 = (((_e2657 * (_e2349 - _e2345[0])) + (_e2659 * (_e2350 - _e2345[1]))) + (_e2661 * (_e2351 - _e2345[2])));
-                                                            if (_e2734 < 0.0lf) {
-                                                                phi_6832_ = -(_e2734);
+                                                            let _e2740 = phi_6834_;
+                                                            let _e2742 = (1.1102230246251565e-16lf * f64(12f));
+                                                            let _e2749 = ((((((((_e2408 + _e2410) + (_e2462 + _e2464)) + (_e2516 + _e2518)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2526 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2740) * (f64(1f) + _e2742)));
+                                                            let _e2754 = (((_e2677 * _e2306[0]) + (_e2679 * _e2306[1])) + (_e2681 * _e2306[2]));
+                                                            let _e2759 = (((_e2677 * _e2322) + (_e2679 * _e2323)) + (_e2681 * _e2324));
+                                                            let _e2764 = (((_e2677 * (_e2306[0] - _e2318[0])) + (_e2679 * (_e2306[1] - _e2318[1]))) + (_e2681 * (_e2306[2] - _e2318[2])));
+                                                            let _e2769 = (((_e2677 * (_e2322 - _e2318[0])) + (_e2679 * (_e2323 - _e2318[1]))) + (_e2681 * (_e2324 - _e2318[2])));
+                                                            let _e2775 = (((_e2677 * _e2333[0]) + (_e2679 * _e2333[1])) + (_e2681 * _e2333[2]));
+                                                            let _e2780 = (((_e2677 * _e2349) + (_e2679 * _e2350)) + (_e2681 * _e2351));
+                                                            let _e2785 = (((_e2677 * (_e2333[0] - _e2345[0])) + (_e2679 * (_e2333[1] - _e2345[1]))) + (_e2681 * (_e2333[2] - _e2345[2])));
+                                                            let _e2790 = (((_e2677 * (_e2349 - _e2345[0])) + (_e2679 * (_e2350 - _e2345[1]))) + (_e2681 * (_e2351 - _e2345[2])));
+                                                            if (_e2754 < 0.0lf) {
+                                                                phi_6903_ = -(_e2754);
                                                             } else {
-                                                                phi_6832_ = _e2734;
+                                                                phi_6903_ = _e2754;
                                                             }
-                                                            let _e2775 = phi_6832_;
-                                                            if (_e2755 < 0.0lf) {
-                                                                phi_6838_ = -(_e2755);
+                                                            let _e2795 = phi_6903_;
+                                                            if (_e2775 < 0.0lf) {
+                                                                phi_6909_ = -(_e2775);
                                                             } else {
-                                                                phi_6838_ = _e2755;
+                                                                phi_6909_ = _e2775;
                                                             }
-                                                            let _e2779 = phi_6838_;
-                                                            if (_e2739 < 0.0lf) {
-                                                                phi_6847_ = -(_e2739);
+                                                            let _e2799 = phi_6909_;
+                                                            if (_e2759 < 0.0lf) {
+                                                                phi_6918_ = -(_e2759);
                                                             } else {
-                                                                phi_6847_ = _e2739;
+                                                                phi_6918_ = _e2759;
                                                             }
-                                                            let _e2786 = phi_6847_;
-                                                            if (_e2760 < 0.0lf) {
-                                                                phi_6853_ = -(_e2760);
+                                                            let _e2806 = phi_6918_;
+                                                            if (_e2780 < 0.0lf) {
+                                                                phi_6924_ = -(_e2780);
                                                             } else {
-                                                                phi_6853_ = _e2760;
+                                                                phi_6924_ = _e2780;
                                                             }
-                                                            let _e2790 = phi_6853_;
-                                                            if (_e2744 < 0.0lf) {
-                                                                phi_6862_ = -(_e2744);
+                                                            let _e2810 = phi_6924_;
+                                                            if (_e2764 < 0.0lf) {
+                                                                phi_6933_ = -(_e2764);
                                                             } else {
-                                                                phi_6862_ = _e2744;
+                                                                phi_6933_ = _e2764;
                                                             }
-                                                            let _e2797 = phi_6862_;
-                                                            if (_e2765 < 0.0lf) {
-                                                                phi_6868_ = -(_e2765);
+                                                            let _e2817 = phi_6933_;
+                                                            if (_e2785 < 0.0lf) {
+                                                                phi_6939_ = -(_e2785);
                                                             } else {
-                                                                phi_6868_ = _e2765;
+                                                                phi_6939_ = _e2785;
                                                             }
-                                                            let _e2801 = phi_6868_;
-                                                            if (_e2749 < 0.0lf) {
-                                                                phi_6877_ = -(_e2749);
+                                                            let _e2821 = phi_6939_;
+                                                            if (_e2769 < 0.0lf) {
+                                                                phi_6948_ = -(_e2769);
                                                             } else {
-                                                                phi_6877_ = _e2749;
+                                                                phi_6948_ = _e2769;
                                                             }
-                                                            let _e2808 = phi_6877_;
-                                                            if (_e2770 < 0.0lf) {
-                                                                phi_6883_ = -(_e2770);
+                                                            let _e2828 = phi_6948_;
+                                                            if (_e2790 < 0.0lf) {
+                                                                phi_6954_ = -(_e2790);
                                                             } else {
-                                                                phi_6883_ = _e2770;
+                                                                phi_6954_ = _e2790;
                                                             }
-                                                            let _e2812 = phi_6883_;
-                                                            phi_6889_ = type_34(array<f64, 4>(_e2734, _e2739, _e2744, _e2749), array<f64, 4>(_e2755, _e2760, _e2765, _e2770), array<f64, 4>((_e2729 + ((_e2775 + _e2779) * _e2722)), (_e2729 + ((_e2786 + _e2790) * _e2722)), (_e2729 + ((_e2797 + _e2801) * _e2722)), (_e2729 + ((_e2808 + _e2812) * _e2722))));
-                                                            phi_6890_ = false;
+                                                            let _e2832 = phi_6954_;
+                                                            phi_6960_ = type_34(array<f64, 4>(_e2754, _e2759, _e2764, _e2769), array<f64, 4>(_e2775, _e2780, _e2785, _e2790), array<f64, 4>((_e2749 + ((_e2795 + _e2799) * _e2742)), (_e2749 + ((_e2806 + _e2810) * _e2742)), (_e2749 + ((_e2817 + _e2821) * _e2742)), (_e2749 + ((_e2828 + _e2832) * _e2742))));
+                                                            phi_6961_ = false;
                                                         } else {
-                                                            phi_6889_ = type_34();
-                                                            phi_6890_ = true;
+                                                            phi_6960_ = type_34();
+                                                            phi_6961_ = true;
                                                         }
-                                                        let _e2819 = phi_6889_;
-                                                        let _e2821 = phi_6890_;
-                                                        phi_6891_ = _e2819;
-                                                        phi_6892_ = _e2821;
+                                                        let _e2839 = phi_6960_;
+                                                        let _e2841 = phi_6961_;
+                                                        phi_6962_ = _e2839;
+                                                        phi_6963_ = _e2841;
                                                     } else {
-                                                        phi_6891_ = type_34();
-                                                        phi_6892_ = true;
+                                                        phi_6962_ = type_34();
+                                                        phi_6963_ = true;
                                                     }
-                                                    let _e2823 = phi_6891_;
-                                                    let _e2825 = phi_6892_;
-                                                    if _e2825 {
-                                                        let _e2826 = f64(0f);
-                                                        let _e2827 = f64(1f);
-                                                        phi_6902_ = type_34(array<f64, 4>(_e2826, _e2826, _e2826, _e2826), array<f64, 4>(_e2826, _e2826, _e2826, _e2826), array<f64, 4>(_e2827, _e2827, _e2827, _e2827));
+                                                    let _e2843 = phi_6962_;
+                                                    let _e2845 = phi_6963_;
+                                                    if _e2845 {
+                                                        let _e2846 = f64(0f);
+                                                        let _e2847 = f64(1f);
+                                                        phi_6973_ = type_34(array<f64, 4>(_e2846, _e2846, _e2846, _e2846), array<f64, 4>(_e2846, _e2846, _e2846, _e2846), array<f64, 4>(_e2847, _e2847, _e2847, _e2847));
                                                     } else {
-                                                        phi_6902_ = _e2823;
+                                                        phi_6973_ = _e2843;
                                                     }
-                                                    let _e2833 = phi_6902_;
-                                                    local_1 = type_34(array<f64, 4>(_e2833.member[0], _e2833.member[1], _e2833.member[2], _e2833.member[3]), array<f64, 4>(_e2833.member_1[0], _e2833.member_1[1], _e2833.member_1[2], _e2833.member_1[3]), array<f64, 4>(_e2833.member_2[0], _e2833.member_2[1], _e2833.member_2[2], _e2833.member_2[3]));
-                                                    let _e2853 = (_e2542 - _e2546);
-                                                    let _e2854 = f64(0f);
-                                                    let _e2857 = local_1.member[0u];
-                                                    let _e2860 = local_1.member_1[0u];
-                                                    let _e2863 = local_1.member[0u];
-                                                    let _e2869 = local_1.member_2[0u];
-                                                    if (((_e2857 + ((_e2860 - _e2863) * _e2542)) - _e2869) > _e2854) {
-                                                        let _e2874 = local_1.member[1u];
-                                                        let _e2877 = local_1.member_1[1u];
-                                                        let _e2880 = local_1.member[1u];
-                                                        let _e2886 = local_1.member_2[1u];
-                                                        if (((_e2874 + ((_e2877 - _e2880) * _e2542)) - _e2886) > _e2854) {
-                                                            let _e2891 = local_1.member[2u];
-                                                            let _e2894 = local_1.member_1[2u];
-                                                            let _e2897 = local_1.member[2u];
-                                                            let _e2903 = local_1.member_2[2u];
-                                                            if (((_e2891 + ((_e2894 - _e2897) * _e2542)) - _e2903) > _e2854) {
-                                                                let _e2908 = local_1.member[3u];
-                                                                let _e2911 = local_1.member_1[3u];
-                                                                let _e2914 = local_1.member[3u];
-                                                                let _e2920 = local_1.member_2[3u];
-                                                                phi_7073_ = (((_e2908 + ((_e2911 - _e2914) * _e2542)) - _e2920) > _e2854);
-                                                                phi_7074_ = false;
+                                                    let _e2853 = phi_6973_;
+                                                    local_1 = type_34(array<f64, 4>(_e2853.member[0], _e2853.member[1], _e2853.member[2], _e2853.member[3]), array<f64, 4>(_e2853.member_1[0], _e2853.member_1[1], _e2853.member_1[2], _e2853.member_1[3]), array<f64, 4>(_e2853.member_2[0], _e2853.member_2[1], _e2853.member_2[2], _e2853.member_2[3]));
+                                                    let _e2873 = (_e2542 - _e2546);
+                                                    let _e2875 = f64(0f);
+                                                    let _e2878 = local_1.member[0u];
+                                                    let _e2881 = local_1.member_1[0u];
+                                                    let _e2884 = local_1.member[0u];
+                                                    let _e2890 = local_1.member_2[0u];
+                                                    if (((_e2878 + ((_e2881 - _e2884) * _e2542)) - _e2890) > _e2875) {
+                                                        let _e2895 = local_1.member[1u];
+                                                        let _e2898 = local_1.member_1[1u];
+                                                        let _e2901 = local_1.member[1u];
+                                                        let _e2907 = local_1.member_2[1u];
+                                                        if (((_e2895 + ((_e2898 - _e2901) * _e2542)) - _e2907) > _e2875) {
+                                                            let _e2912 = local_1.member[2u];
+                                                            let _e2915 = local_1.member_1[2u];
+                                                            let _e2918 = local_1.member[2u];
+                                                            let _e2924 = local_1.member_2[2u];
+                                                            if (((_e2912 + ((_e2915 - _e2918) * _e2542)) - _e2924) > _e2875) {
+                                                                let _e2929 = local_1.member[3u];
+                                                                let _e2932 = local_1.member_1[3u];
+                                                                let _e2935 = local_1.member[3u];
+                                                                let _e2941 = local_1.member_2[3u];
+                                                                phi_7145_ = (((_e2929 + ((_e2932 - _e2935) * _e2542)) - _e2941) > _e2875);
+                                                                phi_7146_ = false;
                                                             } else {
-                                                                phi_7073_ = bool();
-                                                                phi_7074_ = true;
+                                                                phi_7145_ = bool();
+                                                                phi_7146_ = true;
                                                             }
-                                                            let _e2924 = phi_7073_;
-                                                            let _e2926 = phi_7074_;
-                                                            phi_7075_ = _e2924;
-                                                            phi_7076_ = _e2926;
+                                                            let _e2945 = phi_7145_;
+                                                            let _e2947 = phi_7146_;
+                                                            phi_7147_ = _e2945;
+                                                            phi_7148_ = _e2947;
                                                         } else {
-                                                            phi_7075_ = bool();
-                                                            phi_7076_ = true;
+                                                            phi_7147_ = bool();
+                                                            phi_7148_ = true;
                                                         }
-                                                        let _e2928 = phi_7075_;
-                                                        let _e2930 = phi_7076_;
-                                                        phi_7077_ = _e2928;
-                                                        phi_7078_ = _e2930;
+                                                        let _e2949 = phi_7147_;
+                                                        let _e2951 = phi_7148_;
+                                                        phi_7149_ = _e2949;
+                                                        phi_7150_ = _e2951;
                                                     } else {
-                                                        phi_7077_ = bool();
-                                                        phi_7078_ = true;
+                                                        phi_7149_ = bool();
+                                                        phi_7150_ = true;
                                                     }
-                                                    let _e2932 = phi_7077_;
-                                                    let _e2934 = phi_7078_;
-                                                    if _e2934 {
-                                                        phi_7082_ = false;
+                                                    let _e2953 = phi_7149_;
+                                                    let _e2955 = phi_7150_;
+                                                    if _e2955 {
+                                                        phi_7154_ = false;
                                                     } else {
-                                                        phi_7082_ = _e2932;
+                                                        phi_7154_ = _e2953;
                                                     }
-                                                    let _e2936 = phi_7082_;
-                                                    if _e2936 {
+                                                    let _e2957 = phi_7154_;
+                                                    if _e2957 {
                                                         if (_e2542 <= _e2544) {
-                                                            phi_7393_ = true;
+                                                            phi_7465_ = true;
                                                         } else {
-                                                            let _e2938 = f64(0f);
-                                                            let _e2941 = local.member[0u];
-                                                            let _e2944 = local.member_1[0u];
-                                                            let _e2947 = local.member[0u];
-                                                            let _e2953 = local.member_2[0u];
-                                                            let _e2957 = local_1.member[0u];
-                                                            let _e2960 = local_1.member_1[0u];
-                                                            let _e2963 = local_1.member[0u];
-                                                            let _e2969 = local_1.member_2[0u];
-                                                            if ((((_e2941 + ((_e2944 - _e2947) * _e2542)) - _e2953) + ((_e2957 + ((_e2960 - _e2963) * _e2546)) - _e2969)) > _e2938) {
-                                                                let _e2975 = local.member[1u];
-                                                                let _e2978 = local.member_1[1u];
-                                                                let _e2981 = local.member[1u];
-                                                                let _e2987 = local.member_2[1u];
-                                                                let _e2991 = local_1.member[1u];
-                                                                let _e2994 = local_1.member_1[1u];
-                                                                let _e2997 = local_1.member[1u];
-                                                                let _e3003 = local_1.member_2[1u];
-                                                                if ((((_e2975 + ((_e2978 - _e2981) * _e2542)) - _e2987) + ((_e2991 + ((_e2994 - _e2997) * _e2546)) - _e3003)) > _e2938) {
-                                                                    let _e3009 = local.member[2u];
-                                                                    let _e3012 = local.member_1[2u];
-                                                                    let _e3015 = local.member[2u];
-                                                                    let _e3021 = local.member_2[2u];
-                                                                    let _e3025 = local_1.member[2u];
-                                                                    let _e3028 = local_1.member_1[2u];
-                                                                    let _e3031 = local_1.member[2u];
-                                                                    let _e3037 = local_1.member_2[2u];
-                                                                    if ((((_e3009 + ((_e3012 - _e3015) * _e2542)) - _e3021) + ((_e3025 + ((_e3028 - _e3031) * _e2546)) - _e3037)) > _e2938) {
-                                                                        let _e3043 = local.member[3u];
-                                                                        let _e3046 = local.member_1[3u];
-                                                                        let _e3049 = local.member[3u];
-                                                                        let _e3055 = local.member_2[3u];
-                                                                        let _e3059 = local_1.member[3u];
-                                                                        let _e3062 = local_1.member_1[3u];
-                                                                        let _e3065 = local_1.member[3u];
-                                                                        let _e3071 = local_1.member_2[3u];
-                                                                        phi_7380_ = ((((_e3043 + ((_e3046 - _e3049) * _e2542)) - _e3055) + ((_e3059 + ((_e3062 - _e3065) * _e2546)) - _e3071)) > _e2938);
-                                                                        phi_7381_ = false;
+                                                            let _e2959 = f64(0f);
+                                                            let _e2962 = local.member[0u];
+                                                            let _e2965 = local.member_1[0u];
+                                                            let _e2968 = local.member[0u];
+                                                            let _e2974 = local.member_2[0u];
+                                                            let _e2978 = local_1.member[0u];
+                                                            let _e2981 = local_1.member_1[0u];
+                                                            let _e2984 = local_1.member[0u];
+                                                            let _e2990 = local_1.member_2[0u];
+                                                            if ((((_e2962 + ((_e2965 - _e2968) * _e2542)) - _e2974) + ((_e2978 + ((_e2981 - _e2984) * _e2546)) - _e2990)) > _e2959) {
+                                                                let _e2996 = local.member[1u];
+                                                                let _e2999 = local.member_1[1u];
+                                                                let _e3002 = local.member[1u];
+                                                                let _e3008 = local.member_2[1u];
+                                                                let _e3012 = local_1.member[1u];
+                                                                let _e3015 = local_1.member_1[1u];
+                                                                let _e3018 = local_1.member[1u];
+                                                                let _e3024 = local_1.member_2[1u];
+                                                                if ((((_e2996 + ((_e2999 - _e3002) * _e2542)) - _e3008) + ((_e3012 + ((_e3015 - _e3018) * _e2546)) - _e3024)) > _e2959) {
+                                                                    let _e3030 = local.member[2u];
+                                                                    let _e3033 = local.member_1[2u];
+                                                                    let _e3036 = local.member[2u];
+                                                                    let _e3042 = local.member_2[2u];
+                                                                    let _e3046 = local_1.member[2u];
+                                                                    let _e3049 = local_1.member_1[2u];
+                                                                    let _e3052 = local_1.member[2u];
+                                                                    let _e3058 = local_1.member_2[2u];
+                                                                    if ((((_e3030 + ((_e3033 - _e3036) * _e2542)) - _e3042) + ((_e3046 + ((_e3049 - _e3052) * _e2546)) - _e3058)) > _e2959) {
+                                                                        let _e3064 = local.member[3u];
+                                                                        let _e3067 = local.member_1[3u];
+                                                                        let _e3070 = local.member[3u];
+                                                                        let _e3076 = local.member_2[3u];
+                                                                        let _e3080 = local_1.member[3u];
+                                                                        let _e3083 = local_1.member_1[3u];
+                                                                        let _e3086 = local_1.member[3u];
+                                                                        let _e3092 = local_1.member_2[3u];
+                                                                        phi_7452_ = ((((_e3064 + ((_e3067 - _e3070) * _e2542)) - _e3076) + ((_e3080 + ((_e3083 - _e3086) * _e2546)) - _e3092)) > _e2959);
+                                                                        phi_7453_ = false;
                                                                     } else {
-                                                                        phi_7380_ = bool();
-                                                                        phi_7381_ = true;
+                                                                        phi_7452_ = bool();
+                                                                        phi_7453_ = true;
                                                                     }
-                                                                    let _e3076 = phi_7380_;
-                                                                    let _e3078 = phi_7381_;
-                                                                    phi_7382_ = _e3076;
-                                                                    phi_7383_ = _e3078;
+                                                                    let _e3097 = phi_7452_;
+                                                                    let _e3099 = phi_7453_;
+                                                                    phi_7454_ = _e3097;
+                                                                    phi_7455_ = _e3099;
                                                                 } else {
-                                                                    phi_7382_ = bool();
-                                                                    phi_7383_ = true;
+                                                                    phi_7454_ = bool();
+                                                                    phi_7455_ = true;
                                                                 }
-                                                                let _e3080 = phi_7382_;
-                                                                let _e3082 = phi_7383_;
-                                                                phi_7384_ = _e3080;
-                                                                phi_7385_ = _e3082;
+                                                                let _e3101 = phi_7454_;
+                                                                let _e3103 = phi_7455_;
+                                                                phi_7456_ = _e3101;
+                                                                phi_7457_ = _e3103;
                                                             } else {
-                                                                phi_7384_ = bool();
-                                                                phi_7385_ = true;
+                                                                phi_7456_ = bool();
+                                                                phi_7457_ = true;
                                                             }
-                                                            let _e3084 = phi_7384_;
-                                                            let _e3086 = phi_7385_;
-                                                            if _e3086 {
-                                                                phi_7389_ = false;
+                                                            let _e3105 = phi_7456_;
+                                                            let _e3107 = phi_7457_;
+                                                            if _e3107 {
+                                                                phi_7461_ = false;
                                                             } else {
-                                                                phi_7389_ = _e3084;
+                                                                phi_7461_ = _e3105;
                                                             }
-                                                            let _e3088 = phi_7389_;
-                                                            phi_7393_ = _e3088;
+                                                            let _e3109 = phi_7461_;
+                                                            phi_7465_ = _e3109;
                                                         }
-                                                        let _e3090 = phi_7393_;
-                                                        if _e3090 {
-                                                            if (_e2560.member_1 > 0u) {
+                                                        let _e3111 = phi_7465_;
+                                                        if _e3111 {
+                                                            if _e2548 {
                                                                 if (_e2542 >= _e1554.member_1) {
-                                                                    phi_7405_ = false;
+                                                                    phi_7476_ = false;
                                                                 } else {
-                                                                    phi_7405_ = true;
+                                                                    phi_7476_ = true;
                                                                 }
-                                                                let _e3094 = phi_7405_;
-                                                                phi_7406_ = _e3094;
+                                                                let _e3114 = phi_7476_;
+                                                                phi_7477_ = _e3114;
                                                             } else {
-                                                                phi_7406_ = true;
+                                                                phi_7477_ = true;
                                                             }
-                                                            let _e3096 = phi_7406_;
-                                                            if _e3096 {
-                                                                local = type_34(array<f64, 4>(_e2833.member[0], _e2833.member[1], _e2833.member[2], _e2833.member[3]), array<f64, 4>(_e2833.member_1[0], _e2833.member_1[1], _e2833.member_1[2], _e2833.member_1[3]), array<f64, 4>(_e2833.member_2[0], _e2833.member_2[1], _e2833.member_2[2], _e2833.member_2[3]));
-                                                                let _e3118 = local.member[0u];
-                                                                let _e3121 = local.member_1[0u];
-                                                                let _e3124 = local.member_2[0u];
-                                                                if (_e3118 > _e3124) {
-                                                                    if (_e3121 > _e3124) {
-                                                                        phi_7480_ = false;
+                                                            let _e3116 = phi_7477_;
+                                                            if _e3116 {
+                                                                local = type_34(array<f64, 4>(_e2853.member[0], _e2853.member[1], _e2853.member[2], _e2853.member[3]), array<f64, 4>(_e2853.member_1[0], _e2853.member_1[1], _e2853.member_1[2], _e2853.member_1[3]), array<f64, 4>(_e2853.member_2[0], _e2853.member_2[1], _e2853.member_2[2], _e2853.member_2[3]));
+                                                                let _e3138 = local.member[0u];
+                                                                let _e3141 = local.member_1[0u];
+                                                                let _e3144 = local.member_2[0u];
+                                                                if (_e3138 > _e3144) {
+                                                                    if (_e3141 > _e3144) {
+                                                                        phi_7551_ = false;
                                                                     } else {
-                                                                        phi_7480_ = true;
+                                                                        phi_7551_ = true;
                                                                     }
-                                                                    let _e3128 = phi_7480_;
-                                                                    phi_7481_ = _e3128;
+                                                                    let _e3148 = phi_7551_;
+                                                                    phi_7552_ = _e3148;
                                                                 } else {
-                                                                    phi_7481_ = true;
+                                                                    phi_7552_ = true;
                                                                 }
-                                                                let _e3130 = phi_7481_;
-                                                                if _e3130 {
-                                                                    let _e3131 = (_e3121 >= _e3118);
-                                                                    if _e3131 {
-                                                                        phi_7506_ = f64();
-                                                                        phi_7507_ = false;
+                                                                let _e3150 = phi_7552_;
+                                                                if _e3150 {
+                                                                    let _e3151 = (_e3141 >= _e3138);
+                                                                    if _e3151 {
+                                                                        phi_7577_ = f64();
+                                                                        phi_7578_ = false;
                                                                     } else {
-                                                                        if ((_e3118 - _e3121) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_7504_ = (((_e3118 - _e3124) / (_e3118 - _e3121)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_7505_ = false;
+                                                                        if ((_e3138 - _e3141) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_7575_ = (((_e3138 - _e3144) / (_e3138 - _e3141)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_7576_ = false;
                                                                         } else {
-                                                                            phi_7504_ = f64();
-                                                                            phi_7505_ = true;
+                                                                            phi_7575_ = f64();
+                                                                            phi_7576_ = true;
                                                                         }
-                                                                        let _e3145 = phi_7504_;
-                                                                        let _e3147 = phi_7505_;
-                                                                        phi_7506_ = _e3145;
-                                                                        phi_7507_ = _e3147;
+                                                                        let _e3165 = phi_7575_;
+                                                                        let _e3167 = phi_7576_;
+                                                                        phi_7577_ = _e3165;
+                                                                        phi_7578_ = _e3167;
                                                                     }
-                                                                    let _e3149 = phi_7506_;
-                                                                    let _e3151 = phi_7507_;
-                                                                    phi_7508_ = _e3149;
-                                                                    phi_7509_ = _e3131;
-                                                                    phi_7510_ = _e3151;
+                                                                    let _e3169 = phi_7577_;
+                                                                    let _e3171 = phi_7578_;
+                                                                    phi_7579_ = _e3169;
+                                                                    phi_7580_ = _e3151;
+                                                                    phi_7581_ = _e3171;
                                                                 } else {
-                                                                    phi_7508_ = f64();
-                                                                    phi_7509_ = true;
-                                                                    phi_7510_ = false;
+                                                                    phi_7579_ = f64();
+                                                                    phi_7580_ = true;
+                                                                    phi_7581_ = false;
                                                                 }
-                                                                let _e3153 = phi_7508_;
-                                                                let _e3155 = phi_7509_;
-                                                                let _e3157 = phi_7510_;
-                                                                if _e3155 {
-                                                                    phi_7515_ = f64(2f);
-                                                                    phi_7516_ = true;
+                                                                let _e3173 = phi_7579_;
+                                                                let _e3175 = phi_7580_;
+                                                                let _e3177 = phi_7581_;
+                                                                if _e3175 {
+                                                                    phi_7586_ = f64(2f);
+                                                                    phi_7587_ = true;
                                                                 } else {
-                                                                    phi_7515_ = _e2542;
-                                                                    phi_7516_ = _e3157;
+                                                                    phi_7586_ = _e2542;
+                                                                    phi_7587_ = _e3177;
                                                                 }
-                                                                let _e3160 = phi_7515_;
-                                                                let _e3162 = phi_7516_;
-                                                                if _e3162 {
-                                                                    phi_7520_ = _e3160;
+                                                                let _e3180 = phi_7586_;
+                                                                let _e3182 = phi_7587_;
+                                                                if _e3182 {
+                                                                    phi_7591_ = _e3180;
                                                                 } else {
-                                                                    phi_7520_ = _e3153;
+                                                                    phi_7591_ = _e3173;
                                                                 }
-                                                                let _e3164 = phi_7520_;
-                                                                let _e3167 = local.member[1u];
-                                                                let _e3170 = local.member_1[1u];
-                                                                let _e3173 = local.member_2[1u];
-                                                                if (_e3167 > _e3173) {
-                                                                    if (_e3170 > _e3173) {
-                                                                        phi_7552_ = false;
+                                                                let _e3184 = phi_7591_;
+                                                                let _e3187 = local.member[1u];
+                                                                let _e3190 = local.member_1[1u];
+                                                                let _e3193 = local.member_2[1u];
+                                                                if (_e3187 > _e3193) {
+                                                                    if (_e3190 > _e3193) {
+                                                                        phi_7623_ = false;
                                                                     } else {
-                                                                        phi_7552_ = true;
+                                                                        phi_7623_ = true;
                                                                     }
-                                                                    let _e3177 = phi_7552_;
-                                                                    phi_7553_ = _e3177;
+                                                                    let _e3197 = phi_7623_;
+                                                                    phi_7624_ = _e3197;
                                                                 } else {
-                                                                    phi_7553_ = true;
+                                                                    phi_7624_ = true;
                                                                 }
-                                                                let _e3179 = phi_7553_;
-                                                                if _e3179 {
-                                                                    let _e3180 = (_e3170 >= _e3167);
-                                                                    if _e3180 {
-                                                                        phi_7578_ = f64();
-                                                                        phi_7579_ = false;
+                                                                let _e3199 = phi_7624_;
+                                                                if _e3199 {
+                                                                    let _e3200 = (_e3190 >= _e3187);
+                                                                    if _e3200 {
+                                                                        phi_7649_ = f64();
+                                                                        phi_7650_ = false;
                                                                     } else {
-                                                                        if ((_e3167 - _e3170) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_7576_ = (((_e3167 - _e3173) / (_e3167 - _e3170)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_7577_ = false;
+                                                                        if ((_e3187 - _e3190) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_7647_ = (((_e3187 - _e3193) / (_e3187 - _e3190)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_7648_ = false;
                                                                         } else {
-                                                                            phi_7576_ = f64();
-                                                                            phi_7577_ = true;
+                                                                            phi_7647_ = f64();
+                                                                            phi_7648_ = true;
                                                                         }
-                                                                        let _e3194 = phi_7576_;
-                                                                        let _e3196 = phi_7577_;
-                                                                        phi_7578_ = _e3194;
-                                                                        phi_7579_ = _e3196;
+                                                                        let _e3214 = phi_7647_;
+                                                                        let _e3216 = phi_7648_;
+                                                                        phi_7649_ = _e3214;
+                                                                        phi_7650_ = _e3216;
                                                                     }
-                                                                    let _e3198 = phi_7578_;
-                                                                    let _e3200 = phi_7579_;
-                                                                    phi_7580_ = _e3198;
-                                                                    phi_7581_ = _e3180;
-                                                                    phi_7582_ = _e3200;
+                                                                    let _e3218 = phi_7649_;
+                                                                    let _e3220 = phi_7650_;
+                                                                    phi_7651_ = _e3218;
+                                                                    phi_7652_ = _e3200;
+                                                                    phi_7653_ = _e3220;
                                                                 } else {
-                                                                    phi_7580_ = f64();
-                                                                    phi_7581_ = true;
-                                                                    phi_7582_ = false;
+                                                                    phi_7651_ = f64();
+                                                                    phi_7652_ = true;
+                                                                    phi_7653_ = false;
                                                                 }
-                                                                let _e3202 = phi_7580_;
-                                                                let _e3204 = phi_7581_;
-                                                                let _e3206 = phi_7582_;
-                                                                if _e3204 {
-                                                                    phi_7587_ = f64(2f);
-                                                                    phi_7588_ = true;
+                                                                let _e3222 = phi_7651_;
+                                                                let _e3224 = phi_7652_;
+                                                                let _e3226 = phi_7653_;
+                                                                if _e3224 {
+                                                                    phi_7658_ = f64(2f);
+                                                                    phi_7659_ = true;
                                                                 } else {
-                                                                    phi_7587_ = _e2542;
-                                                                    phi_7588_ = _e3206;
+                                                                    phi_7658_ = _e2542;
+                                                                    phi_7659_ = _e3226;
                                                                 }
-                                                                let _e3209 = phi_7587_;
-                                                                let _e3211 = phi_7588_;
-                                                                if _e3211 {
-                                                                    phi_7592_ = _e3209;
-                                                                } else {
-                                                                    phi_7592_ = _e3202;
-                                                                }
-                                                                let _e3213 = phi_7592_;
-                                                                if (_e3164 < _e3213) {
-                                                                    phi_7597_ = _e3164;
-                                                                } else {
-                                                                    phi_7597_ = _e3213;
-                                                                }
-                                                                let _e3216 = phi_7597_;
-                                                                let _e3219 = local.member[2u];
-                                                                let _e3222 = local.member_1[2u];
-                                                                let _e3225 = local.member_2[2u];
-                                                                if (_e3219 > _e3225) {
-                                                                    if (_e3222 > _e3225) {
-                                                                        phi_7629_ = false;
-                                                                    } else {
-                                                                        phi_7629_ = true;
-                                                                    }
-                                                                    let _e3229 = phi_7629_;
-                                                                    phi_7630_ = _e3229;
-                                                                } else {
-                                                                    phi_7630_ = true;
-                                                                }
-                                                                let _e3231 = phi_7630_;
+                                                                let _e3229 = phi_7658_;
+                                                                let _e3231 = phi_7659_;
                                                                 if _e3231 {
-                                                                    let _e3232 = (_e3222 >= _e3219);
-                                                                    if _e3232 {
-                                                                        phi_7655_ = f64();
-                                                                        phi_7656_ = false;
+                                                                    phi_7663_ = _e3229;
+                                                                } else {
+                                                                    phi_7663_ = _e3222;
+                                                                }
+                                                                let _e3233 = phi_7663_;
+                                                                if (_e3184 < _e3233) {
+                                                                    phi_7668_ = _e3184;
+                                                                } else {
+                                                                    phi_7668_ = _e3233;
+                                                                }
+                                                                let _e3236 = phi_7668_;
+                                                                let _e3239 = local.member[2u];
+                                                                let _e3242 = local.member_1[2u];
+                                                                let _e3245 = local.member_2[2u];
+                                                                if (_e3239 > _e3245) {
+                                                                    if (_e3242 > _e3245) {
+                                                                        phi_7700_ = false;
                                                                     } else {
-                                                                        if ((_e3219 - _e3222) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_7653_ = (((_e3219 - _e3225) / (_e3219 - _e3222)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_7654_ = false;
+                                                                        phi_7700_ = true;
+                                                                    }
+                                                                    let _e3249 = phi_7700_;
+                                                                    phi_7701_ = _e3249;
+                                                                } else {
+                                                                    phi_7701_ = true;
+                                                                }
+                                                                let _e3251 = phi_7701_;
+                                                                if _e3251 {
+                                                                    let _e3252 = (_e3242 >= _e3239);
+                                                                    if _e3252 {
+                                                                        phi_7726_ = f64();
+                                                                        phi_7727_ = false;
+                                                                    } else {
+                                                                        if ((_e3239 - _e3242) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_7724_ = (((_e3239 - _e3245) / (_e3239 - _e3242)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_7725_ = false;
                                                                         } else {
-                                                                            phi_7653_ = f64();
-                                                                            phi_7654_ = true;
+                                                                            phi_7724_ = f64();
+                                                                            phi_7725_ = true;
                                                                         }
-                                                                        let _e3246 = phi_7653_;
-                                                                        let _e3248 = phi_7654_;
-                                                                        phi_7655_ = _e3246;
-                                                                        phi_7656_ = _e3248;
+                                                                        let _e3266 = phi_7724_;
+                                                                        let _e3268 = phi_7725_;
+                                                                        phi_7726_ = _e3266;
+                                                                        phi_7727_ = _e3268;
                                                                     }
-                                                                    let _e3250 = phi_7655_;
-                                                                    let _e3252 = phi_7656_;
-                                                                    phi_7657_ = _e3250;
-                                                                    phi_7658_ = _e3232;
-                                                                    phi_7659_ = _e3252;
+                                                                    let _e3270 = phi_7726_;
+                                                                    let _e3272 = phi_7727_;
+                                                                    phi_7728_ = _e3270;
+                                                                    phi_7729_ = _e3252;
+                                                                    phi_7730_ = _e3272;
                                                                 } else {
-                                                                    phi_7657_ = f64();
-                                                                    phi_7658_ = true;
-                                                                    phi_7659_ = false;
+                                                                    phi_7728_ = f64();
+                                                                    phi_7729_ = true;
+                                                                    phi_7730_ = false;
                                                                 }
-                                                                let _e3254 = phi_7657_;
-                                                                let _e3256 = phi_7658_;
-                                                                let _e3258 = phi_7659_;
-                                                                if _e3256 {
-                                                                    phi_7664_ = f64(2f);
-                                                                    phi_7665_ = true;
+                                                                let _e3274 = phi_7728_;
+                                                                let _e3276 = phi_7729_;
+                                                                let _e3278 = phi_7730_;
+                                                                if _e3276 {
+                                                                    phi_7735_ = f64(2f);
+                                                                    phi_7736_ = true;
                                                                 } else {
-                                                                    phi_7664_ = _e2542;
-                                                                    phi_7665_ = _e3258;
+                                                                    phi_7735_ = _e2542;
+                                                                    phi_7736_ = _e3278;
                                                                 }
-                                                                let _e3261 = phi_7664_;
-                                                                let _e3263 = phi_7665_;
-                                                                if _e3263 {
-                                                                    phi_7669_ = _e3261;
+                                                                let _e3281 = phi_7735_;
+                                                                let _e3283 = phi_7736_;
+                                                                if _e3283 {
+                                                                    phi_7740_ = _e3281;
                                                                 } else {
-                                                                    phi_7669_ = _e3254;
+                                                                    phi_7740_ = _e3274;
                                                                 }
-                                                                let _e3265 = phi_7669_;
-                                                                let _e3268 = local.member[3u];
-                                                                let _e3271 = local.member_1[3u];
-                                                                let _e3274 = local.member_2[3u];
-                                                                if (_e3268 > _e3274) {
-                                                                    if (_e3271 > _e3274) {
-                                                                        phi_7701_ = false;
+                                                                let _e3285 = phi_7740_;
+                                                                let _e3288 = local.member[3u];
+                                                                let _e3291 = local.member_1[3u];
+                                                                let _e3294 = local.member_2[3u];
+                                                                if (_e3288 > _e3294) {
+                                                                    if (_e3291 > _e3294) {
+                                                                        phi_7772_ = false;
                                                                     } else {
-                                                                        phi_7701_ = true;
+                                                                        phi_7772_ = true;
                                                                     }
-                                                                    let _e3278 = phi_7701_;
-                                                                    phi_7702_ = _e3278;
+                                                                    let _e3298 = phi_7772_;
+                                                                    phi_7773_ = _e3298;
                                                                 } else {
-                                                                    phi_7702_ = true;
+                                                                    phi_7773_ = true;
                                                                 }
-                                                                let _e3280 = phi_7702_;
-                                                                if _e3280 {
-                                                                    let _e3281 = (_e3271 >= _e3268);
-                                                                    if _e3281 {
-                                                                        phi_7727_ = f64();
-                                                                        phi_7728_ = false;
+                                                                let _e3300 = phi_7773_;
+                                                                if _e3300 {
+                                                                    let _e3301 = (_e3291 >= _e3288);
+                                                                    if _e3301 {
+                                                                        phi_7798_ = f64();
+                                                                        phi_7799_ = false;
                                                                     } else {
-                                                                        if ((_e3268 - _e3271) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_7725_ = (((_e3268 - _e3274) / (_e3268 - _e3271)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_7726_ = false;
+                                                                        if ((_e3288 - _e3291) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_7796_ = (((_e3288 - _e3294) / (_e3288 - _e3291)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_7797_ = false;
                                                                         } else {
-                                                                            phi_7725_ = f64();
-                                                                            phi_7726_ = true;
+                                                                            phi_7796_ = f64();
+                                                                            phi_7797_ = true;
                                                                         }
-                                                                        let _e3295 = phi_7725_;
-                                                                        let _e3297 = phi_7726_;
-                                                                        phi_7727_ = _e3295;
-                                                                        phi_7728_ = _e3297;
+                                                                        let _e3315 = phi_7796_;
+                                                                        let _e3317 = phi_7797_;
+                                                                        phi_7798_ = _e3315;
+                                                                        phi_7799_ = _e3317;
                                                                     }
-                                                                    let _e3299 = phi_7727_;
-                                                                    let _e3301 = phi_7728_;
-                                                                    phi_7729_ = _e3299;
-                                                                    phi_7730_ = _e3281;
-                                                                    phi_7731_ = _e3301;
+                                                                    let _e3319 = phi_7798_;
+                                                                    let _e3321 = phi_7799_;
+                                                                    phi_7800_ = _e3319;
+                                                                    phi_7801_ = _e3301;
+                                                                    phi_7802_ = _e3321;
                                                                 } else {
-                                                                    phi_7729_ = f64();
-                                                                    phi_7730_ = true;
-                                                                    phi_7731_ = false;
+                                                                    phi_7800_ = f64();
+                                                                    phi_7801_ = true;
+                                                                    phi_7802_ = false;
                                                                 }
-                                                                let _e3303 = phi_7729_;
-                                                                let _e3305 = phi_7730_;
-                                                                let _e3307 = phi_7731_;
-                                                                if _e3305 {
-                                                                    phi_7736_ = f64(2f);
-                                                                    phi_7737_ = true;
+                                                                let _e3323 = phi_7800_;
+                                                                let _e3325 = phi_7801_;
+                                                                let _e3327 = phi_7802_;
+                                                                if _e3325 {
+                                                                    phi_7807_ = f64(2f);
+                                                                    phi_7808_ = true;
                                                                 } else {
-                                                                    phi_7736_ = _e2542;
-                                                                    phi_7737_ = _e3307;
+                                                                    phi_7807_ = _e2542;
+                                                                    phi_7808_ = _e3327;
                                                                 }
-                                                                let _e3310 = phi_7736_;
-                                                                let _e3312 = phi_7737_;
-                                                                if _e3312 {
-                                                                    phi_7741_ = _e3310;
+                                                                let _e3330 = phi_7807_;
+                                                                let _e3332 = phi_7808_;
+                                                                if _e3332 {
+                                                                    phi_7812_ = _e3330;
                                                                 } else {
-                                                                    phi_7741_ = _e3303;
+                                                                    phi_7812_ = _e3323;
                                                                 }
-                                                                let _e3314 = phi_7741_;
-                                                                if (_e3265 < _e3314) {
-                                                                    phi_7746_ = _e3265;
+                                                                let _e3334 = phi_7812_;
+                                                                if (_e3285 < _e3334) {
+                                                                    phi_7817_ = _e3285;
                                                                 } else {
-                                                                    phi_7746_ = _e3314;
+                                                                    phi_7817_ = _e3334;
                                                                 }
-                                                                let _e3317 = phi_7746_;
-                                                                if (_e3216 < _e3317) {
-                                                                    phi_7751_ = _e3216;
+                                                                let _e3337 = phi_7817_;
+                                                                if (_e3236 < _e3337) {
+                                                                    phi_7822_ = _e3236;
                                                                 } else {
-                                                                    phi_7751_ = _e3317;
+                                                                    phi_7822_ = _e3337;
                                                                 }
-                                                                let _e3320 = phi_7751_;
-                                                                if (_e3320 > _e2542) {
-                                                                    phi_7756_ = _e3320;
+                                                                let _e3340 = phi_7822_;
+                                                                if (_e3340 > _e2542) {
+                                                                    phi_7827_ = _e3340;
                                                                 } else {
-                                                                    phi_7756_ = _e2542;
+                                                                    phi_7827_ = _e2542;
                                                                 }
-                                                                let _e3323 = phi_7756_;
-                                                                let _e3324 = (_e3323 > _e1554.member_1);
-                                                                if _e3324 {
-                                                                    phi_7768_ = f64();
-                                                                    phi_7769_ = false;
+                                                                let _e3343 = phi_7827_;
+                                                                let _e3344 = (_e3343 > _e1554.member_1);
+                                                                if _e3344 {
+                                                                    phi_7838_ = f64();
+                                                                    phi_7839_ = false;
                                                                 } else {
-                                                                    if (_e2560.member_1 == 0u) {
-                                                                        phi_7767_ = (_e1554.member_1 - _e2542);
+                                                                    if _e2548 {
+                                                                        phi_7837_ = (_e2873 + _e2873);
                                                                     } else {
-                                                                        phi_7767_ = (_e2853 + _e2853);
+                                                                        phi_7837_ = (_e1554.member_1 - _e2542);
                                                                     }
-                                                                    let _e3329 = phi_7767_;
-                                                                    phi_7768_ = _e3329;
-                                                                    phi_7769_ = true;
+                                                                    let _e3348 = phi_7837_;
+                                                                    phi_7838_ = _e3348;
+                                                                    phi_7839_ = true;
                                                                 }
-                                                                let _e3331 = phi_7768_;
-                                                                let _e3333 = phi_7769_;
-                                                                phi_7770_ = _e3323;
-                                                                phi_7771_ = _e3331;
-                                                                phi_7772_ = _e3333;
-                                                                phi_7773_ = _e3324;
-                                                                phi_7774_ = false;
+                                                                let _e3350 = phi_7838_;
+                                                                let _e3352 = phi_7839_;
+                                                                phi_7840_ = _e3343;
+                                                                phi_7841_ = _e3350;
+                                                                phi_7842_ = _e3352;
+                                                                phi_7843_ = _e3344;
+                                                                phi_7844_ = false;
                                                             } else {
-                                                                phi_7770_ = f64();
-                                                                phi_7771_ = f64();
-                                                                phi_7772_ = false;
-                                                                phi_7773_ = false;
-                                                                phi_7774_ = true;
+                                                                phi_7840_ = f64();
+                                                                phi_7841_ = f64();
+                                                                phi_7842_ = false;
+                                                                phi_7843_ = false;
+                                                                phi_7844_ = true;
                                                             }
-                                                            let _e3335 = phi_7770_;
-                                                            let _e3337 = phi_7771_;
-                                                            let _e3339 = phi_7772_;
-                                                            let _e3341 = phi_7773_;
-                                                            let _e3343 = phi_7774_;
-                                                            phi_7775_ = _e3335;
-                                                            phi_7776_ = _e3337;
-                                                            phi_7777_ = false;
-                                                            phi_7778_ = _e3339;
-                                                            phi_7779_ = _e3341;
-                                                            phi_7780_ = _e3343;
+                                                            let _e3354 = phi_7840_;
+                                                            let _e3356 = phi_7841_;
+                                                            let _e3358 = phi_7842_;
+                                                            let _e3360 = phi_7843_;
+                                                            let _e3362 = phi_7844_;
+                                                            phi_7845_ = _e3354;
+                                                            phi_7846_ = _e3356;
+                                                            phi_7847_ = false;
+                                                            phi_7848_ = _e3358;
+                                                            phi_7849_ = _e3360;
+                                                            phi_7850_ = _e3362;
                                                         } else {
-                                                            phi_7775_ = f64();
-                                                            phi_7776_ = f64();
-                                                            phi_7777_ = true;
-                                                            phi_7778_ = false;
-                                                            phi_7779_ = false;
-                                                            phi_7780_ = false;
+                                                            phi_7845_ = f64();
+                                                            phi_7846_ = f64();
+                                                            phi_7847_ = true;
+                                                            phi_7848_ = false;
+                                                            phi_7849_ = false;
+                                                            phi_7850_ = false;
                                                         }
-                                                        let _e3345 = phi_7775_;
-                                                        let _e3347 = phi_7776_;
-                                                        let _e3349 = phi_7777_;
-                                                        let _e3351 = phi_7778_;
-                                                        let _e3353 = phi_7779_;
-                                                        let _e3355 = phi_7780_;
-                                                        phi_7781_ = _e3345;
-                                                        phi_7782_ = _e3347;
-                                                        phi_7783_ = _e3349;
-                                                        phi_7784_ = _e3351;
-                                                        phi_7785_ = _e3353;
-                                                        phi_7786_ = _e3355;
+                                                        let _e3364 = phi_7845_;
+                                                        let _e3366 = phi_7846_;
+                                                        let _e3368 = phi_7847_;
+                                                        let _e3370 = phi_7848_;
+                                                        let _e3372 = phi_7849_;
+                                                        let _e3374 = phi_7850_;
+                                                        phi_7851_ = _e3364;
+                                                        phi_7852_ = _e3366;
+                                                        phi_7853_ = _e3368;
+                                                        phi_7854_ = _e3370;
+                                                        phi_7855_ = _e3372;
+                                                        phi_7856_ = _e3374;
                                                     } else {
-                                                        phi_7781_ = f64();
-                                                        phi_7782_ = f64();
-                                                        phi_7783_ = true;
-                                                        phi_7784_ = false;
-                                                        phi_7785_ = false;
-                                                        phi_7786_ = false;
+                                                        phi_7851_ = f64();
+                                                        phi_7852_ = f64();
+                                                        phi_7853_ = true;
+                                                        phi_7854_ = false;
+                                                        phi_7855_ = false;
+                                                        phi_7856_ = false;
                                                     }
-                                                    let _e3357 = phi_7781_;
-                                                    let _e3359 = phi_7782_;
-                                                    let _e3361 = phi_7783_;
-                                                    let _e3363 = phi_7784_;
-                                                    let _e3365 = phi_7785_;
-                                                    let _e3367 = phi_7786_;
-                                                    if _e3361 {
-                                                        let _e3368 = (_e2542 <= _e2544);
-                                                        if _e3368 {
-                                                            phi_8120_ = f64();
-                                                            phi_8121_ = false;
-                                                        } else {
-                                                            let _e3371 = local.member[0u];
-                                                            let _e3374 = local.member_1[0u];
-                                                            let _e3377 = local.member[0u];
-                                                            let _e3383 = local.member_2[0u];
-                                                            let _e3384 = ((_e3371 + ((_e3374 - _e3377) * _e2546)) - _e3383);
-                                                            let _e3387 = local.member[1u];
-                                                            let _e3390 = local.member_1[1u];
-                                                            let _e3393 = local.member[1u];
-                                                            let _e3399 = local.member_2[1u];
-                                                            let _e3400 = ((_e3387 + ((_e3390 - _e3393) * _e2546)) - _e3399);
-                                                            if (_e3384 < _e3400) {
-                                                                phi_7866_ = _e3384;
+                                                    let _e3376 = phi_7851_;
+                                                    let _e3378 = phi_7852_;
+                                                    let _e3380 = phi_7853_;
+                                                    let _e3382 = phi_7854_;
+                                                    let _e3384 = phi_7855_;
+                                                    let _e3386 = phi_7856_;
+                                                    if _e3380 {
+                                                        if (_e2542 <= _e2544) {
+                                                            let _e3552 = (_e2550 + 1u);
+                                                            let _e3553 = (_e3552 > 3u);
+                                                            if _e3553 {
+                                                                phi_7869_ = false;
                                                             } else {
-                                                                phi_7866_ = _e3400;
+                                                                phi_7869_ = true;
                                                             }
-                                                            let _e3403 = phi_7866_;
-                                                            let _e3406 = local.member[2u];
-                                                            let _e3409 = local.member_1[2u];
-                                                            let _e3412 = local.member[2u];
-                                                            let _e3418 = local.member_2[2u];
+                                                            let _e3555 = phi_7869_;
+                                                            phi_8196_ = _e3552;
+                                                            phi_8197_ = f64();
+                                                            phi_8198_ = false;
+                                                            phi_8199_ = _e3555;
+                                                            phi_8200_ = _e3553;
+                                                        } else {
+                                                            let _e3390 = local.member[0u];
+                                                            let _e3393 = local.member_1[0u];
+                                                            let _e3396 = local.member[0u];
+                                                            let _e3402 = local.member_2[0u];
+                                                            let _e3403 = ((_e3390 + ((_e3393 - _e3396) * _e2546)) - _e3402);
+                                                            let _e3406 = local.member[1u];
+                                                            let _e3409 = local.member_1[1u];
+                                                            let _e3412 = local.member[1u];
+                                                            let _e3418 = local.member_2[1u];
                                                             let _e3419 = ((_e3406 + ((_e3409 - _e3412) * _e2546)) - _e3418);
-                                                            let _e3422 = local.member[3u];
-                                                            let _e3425 = local.member_1[3u];
-                                                            let _e3428 = local.member[3u];
-                                                            let _e3434 = local.member_2[3u];
-                                                            let _e3435 = ((_e3422 + ((_e3425 - _e3428) * _e2546)) - _e3434);
-                                                            if (_e3419 < _e3435) {
-                                                                phi_7939_ = _e3419;
+                                                            if (_e3403 < _e3419) {
+                                                                phi_7942_ = _e3403;
                                                             } else {
-                                                                phi_7939_ = _e3435;
+                                                                phi_7942_ = _e3419;
                                                             }
-                                                            let _e3438 = phi_7939_;
-                                                            if (_e3403 < _e3438) {
-                                                                phi_7944_ = _e3403;
+                                                            let _e3422 = phi_7942_;
+                                                            let _e3425 = local.member[2u];
+                                                            let _e3428 = local.member_1[2u];
+                                                            let _e3431 = local.member[2u];
+                                                            let _e3437 = local.member_2[2u];
+                                                            let _e3438 = ((_e3425 + ((_e3428 - _e3431) * _e2546)) - _e3437);
+                                                            let _e3441 = local.member[3u];
+                                                            let _e3444 = local.member_1[3u];
+                                                            let _e3447 = local.member[3u];
+                                                            let _e3453 = local.member_2[3u];
+                                                            let _e3454 = ((_e3441 + ((_e3444 - _e3447) * _e2546)) - _e3453);
+                                                            if (_e3438 < _e3454) {
+                                                                phi_8015_ = _e3438;
                                                             } else {
-                                                                phi_7944_ = _e3438;
+                                                                phi_8015_ = _e3454;
                                                             }
-                                                            let _e3441 = phi_7944_;
-                                                            let _e3444 = local_1.member[0u];
-                                                            let _e3447 = local_1.member_1[0u];
-                                                            let _e3450 = local_1.member[0u];
-                                                            let _e3456 = local_1.member_2[0u];
-                                                            let _e3457 = ((_e3444 + ((_e3447 - _e3450) * _e2542)) - _e3456);
-                                                            let _e3460 = local_1.member[1u];
-                                                            let _e3463 = local_1.member_1[1u];
-                                                            let _e3466 = local_1.member[1u];
-                                                            let _e3472 = local_1.member_2[1u];
-                                                            let _e3473 = ((_e3460 + ((_e3463 - _e3466) * _e2542)) - _e3472);
-                                                            if (_e3457 < _e3473) {
-                                                                phi_8017_ = _e3457;
+                                                            let _e3457 = phi_8015_;
+                                                            if (_e3422 < _e3457) {
+                                                                phi_8020_ = _e3422;
                                                             } else {
-                                                                phi_8017_ = _e3473;
+                                                                phi_8020_ = _e3457;
                                                             }
-                                                            let _e3476 = phi_8017_;
-                                                            let _e3479 = local_1.member[2u];
-                                                            let _e3482 = local_1.member_1[2u];
-                                                            let _e3485 = local_1.member[2u];
-                                                            let _e3491 = local_1.member_2[2u];
+                                                            let _e3460 = phi_8020_;
+                                                            let _e3463 = local_1.member[0u];
+                                                            let _e3466 = local_1.member_1[0u];
+                                                            let _e3469 = local_1.member[0u];
+                                                            let _e3475 = local_1.member_2[0u];
+                                                            let _e3476 = ((_e3463 + ((_e3466 - _e3469) * _e2542)) - _e3475);
+                                                            let _e3479 = local_1.member[1u];
+                                                            let _e3482 = local_1.member_1[1u];
+                                                            let _e3485 = local_1.member[1u];
+                                                            let _e3491 = local_1.member_2[1u];
                                                             let _e3492 = ((_e3479 + ((_e3482 - _e3485) * _e2542)) - _e3491);
-                                                            let _e3495 = local_1.member[3u];
-                                                            let _e3498 = local_1.member_1[3u];
-                                                            let _e3501 = local_1.member[3u];
-                                                            let _e3507 = local_1.member_2[3u];
-                                                            let _e3508 = ((_e3495 + ((_e3498 - _e3501) * _e2542)) - _e3507);
-                                                            if (_e3492 < _e3508) {
-                                                                phi_8090_ = _e3492;
+                                                            if (_e3476 < _e3492) {
+                                                                phi_8093_ = _e3476;
                                                             } else {
-                                                                phi_8090_ = _e3508;
+                                                                phi_8093_ = _e3492;
                                                             }
-                                                            let _e3511 = phi_8090_;
-                                                            if (_e3476 < _e3511) {
-                                                                phi_8095_ = _e3476;
+                                                            let _e3495 = phi_8093_;
+                                                            let _e3498 = local_1.member[2u];
+                                                            let _e3501 = local_1.member_1[2u];
+                                                            let _e3504 = local_1.member[2u];
+                                                            let _e3510 = local_1.member_2[2u];
+                                                            let _e3511 = ((_e3498 + ((_e3501 - _e3504) * _e2542)) - _e3510);
+                                                            let _e3514 = local_1.member[3u];
+                                                            let _e3517 = local_1.member_1[3u];
+                                                            let _e3520 = local_1.member[3u];
+                                                            let _e3526 = local_1.member_2[3u];
+                                                            let _e3527 = ((_e3514 + ((_e3517 - _e3520) * _e2542)) - _e3526);
+                                                            if (_e3511 < _e3527) {
+                                                                phi_8166_ = _e3511;
                                                             } else {
-                                                                phi_8095_ = _e3511;
+                                                                phi_8166_ = _e3527;
                                                             }
-                                                            let _e3514 = phi_8095_;
-                                                            let _e3515 = f64(0.0625f);
-                                                            let _e3517 = f64(0.9f);
-                                                            if (_e3514 > f64(0f)) {
-                                                                phi_8118_ = f64(0.5f);
+                                                            let _e3530 = phi_8166_;
+                                                            if (_e3495 < _e3530) {
+                                                                phi_8171_ = _e3495;
                                                             } else {
-                                                                let _e3523 = (f64(0.95f) * (_e3441 / (_e3441 - _e3514)));
-                                                                if (_e3523 > _e3515) {
-                                                                    if (_e3523 < _e3517) {
-                                                                        phi_8116_ = _e3523;
+                                                                phi_8171_ = _e3530;
+                                                            }
+                                                            let _e3533 = phi_8171_;
+                                                            let _e3534 = f64(0.0625f);
+                                                            let _e3536 = f64(0.9f);
+                                                            if (_e3533 > f64(0f)) {
+                                                                phi_8194_ = f64(0.5f);
+                                                            } else {
+                                                                let _e3542 = (f64(0.95f) * (_e3460 / (_e3460 - _e3533)));
+                                                                if (_e3542 > _e3534) {
+                                                                    if (_e3542 < _e3536) {
+                                                                        phi_8192_ = _e3542;
                                                                     } else {
-                                                                        phi_8116_ = _e3517;
+                                                                        phi_8192_ = _e3536;
                                                                     }
-                                                                    let _e3527 = phi_8116_;
-                                                                    phi_8117_ = _e3527;
+                                                                    let _e3546 = phi_8192_;
+                                                                    phi_8193_ = _e3546;
                                                                 } else {
-                                                                    phi_8117_ = _e3515;
+                                                                    phi_8193_ = _e3534;
                                                                 }
-                                                                let _e3529 = phi_8117_;
-                                                                phi_8118_ = _e3529;
+                                                                let _e3548 = phi_8193_;
+                                                                phi_8194_ = _e3548;
                                                             }
-                                                            let _e3531 = phi_8118_;
-                                                            phi_8120_ = (_e2853 * _e3531);
-                                                            phi_8121_ = true;
+                                                            let _e3550 = phi_8194_;
+                                                            phi_8196_ = u32();
+                                                            phi_8197_ = (_e2873 * _e3550);
+                                                            phi_8198_ = true;
+                                                            phi_8199_ = false;
+                                                            phi_8200_ = false;
                                                         }
-                                                        let _e3534 = phi_8120_;
-                                                        let _e3536 = phi_8121_;
-                                                        phi_8122_ = _e2544;
-                                                        phi_8123_ = _e3534;
-                                                        phi_8124_ = _e2546;
-                                                        phi_8125_ = _e3536;
-                                                        phi_8126_ = _e3368;
-                                                        phi_8127_ = false;
-                                                        phi_8128_ = false;
+                                                        let _e3557 = phi_8196_;
+                                                        let _e3559 = phi_8197_;
+                                                        let _e3561 = phi_8198_;
+                                                        let _e3563 = phi_8199_;
+                                                        let _e3565 = phi_8200_;
+                                                        phi_8201_ = _e3557;
+                                                        phi_8202_ = _e2544;
+                                                        phi_8203_ = _e3559;
+                                                        phi_8204_ = _e2546;
+                                                        phi_8205_ = _e2548;
+                                                        phi_8206_ = _e2550;
+                                                        phi_8207_ = _e3561;
+                                                        phi_8208_ = _e3563;
+                                                        phi_8209_ = _e3565;
+                                                        phi_8210_ = false;
+                                                        phi_8211_ = false;
                                                     } else {
-                                                        phi_8122_ = _e3357;
-                                                        phi_8123_ = _e3359;
-                                                        phi_8124_ = _e2542;
-                                                        phi_8125_ = _e3363;
-                                                        phi_8126_ = false;
-                                                        phi_8127_ = _e3365;
-                                                        phi_8128_ = _e3367;
+                                                        phi_8201_ = u32();
+                                                        phi_8202_ = _e3376;
+                                                        phi_8203_ = _e3378;
+                                                        phi_8204_ = _e2542;
+                                                        phi_8205_ = true;
+                                                        phi_8206_ = 0u;
+                                                        phi_8207_ = _e3382;
+                                                        phi_8208_ = false;
+                                                        phi_8209_ = false;
+                                                        phi_8210_ = _e3384;
+                                                        phi_8211_ = _e3386;
                                                     }
-                                                    let _e3538 = phi_8122_;
-                                                    let _e3540 = phi_8123_;
-                                                    let _e3542 = phi_8124_;
-                                                    let _e3544 = phi_8125_;
-                                                    let _e3546 = phi_8126_;
-                                                    let _e3548 = phi_8127_;
-                                                    let _e3550 = phi_8128_;
-                                                    if _e3544 {
-                                                        let _e3551 = (_e3542 + _e3540);
-                                                        if (_e3551 > _e3538) {
-                                                            phi_8137_ = _e3551;
+                                                    let _e3567 = phi_8201_;
+                                                    let _e3569 = phi_8202_;
+                                                    let _e3571 = phi_8203_;
+                                                    let _e3573 = phi_8204_;
+                                                    let _e3575 = phi_8205_;
+                                                    let _e3577 = phi_8206_;
+                                                    let _e3579 = phi_8207_;
+                                                    let _e3581 = phi_8208_;
+                                                    let _e3583 = phi_8209_;
+                                                    let _e3585 = phi_8210_;
+                                                    let _e3587 = phi_8211_;
+                                                    if _e3579 {
+                                                        let _e3588 = (_e3573 + _e3571);
+                                                        if (_e3588 > _e3569) {
+                                                            phi_8220_ = _e3588;
                                                         } else {
-                                                            phi_8137_ = _e3538;
+                                                            phi_8220_ = _e3569;
                                                         }
-                                                        let _e3554 = phi_8137_;
-                                                        if (_e3554 < _e1554.member_1) {
-                                                            phi_8142_ = _e3554;
+                                                        let _e3591 = phi_8220_;
+                                                        if (_e3591 < _e1554.member_1) {
+                                                            phi_8225_ = _e3591;
                                                         } else {
-                                                            phi_8142_ = _e1554.member_1;
+                                                            phi_8225_ = _e1554.member_1;
                                                         }
-                                                        let _e3557 = phi_8142_;
-                                                        if (_e2560.member_1 > 0u) {
-                                                            phi_8153_ = ((_e3557 - _e3542) > f64(0.0000000037252903f));
+                                                        let _e3594 = phi_8225_;
+                                                        if !(_e2548) {
+                                                            phi_8235_ = true;
                                                         } else {
-                                                            phi_8153_ = true;
+                                                            phi_8235_ = ((_e3594 - _e3573) > f64(0.0000000037252903f));
                                                         }
-                                                        let _e3563 = phi_8153_;
-                                                        if _e3563 {
-                                                            phi_8157_ = false;
+                                                        let _e3599 = phi_8235_;
+                                                        if _e3599 {
+                                                            phi_8239_ = false;
                                                         } else {
-                                                            phi_8157_ = true;
+                                                            phi_8239_ = true;
                                                         }
-                                                        let _e3565 = phi_8157_;
-                                                        phi_8158_ = _e3557;
-                                                        phi_8159_ = _e3563;
-                                                        phi_8160_ = _e3565;
-                                                        phi_8161_ = false;
-                                                        phi_8162_ = false;
-                                                        phi_8163_ = false;
+                                                        let _e3601 = phi_8239_;
+                                                        phi_8240_ = _e3594;
+                                                        phi_8241_ = _e3569;
+                                                        phi_8242_ = _e3573;
+                                                        phi_8243_ = _e3575;
+                                                        phi_8244_ = _e3577;
+                                                        phi_8245_ = _e3599;
+                                                        phi_8246_ = _e3601;
+                                                        phi_8247_ = false;
+                                                        phi_8248_ = false;
+                                                        phi_8249_ = false;
                                                     } else {
-                                                        phi_8158_ = f64();
-                                                        phi_8159_ = false;
-                                                        phi_8160_ = false;
-                                                        phi_8161_ = _e3546;
-                                                        phi_8162_ = _e3548;
-                                                        phi_8163_ = _e3550;
+                                                        phi_8240_ = _e2542;
+                                                        phi_8241_ = _e2544;
+                                                        phi_8242_ = _e2546;
+                                                        phi_8243_ = _e2548;
+                                                        phi_8244_ = _e3567;
+                                                        phi_8245_ = _e3581;
+                                                        phi_8246_ = false;
+                                                        phi_8247_ = _e3583;
+                                                        phi_8248_ = _e3585;
+                                                        phi_8249_ = _e3587;
                                                     }
-                                                    let _e3567 = phi_8158_;
-                                                    let _e3569 = phi_8159_;
-                                                    let _e3571 = phi_8160_;
-                                                    let _e3573 = phi_8161_;
-                                                    let _e3575 = phi_8162_;
-                                                    let _e3577 = phi_8163_;
-                                                    phi_6507_ = _e3567;
-                                                    phi_6509_ = _e3538;
-                                                    phi_6511_ = _e3542;
-                                                    phi_8164_ = _e3538;
-                                                    phi_8165_ = _e3569;
-                                                    phi_8166_ = _e3571;
-                                                    phi_8167_ = false;
-                                                    phi_8168_ = _e3573;
-                                                    phi_8169_ = _e3575;
-                                                    phi_8170_ = _e3577;
+                                                    let _e3603 = phi_8240_;
+                                                    let _e3605 = phi_8241_;
+                                                    let _e3607 = phi_8242_;
+                                                    let _e3609 = phi_8243_;
+                                                    let _e3611 = phi_8244_;
+                                                    let _e3613 = phi_8245_;
+                                                    let _e3615 = phi_8246_;
+                                                    let _e3617 = phi_8247_;
+                                                    let _e3619 = phi_8248_;
+                                                    let _e3621 = phi_8249_;
+                                                    phi_6550_ = _e3603;
+                                                    phi_6552_ = _e3605;
+                                                    phi_6554_ = _e3607;
+                                                    phi_6556_ = _e3609;
+                                                    phi_6558_ = _e3611;
+                                                    phi_8250_ = _e3569;
+                                                    phi_8251_ = _e3613;
+                                                    phi_8252_ = _e3615;
+                                                    phi_8253_ = false;
+                                                    phi_8254_ = _e3617;
+                                                    phi_8255_ = _e3619;
+                                                    phi_8256_ = _e3621;
                                                 } else {
-                                                    phi_6507_ = f64();
-                                                    phi_6509_ = f64();
-                                                    phi_6511_ = f64();
-                                                    phi_8164_ = f64();
-                                                    phi_8165_ = false;
-                                                    phi_8166_ = false;
-                                                    phi_8167_ = true;
-                                                    phi_8168_ = false;
-                                                    phi_8169_ = false;
-                                                    phi_8170_ = false;
+                                                    phi_6550_ = f64();
+                                                    phi_6552_ = f64();
+                                                    phi_6554_ = f64();
+                                                    phi_6556_ = bool();
+                                                    phi_6558_ = u32();
+                                                    phi_8250_ = f64();
+                                                    phi_8251_ = false;
+                                                    phi_8252_ = false;
+                                                    phi_8253_ = true;
+                                                    phi_8254_ = false;
+                                                    phi_8255_ = false;
+                                                    phi_8256_ = false;
                                                 }
-                                                let _e3579 = phi_6507_;
-                                                let _e3581 = phi_6509_;
-                                                let _e3583 = phi_6511_;
-                                                let _e3585 = phi_8164_;
-                                                let _e3587 = phi_8165_;
-                                                let _e3589 = phi_8166_;
-                                                let _e3591 = phi_8167_;
-                                                let _e3593 = phi_8168_;
-                                                let _e3595 = phi_8169_;
-                                                let _e3597 = phi_8170_;
-                                                local_19 = _e3589;
-                                                local_35 = _e3585;
-                                                local_37 = _e3591;
-                                                local_38 = _e3593;
-                                                local_39 = _e3595;
-                                                local_40 = _e3597;
+                                                let _e3623 = phi_6550_;
+                                                let _e3625 = phi_6552_;
+                                                let _e3627 = phi_6554_;
+                                                let _e3629 = phi_6556_;
+                                                let _e3631 = phi_6558_;
+                                                let _e3633 = phi_8250_;
+                                                let _e3635 = phi_8251_;
+                                                let _e3637 = phi_8252_;
+                                                let _e3639 = phi_8253_;
+                                                let _e3641 = phi_8254_;
+                                                let _e3643 = phi_8255_;
+                                                let _e3645 = phi_8256_;
+                                                local_19 = _e3637;
+                                                local_35 = _e3633;
+                                                local_37 = _e3639;
+                                                local_38 = _e3641;
+                                                local_39 = _e3643;
+                                                local_40 = _e3645;
                                                 continue;
                                                 continuing {
-                                                    phi_6503_ = _e2558;
-                                                    phi_6506_ = _e3579;
-                                                    phi_6508_ = _e3581;
-                                                    phi_6510_ = _e3583;
-                                                    break if !(_e3587);
+                                                    phi_6546_ = _e2562;
+                                                    phi_6549_ = _e3623;
+                                                    phi_6551_ = _e3625;
+                                                    phi_6553_ = _e3627;
+                                                    phi_6555_ = _e3629;
+                                                    phi_6557_ = _e3631;
+                                                    break if !(_e3635);
                                                 }
                                             }
-                                            let _e3600 = local_19;
-                                            if _e3600 {
-                                                let _e6043 = local_35;
-                                                phi_8174_ = _e6043;
-                                                phi_8175_ = true;
-                                                phi_8176_ = false;
-                                                phi_8177_ = false;
-                                                phi_8178_ = false;
+                                            let _e3648 = local_19;
+                                            if _e3648 {
+                                                let _e6159 = local_35;
+                                                phi_8260_ = _e6159;
+                                                phi_8261_ = true;
+                                                phi_8262_ = false;
+                                                phi_8263_ = false;
+                                                phi_8264_ = false;
                                             } else {
-                                                let _e6045 = local_36;
-                                                phi_8174_ = _e6045;
-                                                let _e6048 = local_37;
-                                                phi_8175_ = _e6048;
-                                                let _e6051 = local_38;
-                                                phi_8176_ = _e6051;
-                                                let _e6054 = local_39;
-                                                phi_8177_ = _e6054;
-                                                let _e6057 = local_40;
-                                                phi_8178_ = _e6057;
+                                                let _e6161 = local_36;
+                                                phi_8260_ = _e6161;
+                                                let _e6164 = local_37;
+                                                phi_8261_ = _e6164;
+                                                let _e6167 = local_38;
+                                                phi_8262_ = _e6167;
+                                                let _e6170 = local_39;
+                                                phi_8263_ = _e6170;
+                                                let _e6173 = local_40;
+                                                phi_8264_ = _e6173;
                                             }
-                                            let _e3602 = phi_8174_;
-                                            let _e3604 = phi_8175_;
-                                            let _e3606 = phi_8176_;
-                                            let _e3608 = phi_8177_;
-                                            let _e3610 = phi_8178_;
-                                            if _e3604 {
-                                                phi_8183_ = type_44(1u, _e3602);
-                                                phi_8184_ = false;
-                                                phi_8185_ = false;
-                                                phi_8186_ = false;
+                                            let _e3650 = phi_8260_;
+                                            let _e3652 = phi_8261_;
+                                            let _e3654 = phi_8262_;
+                                            let _e3656 = phi_8263_;
+                                            let _e3658 = phi_8264_;
+                                            if _e3652 {
+                                                phi_8269_ = type_44(1u, _e3650);
+                                                phi_8270_ = false;
+                                                phi_8271_ = false;
+                                                phi_8272_ = false;
                                             } else {
-                                                phi_8183_ = type_44();
-                                                phi_8184_ = _e3606;
-                                                phi_8185_ = _e3608;
-                                                phi_8186_ = _e3610;
+                                                phi_8269_ = type_44();
+                                                phi_8270_ = _e3654;
+                                                phi_8271_ = _e3656;
+                                                phi_8272_ = _e3658;
                                             }
-                                            let _e3613 = phi_8183_;
-                                            let _e3615 = phi_8184_;
-                                            let _e3617 = phi_8185_;
-                                            let _e3619 = phi_8186_;
-                                            if _e3615 {
-                                                let _e3621 = local_20;
-                                                phi_8191_ = type_44(1u, _e3621);
-                                                phi_8192_ = false;
-                                                phi_8193_ = false;
+                                            let _e3661 = phi_8269_;
+                                            let _e3663 = phi_8270_;
+                                            let _e3665 = phi_8271_;
+                                            let _e3667 = phi_8272_;
+                                            if _e3663 {
+                                                let _e3669 = local_20;
+                                                phi_8277_ = type_44(1u, _e3669);
+                                                phi_8278_ = false;
+                                                phi_8279_ = false;
                                             } else {
-                                                phi_8191_ = type_44();
-                                                phi_8192_ = _e3617;
-                                                phi_8193_ = _e3619;
+                                                phi_8277_ = type_44();
+                                                phi_8278_ = _e3665;
+                                                phi_8279_ = _e3667;
                                             }
-                                            let _e3624 = phi_8191_;
-                                            let _e3626 = phi_8192_;
-                                            let _e3628 = phi_8193_;
-                                            if _e3626 {
-                                                phi_8198_ = type_44(0u, type_44().member_1);
-                                                phi_8199_ = false;
-                                                phi_8200_ = true;
+                                            let _e3672 = phi_8277_;
+                                            let _e3674 = phi_8278_;
+                                            let _e3676 = phi_8279_;
+                                            if _e3674 {
+                                                phi_8284_ = type_44(0u, type_44().member_1);
+                                                phi_8285_ = false;
+                                                phi_8286_ = true;
                                             } else {
-                                                phi_8198_ = _e3624;
-                                                phi_8199_ = _e3628;
-                                                phi_8200_ = _e3615;
+                                                phi_8284_ = _e3672;
+                                                phi_8285_ = _e3676;
+                                                phi_8286_ = _e3663;
                                             }
-                                            let _e3632 = phi_8198_;
-                                            let _e3634 = phi_8199_;
-                                            let _e3636 = phi_8200_;
-                                            if _e3634 {
-                                                phi_8205_ = type_44(0u, type_44().member_1);
-                                                phi_8206_ = true;
+                                            let _e3680 = phi_8284_;
+                                            let _e3682 = phi_8285_;
+                                            let _e3684 = phi_8286_;
+                                            if _e3682 {
+                                                phi_8291_ = type_44(0u, type_44().member_1);
+                                                phi_8292_ = true;
                                             } else {
-                                                phi_8205_ = _e3632;
-                                                phi_8206_ = _e3636;
+                                                phi_8291_ = _e3680;
+                                                phi_8292_ = _e3684;
                                             }
-                                            let _e3640 = phi_8205_;
-                                            let _e3642 = phi_8206_;
-                                            if _e3642 {
-                                                phi_8210_ = _e3640;
+                                            let _e3688 = phi_8291_;
+                                            let _e3690 = phi_8292_;
+                                            if _e3690 {
+                                                phi_8296_ = _e3688;
                                             } else {
-                                                phi_8210_ = _e3613;
+                                                phi_8296_ = _e3661;
                                             }
-                                            let _e3644 = phi_8210_;
-                                            let _e3647 = (_e3644.member != 0u);
-                                            if _e3647 {
-                                                phi_8217_ = false;
+                                            let _e3692 = phi_8296_;
+                                            let _e3695 = (_e3692.member != 0u);
+                                            if _e3695 {
+                                                phi_8303_ = false;
                                             } else {
-                                                phi_8217_ = true;
+                                                phi_8303_ = true;
                                             }
-                                            let _e3649 = phi_8217_;
-                                            phi_8218_ = _e3644.member_1;
-                                            phi_8219_ = _e3649;
-                                            phi_8220_ = _e3647;
-                                            phi_8221_ = false;
+                                            let _e3697 = phi_8303_;
+                                            phi_8304_ = _e3692.member_1;
+                                            phi_8305_ = _e3697;
+                                            phi_8306_ = _e3695;
+                                            phi_8307_ = false;
                                         } else {
-                                            phi_8218_ = f64();
-                                            phi_8219_ = false;
-                                            phi_8220_ = false;
-                                            phi_8221_ = true;
+                                            phi_8304_ = f64();
+                                            phi_8305_ = false;
+                                            phi_8306_ = false;
+                                            phi_8307_ = true;
                                         }
-                                        let _e3651 = phi_8218_;
-                                        let _e3653 = phi_8219_;
-                                        let _e3655 = phi_8220_;
-                                        let _e3657 = phi_8221_;
-                                        phi_8222_ = _e3651;
-                                        phi_8223_ = _e3653;
-                                        phi_8224_ = _e3655;
-                                        phi_8225_ = _e3657;
+                                        let _e3699 = phi_8304_;
+                                        let _e3701 = phi_8305_;
+                                        let _e3703 = phi_8306_;
+                                        let _e3705 = phi_8307_;
+                                        phi_8308_ = _e3699;
+                                        phi_8309_ = _e3701;
+                                        phi_8310_ = _e3703;
+                                        phi_8311_ = _e3705;
                                     }
-                                    let _e3659 = phi_8222_;
-                                    let _e3661 = phi_8223_;
-                                    let _e3663 = phi_8224_;
-                                    let _e3665 = phi_8225_;
-                                    phi_8226_ = _e3659;
-                                    phi_8227_ = _e2287;
-                                    phi_8228_ = _e3661;
-                                    phi_8229_ = _e3663;
-                                    phi_8230_ = _e3665;
+                                    let _e3707 = phi_8308_;
+                                    let _e3709 = phi_8309_;
+                                    let _e3711 = phi_8310_;
+                                    let _e3713 = phi_8311_;
+                                    phi_8312_ = _e3707;
+                                    phi_8313_ = _e2287;
+                                    phi_8314_ = _e3709;
+                                    phi_8315_ = _e3711;
+                                    phi_8316_ = _e3713;
                                 }
-                                let _e3667 = phi_8226_;
-                                let _e3669 = phi_8227_;
-                                let _e3671 = phi_8228_;
-                                let _e3673 = phi_8229_;
-                                let _e3675 = phi_8230_;
-                                if _e3669 {
-                                    phi_8234_ = true;
-                                    phi_8235_ = false;
-                                    phi_8236_ = false;
+                                let _e3715 = phi_8312_;
+                                let _e3717 = phi_8313_;
+                                let _e3719 = phi_8314_;
+                                let _e3721 = phi_8315_;
+                                let _e3723 = phi_8316_;
+                                if _e3717 {
+                                    phi_8320_ = true;
+                                    phi_8321_ = false;
+                                    phi_8322_ = false;
                                 } else {
-                                    phi_8234_ = _e3671;
-                                    phi_8235_ = _e3673;
-                                    phi_8236_ = _e3675;
+                                    phi_8320_ = _e3719;
+                                    phi_8321_ = _e3721;
+                                    phi_8322_ = _e3723;
                                 }
-                                let _e3677 = phi_8234_;
-                                let _e3679 = phi_8235_;
-                                let _e3681 = phi_8236_;
-                                phi_8237_ = _e3667;
-                                phi_8238_ = _e1554;
-                                phi_8239_ = _e3677;
-                                phi_8240_ = false;
-                                phi_8241_ = _e3679;
-                                phi_8242_ = _e3681;
+                                let _e3725 = phi_8320_;
+                                let _e3727 = phi_8321_;
+                                let _e3729 = phi_8322_;
+                                phi_8323_ = _e3715;
+                                phi_8324_ = _e1554;
+                                phi_8325_ = _e3725;
+                                phi_8326_ = false;
+                                phi_8327_ = _e3727;
+                                phi_8328_ = _e3729;
                             } else {
-                                phi_8237_ = f64();
-                                phi_8238_ = type_45();
-                                phi_8239_ = false;
-                                phi_8240_ = true;
-                                phi_8241_ = false;
-                                phi_8242_ = false;
+                                phi_8323_ = f64();
+                                phi_8324_ = type_45();
+                                phi_8325_ = false;
+                                phi_8326_ = true;
+                                phi_8327_ = false;
+                                phi_8328_ = false;
                             }
-                            let _e3683 = phi_8237_;
-                            let _e3685 = phi_8238_;
-                            let _e3687 = phi_8239_;
-                            let _e3689 = phi_8240_;
-                            let _e3691 = phi_8241_;
-                            let _e3693 = phi_8242_;
-                            local_21 = _e3689;
-                            local_41 = _e3691;
-                            local_42 = _e3693;
-                            local_22 = _e3683;
-                            local_23 = _e3685;
+                            let _e3731 = phi_8323_;
+                            let _e3733 = phi_8324_;
+                            let _e3735 = phi_8325_;
+                            let _e3737 = phi_8326_;
+                            let _e3739 = phi_8327_;
+                            let _e3741 = phi_8328_;
+                            local_21 = _e3737;
+                            local_41 = _e3739;
+                            local_42 = _e3741;
+                            local_22 = _e3731;
+                            local_23 = _e3733;
                             continue;
                             continuing {
-                                phi_4592_ = _e1267;
-                                break if !(_e3687);
+                                phi_4635_ = _e1267;
+                                break if !(_e3735);
                             }
                         }
-                        let _e3696 = local_21;
-                        if _e3696 {
-                            phi_8247_ = type_44(0u, type_44().member_1);
-                            phi_8248_ = false;
-                            phi_8249_ = false;
+                        let _e3744 = local_21;
+                        if _e3744 {
+                            phi_8333_ = type_44(0u, type_44().member_1);
+                            phi_8334_ = false;
+                            phi_8335_ = false;
                         } else {
-                            phi_8247_ = type_44();
-                            let _e6099 = local_41;
-                            phi_8248_ = _e6099;
-                            let _e6102 = local_42;
-                            phi_8249_ = _e6102;
+                            phi_8333_ = type_44();
+                            let _e6215 = local_41;
+                            phi_8334_ = _e6215;
+                            let _e6218 = local_42;
+                            phi_8335_ = _e6218;
                         }
-                        let _e3700 = phi_8247_;
-                        let _e3702 = phi_8248_;
-                        let _e3704 = phi_8249_;
-                        if _e3702 {
-                            let _e3706 = local_22;
-                            phi_8254_ = type_44(2u, _e3706);
-                            phi_8255_ = false;
+                        let _e3748 = phi_8333_;
+                        let _e3750 = phi_8334_;
+                        let _e3752 = phi_8335_;
+                        if _e3750 {
+                            let _e3754 = local_22;
+                            phi_8340_ = type_44(2u, _e3754);
+                            phi_8341_ = false;
                         } else {
-                            phi_8254_ = type_44();
-                            phi_8255_ = _e3704;
+                            phi_8340_ = type_44();
+                            phi_8341_ = _e3752;
                         }
-                        let _e3709 = phi_8254_;
-                        let _e3711 = phi_8255_;
-                        if _e3711 {
-                            let _e3713 = local_23;
-                            phi_8261_ = type_44(1u, _e3713.member);
-                            phi_8262_ = true;
+                        let _e3757 = phi_8340_;
+                        let _e3759 = phi_8341_;
+                        if _e3759 {
+                            let _e3761 = local_23;
+                            phi_8347_ = type_44(1u, _e3761.member);
+                            phi_8348_ = true;
                         } else {
-                            phi_8261_ = _e3709;
-                            phi_8262_ = _e3702;
+                            phi_8347_ = _e3757;
+                            phi_8348_ = _e3750;
                         }
-                        let _e3717 = phi_8261_;
-                        let _e3719 = phi_8262_;
-                        if _e3719 {
-                            phi_8266_ = _e3717;
+                        let _e3765 = phi_8347_;
+                        let _e3767 = phi_8348_;
+                        if _e3767 {
+                            phi_8352_ = _e3765;
                         } else {
-                            phi_8266_ = _e3700;
+                            phi_8352_ = _e3748;
                         }
-                        let _e3721 = phi_8266_;
-                        phi_8270_ = _e3721;
+                        let _e3769 = phi_8352_;
+                        phi_8356_ = _e3769;
                     }
-                    let _e5446 = phi_8270_;
-                    phi_8271_ = _e5446;
+                    let _e5542 = phi_8356_;
+                    phi_8357_ = _e5542;
                 }
-                let _e5450 = phi_8271_;
-                switch bitcast<i32>(_e5450.member) {
+                let _e5546 = phi_8357_;
+                switch bitcast<i32>(_e5546.member) {
                     case 0: {
-                        phi_8284_ = type_32(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8370_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5456 = function_(_e5450.member_1);
-                        phi_8284_ = type_32(0u, _e5456, true);
+                        let _e5552 = function_(_e5546.member_1);
+                        phi_8370_ = type_32(0u, _e5552, true);
                         break;
                     }
                     case 2: {
-                        let _e5454 = function_(_e5450.member_1);
-                        phi_8284_ = type_32(1u, _e5454, true);
+                        let _e5550 = function_(_e5546.member_1);
+                        phi_8370_ = type_32(1u, _e5550, true);
                         break;
                     }
                     default: {
-                        phi_8284_ = type_32();
+                        phi_8370_ = type_32();
                         break;
                     }
                 }
-                let _e5459 = phi_8284_;
-                if _e5459.member_2 {
-                    let _e5466 = (_e5459.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5466 <= 896u) {
-                        phi_8307_ = 0u;
+                let _e5555 = phi_8370_;
+                if _e5555.member_2 {
+                    let _e5562 = (_e5555.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5562 <= 896u) {
+                        phi_8393_ = 0u;
                     } else {
-                        phi_8307_ = ((((_e5466 - 896u) << bitcast<u32>(23i)) | ((_e5459.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5459.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8393_ = ((((_e5562 - 896u) << bitcast<u32>(23i)) | ((_e5555.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5555.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5481 = phi_8307_;
-                    let _e5483 = atomicMin((&earliest.member[0u]), _e5481);
+                    let _e5577 = phi_8393_;
+                    let _e5579 = atomicMin((&earliest.member[0u]), _e5577);
                 }
-                phi_8311_ = type_22(1u, _e5459.member, _e181, _e184, _e5459.member_1);
-                phi_8312_ = _e5459.member_2;
+                phi_8397_ = type_22(1u, _e5555.member, _e181, _e184, _e5555.member_1);
+                phi_8398_ = _e5555.member_2;
             } else {
-                phi_8311_ = type_22(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_8312_ = false;
+                phi_8397_ = type_22(1u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8398_ = false;
             }
-            let _e5485 = phi_8311_;
-            let _e5487 = phi_8312_;
-            let _e5490 = params.member.member.member_1;
-            if ((_e5490 & 16u) != 0u) {
+            let _e5581 = phi_8397_;
+            let _e5583 = phi_8398_;
+            let _e5586 = params.member.member.member_1;
+            if ((_e5586 & 16u) != 0u) {
                 if (_e110 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5487 {
-                    let _e5496 = atomicAdd((&counters[0u]), 1u);
-                    phi_8331_ = _e5496;
+                if _e5583 {
+                    let _e5592 = atomicAdd((&counters[0u]), 1u);
+                    phi_8417_ = _e5592;
                 } else {
-                    phi_8331_ = 0u;
+                    phi_8417_ = 0u;
                 }
-                let _e5498 = phi_8331_;
+                let _e5594 = phi_8417_;
                 workgroupBarrier();
                 if (_e110 == 0u) {
-                    let _e5501 = atomicLoad((&counters[0u]));
-                    if (_e5501 > 0u) {
-                        let _e5504 = atomicAdd((&contacts.member[0u]), _e5501);
-                        atomicStore((&counters[1u]), _e5504);
+                    let _e5597 = atomicLoad((&counters[0u]));
+                    if (_e5597 > 0u) {
+                        let _e5600 = atomicAdd((&contacts.member[0u]), _e5597);
+                        atomicStore((&counters[1u]), _e5600);
                     }
                 }
                 workgroupBarrier();
-                let _e5507 = atomicLoad((&counters[1u]));
-                let _e5508 = (_e5507 + _e5498);
-                if _e5487 {
-                    let _e5511 = params.member.member_1.member_3;
-                    if (_e5508 < _e5511) {
-                        let _e5513 = (6u * _e5508);
-                        atomicStore((&contacts.member[(4u + _e5513)]), _e5485.member);
-                        atomicStore((&contacts.member[(_e5513 + 5u)]), _e5485.member_1);
-                        atomicStore((&contacts.member[(_e5513 + 6u)]), _e5485.member_2);
-                        atomicStore((&contacts.member[(_e5513 + 7u)]), _e5485.member_3);
-                        atomicStore((&contacts.member[(_e5513 + 8u)]), _e5485.member_4[0]);
-                        atomicStore((&contacts.member[(_e5513 + 9u)]), _e5485.member_4[1]);
+                let _e5603 = atomicLoad((&counters[1u]));
+                let _e5604 = (_e5603 + _e5594);
+                if _e5583 {
+                    let _e5607 = params.member.member_1.member_3;
+                    if (_e5604 < _e5607) {
+                        let _e5609 = (6u * _e5604);
+                        atomicStore((&contacts.member[(4u + _e5609)]), _e5581.member);
+                        atomicStore((&contacts.member[(_e5609 + 5u)]), _e5581.member_1);
+                        atomicStore((&contacts.member[(_e5609 + 6u)]), _e5581.member_2);
+                        atomicStore((&contacts.member[(_e5609 + 7u)]), _e5581.member_3);
+                        atomicStore((&contacts.member[(_e5609 + 8u)]), _e5581.member_4[0]);
+                        atomicStore((&contacts.member[(_e5609 + 9u)]), _e5581.member_4[1]);
                     }
                 }
             }

@@ -534,448 +534,468 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2151_: f64;
     var phi_2156_: f64;
     var phi_2167_: f64;
-    var phi_4864_: f64;
-    var phi_4870_: f64;
-    var phi_4875_: f64;
-    var phi_4881_: f64;
-    var phi_4887_: f64;
-    var phi_4892_: f64;
-    var phi_4897_: f64;
-    var phi_4907_: bool;
-    var phi_4914_: f64;
-    var phi_4922_: f64;
-    var phi_4965_: type_16;
-    var phi_4968_: f64;
-    var phi_4989_: bool;
-    var phi_4995_: type_17;
-    var phi_4966_: type_16;
-    var phi_5009_: type_17;
-    var phi_4969_: f64;
+    var phi_4907_: f64;
+    var phi_4913_: f64;
+    var phi_4918_: f64;
+    var phi_4924_: f64;
+    var phi_4930_: f64;
+    var phi_4935_: f64;
+    var phi_4940_: f64;
+    var phi_4950_: bool;
+    var phi_4957_: f64;
+    var phi_4965_: f64;
+    var phi_5008_: type_16;
+    var phi_5011_: f64;
+    var phi_5032_: bool;
+    var phi_5038_: type_17;
+    var phi_5009_: type_16;
+    var phi_5052_: type_17;
+    var phi_5012_: f64;
     var local_13: f64;
-    var phi_4958_: f64;
-    var phi_5022_: f64;
-    var phi_5028_: f64;
-    var phi_5053_: type_9;
-    var phi_5056_: u32;
-    var phi_5054_: type_9;
-    var phi_5079_: type_9;
-    var phi_5123_: u32;
-    var phi_5124_: u32;
-    var phi_5057_: u32;
-    var phi_5125_: u32;
-    var phi_5145_: type_9;
-    var phi_5146_: type_9;
-    var phi_5169_: type_9;
-    var phi_5223_: f64;
-    var phi_5230_: f64;
-    var phi_5242_: bool;
-    var phi_5243_: bool;
-    var phi_5244_: bool;
-    var phi_5245_: bool;
-    var phi_5249_: bool;
-    var phi_5261_: type_45;
-    var phi_5262_: type_45;
-    var phi_5263_: bool;
-    var phi_5264_: type_45;
-    var phi_5265_: bool;
-    var phi_5278_: f64;
-    var phi_5291_: type_9;
-    var phi_5294_: f64;
-    var phi_5296_: f64;
-    var phi_5298_: f64;
-    var phi_5292_: type_9;
-    var phi_5321_: type_9;
-    var phi_5348_: f64;
-    var phi_5349_: f64;
-    var phi_5377_: f64;
-    var phi_5393_: f64;
-    var phi_5400_: bool;
-    var phi_5401_: bool;
-    var phi_5402_: bool;
-    var phi_5408_: f64;
-    var phi_5409_: f64;
-    var phi_5410_: bool;
-    var phi_5295_: f64;
-    var phi_5297_: f64;
-    var phi_5299_: f64;
-    var phi_5411_: f64;
-    var phi_5412_: bool;
-    var phi_5413_: bool;
-    var local_14: bool;
-    var phi_5417_: f64;
-    var phi_5418_: f64;
-    var phi_5428_: f64;
-    var phi_5433_: type_9;
+    var phi_5001_: f64;
+    var phi_5065_: f64;
+    var phi_5071_: f64;
+    var phi_5096_: type_9;
+    var phi_5099_: u32;
+    var phi_5097_: type_9;
+    var phi_5122_: type_9;
+    var phi_5166_: u32;
+    var phi_5167_: u32;
+    var phi_5100_: u32;
+    var phi_5168_: u32;
+    var phi_5188_: type_9;
+    var phi_5189_: type_9;
+    var phi_5212_: type_9;
+    var phi_5266_: f64;
+    var phi_5273_: f64;
+    var phi_5285_: bool;
+    var phi_5286_: bool;
+    var phi_5287_: bool;
+    var phi_5288_: bool;
+    var phi_5292_: bool;
+    var phi_5304_: type_45;
+    var phi_5305_: type_45;
+    var phi_5306_: bool;
+    var phi_5307_: type_45;
+    var phi_5308_: bool;
+    var phi_5321_: f64;
+    var phi_5334_: type_9;
+    var phi_5337_: f64;
+    var phi_5339_: f64;
+    var phi_5341_: f64;
+    var phi_5335_: type_9;
+    var phi_5364_: type_9;
+    var phi_5391_: f64;
+    var phi_5392_: f64;
+    var phi_5420_: f64;
     var phi_5436_: f64;
-    var phi_5434_: type_9;
-    var phi_5459_: type_9;
-    var phi_5490_: f64;
-    var phi_5491_: bool;
-    var phi_5492_: f64;
-    var phi_5493_: bool;
-    var phi_5494_: bool;
-    var phi_5495_: bool;
-    var phi_5496_: f64;
-    var phi_5437_: f64;
-    var phi_5497_: bool;
-    var phi_5498_: bool;
-    var phi_5499_: bool;
-    var phi_5500_: bool;
+    var phi_5443_: bool;
+    var phi_5444_: bool;
+    var phi_5445_: bool;
+    var phi_5451_: f64;
+    var phi_5452_: f64;
+    var phi_5453_: bool;
+    var phi_5338_: f64;
+    var phi_5340_: f64;
+    var phi_5342_: f64;
+    var phi_5454_: f64;
+    var phi_5455_: bool;
+    var phi_5456_: bool;
+    var local_14: bool;
+    var phi_5460_: f64;
+    var phi_5461_: f64;
+    var phi_5471_: f64;
+    var phi_5476_: type_9;
+    var phi_5479_: f64;
+    var phi_5477_: type_9;
+    var phi_5502_: type_9;
+    var phi_5533_: f64;
+    var phi_5534_: bool;
+    var phi_5535_: f64;
+    var phi_5536_: bool;
+    var phi_5537_: bool;
+    var phi_5538_: bool;
+    var phi_5539_: f64;
+    var phi_5480_: f64;
+    var phi_5540_: bool;
+    var phi_5541_: bool;
+    var phi_5542_: bool;
+    var phi_5543_: bool;
     var local_15: bool;
-    var phi_5504_: bool;
-    var phi_5505_: bool;
-    var phi_5509_: bool;
-    var phi_5513_: f64;
-    var phi_5514_: f64;
-    var phi_5516_: type_45;
-    var phi_5547_: f64;
-    var phi_5554_: f64;
-    var phi_5559_: f64;
-    var phi_5566_: f64;
-    var phi_5571_: f64;
-    var phi_5584_: f64;
-    var phi_5591_: f64;
-    var phi_5596_: f64;
-    var phi_5603_: f64;
-    var phi_5608_: f64;
-    var phi_5613_: f64;
-    var phi_5672_: f64;
-    var phi_5678_: f64;
-    var phi_5683_: f64;
-    var phi_5689_: f64;
-    var phi_5694_: f64;
-    var phi_5708_: f64;
-    var phi_5714_: f64;
-    var phi_5719_: f64;
-    var phi_5725_: f64;
-    var phi_5730_: f64;
-    var phi_5756_: f64;
-    var phi_5763_: f64;
+    var phi_5547_: bool;
+    var phi_5548_: bool;
+    var phi_5552_: bool;
+    var phi_5556_: f64;
+    var phi_5557_: f64;
+    var phi_5559_: type_45;
+    var phi_5590_: f64;
+    var phi_5597_: f64;
+    var phi_5602_: f64;
+    var phi_5609_: f64;
+    var phi_5614_: f64;
+    var phi_5627_: f64;
+    var phi_5634_: f64;
+    var phi_5639_: f64;
+    var phi_5646_: f64;
+    var phi_5651_: f64;
+    var phi_5656_: f64;
+    var phi_5715_: f64;
+    var phi_5721_: f64;
+    var phi_5726_: f64;
+    var phi_5732_: f64;
+    var phi_5737_: f64;
+    var phi_5751_: f64;
+    var phi_5757_: f64;
+    var phi_5762_: f64;
     var phi_5768_: f64;
-    var phi_5775_: f64;
-    var phi_5780_: f64;
-    var phi_5793_: f64;
-    var phi_5800_: f64;
-    var phi_5805_: f64;
-    var phi_5812_: f64;
-    var phi_5817_: f64;
-    var phi_5822_: f64;
-    var phi_5881_: f64;
-    var phi_5887_: f64;
-    var phi_5892_: f64;
-    var phi_5898_: f64;
-    var phi_5903_: f64;
-    var phi_5917_: f64;
-    var phi_5923_: f64;
-    var phi_5928_: f64;
-    var phi_5934_: f64;
-    var phi_5939_: f64;
-    var phi_5965_: f64;
-    var phi_5972_: f64;
+    var phi_5773_: f64;
+    var phi_5799_: f64;
+    var phi_5806_: f64;
+    var phi_5811_: f64;
+    var phi_5818_: f64;
+    var phi_5823_: f64;
+    var phi_5836_: f64;
+    var phi_5843_: f64;
+    var phi_5848_: f64;
+    var phi_5855_: f64;
+    var phi_5860_: f64;
+    var phi_5865_: f64;
+    var phi_5924_: f64;
+    var phi_5930_: f64;
+    var phi_5935_: f64;
+    var phi_5941_: f64;
+    var phi_5946_: f64;
+    var phi_5960_: f64;
+    var phi_5966_: f64;
+    var phi_5971_: f64;
     var phi_5977_: f64;
-    var phi_5984_: f64;
-    var phi_5989_: f64;
-    var phi_6002_: f64;
-    var phi_6009_: f64;
-    var phi_6014_: f64;
-    var phi_6021_: f64;
-    var phi_6026_: f64;
-    var phi_6031_: f64;
-    var phi_6090_: f64;
-    var phi_6096_: f64;
-    var phi_6101_: f64;
-    var phi_6107_: f64;
-    var phi_6112_: f64;
-    var phi_6126_: f64;
-    var phi_6132_: f64;
-    var phi_6137_: f64;
-    var phi_6143_: f64;
-    var phi_6148_: f64;
-    var phi_6197_: f64;
-    var phi_6203_: f64;
-    var phi_6231_: f64;
-    var phi_6237_: f64;
-    var phi_6242_: u32;
-    var phi_6243_: u32;
-    var phi_6213_: f64;
-    var phi_6219_: f64;
-    var phi_6224_: u32;
-    var phi_6225_: u32;
-    var phi_6244_: u32;
-    var phi_6245_: u32;
-    var phi_6318_: f64;
-    var phi_6330_: f64;
-    var phi_6473_: f64;
-    var phi_6479_: f64;
-    var phi_6486_: f64;
-    var phi_6530_: type_9;
-    var phi_6533_: bool;
-    var phi_6531_: type_9;
-    var phi_6556_: type_9;
-    var phi_6583_: bool;
-    var phi_6584_: bool;
-    var phi_6534_: bool;
-    var phi_6585_: bool;
-    var phi_6586_: bool;
-    var local_16: bool;
-    var phi_6590_: bool;
-    var local_17: bool;
-    var phi_6597_: u32;
-    var phi_6598_: u32;
-    var phi_6599_: bool;
-    var phi_6600_: u32;
-    var phi_6601_: u32;
-    var phi_6602_: bool;
-    var phi_6606_: u32;
+    var phi_5982_: f64;
+    var phi_6008_: f64;
+    var phi_6015_: f64;
+    var phi_6020_: f64;
+    var phi_6027_: f64;
+    var phi_6032_: f64;
+    var phi_6045_: f64;
+    var phi_6052_: f64;
+    var phi_6057_: f64;
+    var phi_6064_: f64;
+    var phi_6069_: f64;
+    var phi_6074_: f64;
+    var phi_6133_: f64;
+    var phi_6139_: f64;
+    var phi_6144_: f64;
+    var phi_6150_: f64;
+    var phi_6155_: f64;
+    var phi_6169_: f64;
+    var phi_6175_: f64;
+    var phi_6180_: f64;
+    var phi_6186_: f64;
+    var phi_6191_: f64;
+    var phi_6240_: f64;
+    var phi_6246_: f64;
+    var phi_6274_: f64;
+    var phi_6280_: f64;
+    var phi_6285_: u32;
+    var phi_6286_: u32;
+    var phi_6256_: f64;
+    var phi_6262_: f64;
+    var phi_6267_: u32;
+    var phi_6268_: u32;
+    var phi_6287_: u32;
+    var phi_6288_: u32;
+    var phi_6361_: f64;
+    var phi_6373_: f64;
+    var phi_6516_: f64;
+    var phi_6522_: f64;
+    var phi_6529_: f64;
+    var phi_6573_: type_9;
+    var phi_6576_: bool;
+    var phi_6574_: type_9;
+    var phi_6599_: type_9;
+    var phi_6626_: bool;
     var phi_6627_: bool;
+    var phi_6577_: bool;
     var phi_6628_: bool;
     var phi_6629_: bool;
-    var phi_6778_: f64;
-    var phi_6785_: f64;
-    var phi_6790_: f64;
-    var phi_6797_: f64;
-    var phi_6802_: f64;
-    var phi_6815_: f64;
-    var phi_6822_: f64;
-    var phi_6827_: f64;
-    var phi_6834_: f64;
-    var phi_6839_: f64;
-    var phi_6844_: f64;
-    var phi_6861_: f64;
-    var phi_6868_: f64;
-    var phi_6873_: f64;
-    var phi_6880_: f64;
-    var phi_6885_: f64;
-    var phi_6899_: f64;
-    var phi_6906_: f64;
+    var local_16: bool;
+    var phi_6633_: bool;
+    var local_17: bool;
+    var phi_6640_: u32;
+    var phi_6641_: u32;
+    var phi_6642_: bool;
+    var phi_6643_: u32;
+    var phi_6644_: u32;
+    var phi_6645_: bool;
+    var phi_6649_: u32;
+    var phi_6670_: bool;
+    var phi_6671_: bool;
+    var phi_6672_: bool;
+    var phi_6821_: f64;
+    var phi_6828_: f64;
+    var phi_6833_: f64;
+    var phi_6840_: f64;
+    var phi_6845_: f64;
+    var phi_6858_: f64;
+    var phi_6865_: f64;
+    var phi_6870_: f64;
+    var phi_6877_: f64;
+    var phi_6882_: f64;
+    var phi_6887_: f64;
+    var phi_6904_: f64;
     var phi_6911_: f64;
-    var phi_6918_: f64;
+    var phi_6916_: f64;
     var phi_6923_: f64;
     var phi_6928_: f64;
-    var phi_6945_: f64;
-    var phi_6952_: f64;
-    var phi_6957_: f64;
-    var phi_6964_: f64;
-    var phi_6969_: f64;
-    var phi_6983_: f64;
-    var phi_6990_: f64;
+    var phi_6942_: f64;
+    var phi_6949_: f64;
+    var phi_6954_: f64;
+    var phi_6961_: f64;
+    var phi_6966_: f64;
+    var phi_6971_: f64;
+    var phi_6988_: f64;
     var phi_6995_: f64;
-    var phi_7002_: f64;
+    var phi_7000_: f64;
     var phi_7007_: f64;
     var phi_7012_: f64;
-    var phi_7056_: type_9;
-    var phi_7059_: f64;
-    var phi_7061_: f64;
-    var phi_7063_: f64;
-    var phi_7057_: type_9;
-    var phi_7086_: type_9;
-    var phi_7198_: f64;
-    var phi_7205_: f64;
-    var phi_7213_: f64;
-    var phi_7259_: type_16;
-    var phi_7262_: f64;
-    var phi_7283_: bool;
-    var phi_7289_: type_17;
-    var phi_7260_: type_16;
-    var phi_7303_: type_17;
-    var phi_7263_: f64;
+    var phi_7026_: f64;
+    var phi_7033_: f64;
+    var phi_7038_: f64;
+    var phi_7045_: f64;
+    var phi_7050_: f64;
+    var phi_7055_: f64;
+    var phi_7099_: type_9;
+    var phi_7102_: f64;
+    var phi_7104_: f64;
+    var phi_7106_: f64;
+    var phi_7108_: bool;
+    var phi_7110_: u32;
+    var phi_7100_: type_9;
+    var phi_7133_: type_9;
+    var phi_7248_: f64;
+    var phi_7254_: f64;
+    var phi_7260_: f64;
+    var phi_7262_: array<f64, 3>;
+    var phi_7269_: f64;
+    var phi_7276_: f64;
+    var phi_7284_: f64;
+    var phi_7330_: type_16;
+    var phi_7333_: f64;
+    var phi_7354_: bool;
+    var phi_7360_: type_17;
+    var phi_7331_: type_16;
+    var phi_7374_: type_17;
+    var phi_7334_: f64;
     var local_18: f64;
-    var phi_7252_: f64;
-    var phi_7316_: f64;
-    var phi_7385_: f64;
-    var phi_7391_: f64;
-    var phi_7400_: f64;
-    var phi_7406_: f64;
-    var phi_7415_: f64;
-    var phi_7421_: f64;
-    var phi_7430_: f64;
-    var phi_7436_: f64;
-    var phi_7442_: type_34;
-    var phi_7443_: bool;
-    var phi_7444_: type_34;
-    var phi_7445_: bool;
-    var phi_7455_: type_34;
-    var phi_7626_: bool;
-    var phi_7627_: bool;
-    var phi_7628_: bool;
-    var phi_7629_: bool;
-    var phi_7630_: bool;
-    var phi_7631_: bool;
-    var phi_7635_: bool;
-    var phi_7933_: bool;
-    var phi_7934_: bool;
-    var phi_7935_: bool;
-    var phi_7936_: bool;
-    var phi_7937_: bool;
-    var phi_7938_: bool;
-    var phi_7942_: bool;
-    var phi_7946_: bool;
-    var phi_7958_: bool;
-    var phi_7959_: bool;
-    var phi_8033_: bool;
-    var phi_8034_: bool;
-    var phi_8057_: f64;
-    var phi_8058_: bool;
-    var phi_8059_: f64;
-    var phi_8060_: bool;
-    var phi_8061_: f64;
-    var phi_8062_: bool;
-    var phi_8063_: bool;
-    var phi_8068_: f64;
-    var phi_8069_: bool;
-    var phi_8073_: f64;
+    var phi_7323_: f64;
+    var phi_7387_: f64;
+    var phi_7456_: f64;
+    var phi_7462_: f64;
+    var phi_7471_: f64;
+    var phi_7477_: f64;
+    var phi_7486_: f64;
+    var phi_7492_: f64;
+    var phi_7501_: f64;
+    var phi_7507_: f64;
+    var phi_7513_: type_34;
+    var phi_7514_: bool;
+    var phi_7515_: type_34;
+    var phi_7516_: bool;
+    var phi_7526_: type_34;
+    var phi_7698_: bool;
+    var phi_7699_: bool;
+    var phi_7700_: bool;
+    var phi_7701_: bool;
+    var phi_7702_: bool;
+    var phi_7703_: bool;
+    var phi_7707_: bool;
+    var phi_8005_: bool;
+    var phi_8006_: bool;
+    var phi_8007_: bool;
+    var phi_8008_: bool;
+    var phi_8009_: bool;
+    var phi_8010_: bool;
+    var phi_8014_: bool;
+    var phi_8018_: bool;
+    var phi_8029_: bool;
+    var phi_8030_: bool;
+    var phi_8104_: bool;
     var phi_8105_: bool;
-    var phi_8106_: bool;
-    var phi_8129_: f64;
-    var phi_8130_: bool;
-    var phi_8131_: f64;
-    var phi_8132_: bool;
-    var phi_8133_: f64;
+    var phi_8128_: f64;
+    var phi_8129_: bool;
+    var phi_8130_: f64;
+    var phi_8131_: bool;
+    var phi_8132_: f64;
+    var phi_8133_: bool;
     var phi_8134_: bool;
-    var phi_8135_: bool;
-    var phi_8140_: f64;
-    var phi_8141_: bool;
-    var phi_8145_: f64;
-    var phi_8150_: f64;
-    var phi_8182_: bool;
-    var phi_8183_: bool;
-    var phi_8206_: f64;
-    var phi_8207_: bool;
-    var phi_8208_: f64;
-    var phi_8209_: bool;
-    var phi_8210_: f64;
-    var phi_8211_: bool;
+    var phi_8139_: f64;
+    var phi_8140_: bool;
+    var phi_8144_: f64;
+    var phi_8176_: bool;
+    var phi_8177_: bool;
+    var phi_8200_: f64;
+    var phi_8201_: bool;
+    var phi_8202_: f64;
+    var phi_8203_: bool;
+    var phi_8204_: f64;
+    var phi_8205_: bool;
+    var phi_8206_: bool;
+    var phi_8211_: f64;
     var phi_8212_: bool;
-    var phi_8217_: f64;
-    var phi_8218_: bool;
-    var phi_8222_: f64;
+    var phi_8216_: f64;
+    var phi_8221_: f64;
+    var phi_8253_: bool;
     var phi_8254_: bool;
-    var phi_8255_: bool;
-    var phi_8278_: f64;
-    var phi_8279_: bool;
-    var phi_8280_: f64;
-    var phi_8281_: bool;
-    var phi_8282_: f64;
+    var phi_8277_: f64;
+    var phi_8278_: bool;
+    var phi_8279_: f64;
+    var phi_8280_: bool;
+    var phi_8281_: f64;
+    var phi_8282_: bool;
     var phi_8283_: bool;
-    var phi_8284_: bool;
-    var phi_8289_: f64;
-    var phi_8290_: bool;
-    var phi_8294_: f64;
-    var phi_8299_: f64;
-    var phi_8304_: f64;
-    var phi_8309_: f64;
-    var phi_8320_: f64;
-    var phi_8321_: f64;
-    var phi_8322_: bool;
-    var phi_8323_: f64;
-    var phi_8324_: f64;
+    var phi_8288_: f64;
+    var phi_8289_: bool;
+    var phi_8293_: f64;
     var phi_8325_: bool;
     var phi_8326_: bool;
-    var phi_8327_: bool;
-    var phi_8328_: f64;
-    var phi_8329_: f64;
-    var phi_8330_: bool;
-    var phi_8331_: bool;
-    var phi_8332_: bool;
-    var phi_8333_: bool;
-    var phi_8334_: f64;
-    var phi_8335_: f64;
-    var phi_8336_: bool;
-    var phi_8337_: bool;
-    var phi_8338_: bool;
-    var phi_8339_: bool;
-    var phi_8419_: f64;
-    var phi_8492_: f64;
-    var phi_8497_: f64;
-    var phi_8570_: f64;
-    var phi_8643_: f64;
-    var phi_8648_: f64;
-    var phi_8669_: f64;
-    var phi_8670_: f64;
-    var phi_8671_: f64;
-    var phi_8673_: f64;
-    var phi_8674_: bool;
-    var phi_8675_: f64;
-    var phi_8676_: f64;
-    var phi_8677_: f64;
-    var phi_8678_: bool;
-    var phi_8679_: bool;
-    var phi_8680_: bool;
-    var phi_8681_: bool;
-    var phi_8690_: f64;
-    var phi_8695_: f64;
-    var phi_8706_: bool;
-    var phi_8710_: bool;
-    var phi_8711_: f64;
-    var phi_8712_: bool;
-    var phi_8713_: bool;
-    var phi_8714_: bool;
-    var phi_8715_: bool;
-    var phi_8716_: bool;
-    var phi_7060_: f64;
-    var phi_7062_: f64;
-    var phi_7064_: f64;
-    var phi_8717_: f64;
-    var phi_8718_: bool;
-    var phi_8719_: bool;
-    var phi_8720_: bool;
-    var phi_8721_: bool;
-    var phi_8722_: bool;
-    var phi_8723_: bool;
-    var local_19: bool;
-    var phi_8727_: f64;
-    var phi_8728_: bool;
-    var phi_8729_: bool;
-    var phi_8730_: bool;
-    var phi_8731_: bool;
-    var phi_8736_: type_44;
-    var phi_8737_: bool;
-    var phi_8738_: bool;
-    var phi_8739_: bool;
-    var local_20: f64;
-    var phi_8744_: type_44;
-    var phi_8745_: bool;
-    var phi_8746_: bool;
-    var phi_8751_: type_44;
+    var phi_8349_: f64;
+    var phi_8350_: bool;
+    var phi_8351_: f64;
+    var phi_8352_: bool;
+    var phi_8353_: f64;
+    var phi_8354_: bool;
+    var phi_8355_: bool;
+    var phi_8360_: f64;
+    var phi_8361_: bool;
+    var phi_8365_: f64;
+    var phi_8370_: f64;
+    var phi_8375_: f64;
+    var phi_8380_: f64;
+    var phi_8390_: f64;
+    var phi_8391_: f64;
+    var phi_8392_: bool;
+    var phi_8393_: f64;
+    var phi_8394_: f64;
+    var phi_8395_: bool;
+    var phi_8396_: bool;
+    var phi_8397_: bool;
+    var phi_8398_: f64;
+    var phi_8399_: f64;
+    var phi_8400_: bool;
+    var phi_8401_: bool;
+    var phi_8402_: bool;
+    var phi_8403_: bool;
+    var phi_8404_: f64;
+    var phi_8405_: f64;
+    var phi_8406_: bool;
+    var phi_8407_: bool;
+    var phi_8408_: bool;
+    var phi_8409_: bool;
+    var phi_8495_: f64;
+    var phi_8568_: f64;
+    var phi_8573_: f64;
+    var phi_8646_: f64;
+    var phi_8719_: f64;
+    var phi_8724_: f64;
+    var phi_8745_: f64;
+    var phi_8746_: f64;
+    var phi_8747_: f64;
+    var phi_8422_: bool;
+    var phi_8749_: u32;
+    var phi_8750_: f64;
+    var phi_8751_: bool;
     var phi_8752_: bool;
     var phi_8753_: bool;
-    var phi_8758_: type_44;
-    var phi_8759_: bool;
-    var phi_8763_: type_44;
-    var phi_8770_: bool;
-    var phi_8771_: f64;
-    var phi_8772_: bool;
-    var phi_8773_: bool;
-    var phi_8774_: bool;
-    var phi_8775_: f64;
-    var phi_8776_: bool;
-    var phi_8777_: bool;
-    var phi_8778_: bool;
-    var phi_8779_: f64;
-    var phi_8780_: bool;
-    var phi_8781_: bool;
-    var phi_8782_: bool;
-    var phi_8783_: bool;
-    var phi_8787_: bool;
+    var phi_8754_: u32;
+    var phi_8755_: f64;
+    var phi_8756_: f64;
+    var phi_8757_: f64;
+    var phi_8758_: bool;
+    var phi_8759_: u32;
+    var phi_8760_: bool;
+    var phi_8761_: bool;
+    var phi_8762_: bool;
+    var phi_8763_: bool;
+    var phi_8764_: bool;
+    var phi_8773_: f64;
+    var phi_8778_: f64;
     var phi_8788_: bool;
-    var phi_8789_: bool;
-    var phi_8790_: f64;
-    var phi_8791_: type_45;
     var phi_8792_: bool;
-    var phi_8793_: bool;
-    var phi_8794_: bool;
-    var phi_8795_: bool;
-    var local_21: bool;
-    var phi_8800_: type_44;
+    var phi_8793_: f64;
+    var phi_8794_: f64;
+    var phi_8795_: f64;
+    var phi_8796_: bool;
+    var phi_8797_: u32;
+    var phi_8798_: bool;
+    var phi_8799_: bool;
+    var phi_8800_: bool;
     var phi_8801_: bool;
     var phi_8802_: bool;
-    var local_22: f64;
-    var phi_8807_: type_44;
+    var phi_7103_: f64;
+    var phi_7105_: f64;
+    var phi_7107_: f64;
+    var phi_7109_: bool;
+    var phi_7111_: u32;
+    var phi_8803_: f64;
+    var phi_8804_: bool;
+    var phi_8805_: bool;
+    var phi_8806_: bool;
+    var phi_8807_: bool;
     var phi_8808_: bool;
-    var local_23: type_45;
-    var phi_8814_: type_44;
+    var phi_8809_: bool;
+    var local_19: bool;
+    var phi_8813_: f64;
+    var phi_8814_: bool;
     var phi_8815_: bool;
-    var phi_8819_: type_44;
+    var phi_8816_: bool;
+    var phi_8817_: bool;
+    var phi_8822_: type_44;
+    var phi_8823_: bool;
+    var phi_8824_: bool;
+    var phi_8825_: bool;
+    var local_20: f64;
+    var phi_8830_: type_44;
+    var phi_8831_: bool;
+    var phi_8832_: bool;
+    var phi_8837_: type_44;
+    var phi_8838_: bool;
+    var phi_8839_: bool;
+    var phi_8844_: type_44;
+    var phi_8845_: bool;
+    var phi_8849_: type_44;
+    var phi_8856_: bool;
+    var phi_8857_: f64;
+    var phi_8858_: bool;
+    var phi_8859_: bool;
+    var phi_8860_: bool;
+    var phi_8861_: f64;
+    var phi_8862_: bool;
+    var phi_8863_: bool;
+    var phi_8864_: bool;
+    var phi_8865_: f64;
+    var phi_8866_: bool;
+    var phi_8867_: bool;
+    var phi_8868_: bool;
+    var phi_8869_: bool;
+    var phi_8873_: bool;
+    var phi_8874_: bool;
+    var phi_8875_: bool;
+    var phi_8876_: f64;
+    var phi_8877_: type_45;
+    var phi_8878_: bool;
+    var phi_8879_: bool;
+    var phi_8880_: bool;
+    var phi_8881_: bool;
+    var local_21: bool;
+    var phi_8886_: type_44;
+    var phi_8887_: bool;
+    var phi_8888_: bool;
+    var local_22: f64;
+    var phi_8893_: type_44;
+    var phi_8894_: bool;
+    var local_23: type_45;
+    var phi_8900_: type_44;
+    var phi_8901_: bool;
+    var phi_8905_: type_44;
     var phi_2324_: f64;
     var phi_2331_: f64;
     var phi_2336_: f64;
@@ -1013,247 +1033,267 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var phi_2605_: f64;
     var phi_2607_: f64;
     var phi_2609_: f64;
+    var phi_2611_: bool;
+    var phi_2613_: u32;
     var phi_2603_: type_9;
-    var phi_2632_: type_9;
-    var phi_2744_: f64;
+    var phi_2636_: type_9;
     var phi_2751_: f64;
-    var phi_2759_: f64;
-    var phi_2805_: type_16;
-    var phi_2808_: f64;
-    var phi_2829_: bool;
-    var phi_2835_: type_17;
-    var phi_2806_: type_16;
-    var phi_2849_: type_17;
-    var phi_2809_: f64;
+    var phi_2757_: f64;
+    var phi_2763_: f64;
+    var phi_2765_: array<f64, 3>;
+    var phi_2772_: f64;
+    var phi_2779_: f64;
+    var phi_2787_: f64;
+    var phi_2833_: type_16;
+    var phi_2836_: f64;
+    var phi_2857_: bool;
+    var phi_2863_: type_17;
+    var phi_2834_: type_16;
+    var phi_2877_: type_17;
+    var phi_2837_: f64;
     var local_24: f64;
-    var phi_2798_: f64;
-    var phi_2862_: f64;
-    var phi_2931_: f64;
-    var phi_2937_: f64;
-    var phi_2946_: f64;
-    var phi_2952_: f64;
-    var phi_2961_: f64;
-    var phi_2967_: f64;
-    var phi_2976_: f64;
-    var phi_2982_: f64;
-    var phi_2988_: type_34;
-    var phi_2989_: bool;
-    var phi_2990_: type_34;
-    var phi_2991_: bool;
-    var phi_3001_: type_34;
-    var phi_3172_: bool;
-    var phi_3173_: bool;
-    var phi_3174_: bool;
-    var phi_3175_: bool;
-    var phi_3176_: bool;
-    var phi_3177_: bool;
-    var phi_3181_: bool;
-    var phi_3479_: bool;
-    var phi_3480_: bool;
-    var phi_3481_: bool;
-    var phi_3482_: bool;
-    var phi_3483_: bool;
-    var phi_3484_: bool;
-    var phi_3488_: bool;
-    var phi_3492_: bool;
-    var phi_3504_: bool;
-    var phi_3505_: bool;
-    var phi_3579_: bool;
-    var phi_3580_: bool;
-    var phi_3603_: f64;
-    var phi_3604_: bool;
-    var phi_3605_: f64;
-    var phi_3606_: bool;
-    var phi_3607_: f64;
+    var phi_2826_: f64;
+    var phi_2890_: f64;
+    var phi_2959_: f64;
+    var phi_2965_: f64;
+    var phi_2974_: f64;
+    var phi_2980_: f64;
+    var phi_2989_: f64;
+    var phi_2995_: f64;
+    var phi_3004_: f64;
+    var phi_3010_: f64;
+    var phi_3016_: type_34;
+    var phi_3017_: bool;
+    var phi_3018_: type_34;
+    var phi_3019_: bool;
+    var phi_3029_: type_34;
+    var phi_3201_: bool;
+    var phi_3202_: bool;
+    var phi_3203_: bool;
+    var phi_3204_: bool;
+    var phi_3205_: bool;
+    var phi_3206_: bool;
+    var phi_3210_: bool;
+    var phi_3508_: bool;
+    var phi_3509_: bool;
+    var phi_3510_: bool;
+    var phi_3511_: bool;
+    var phi_3512_: bool;
+    var phi_3513_: bool;
+    var phi_3517_: bool;
+    var phi_3521_: bool;
+    var phi_3532_: bool;
+    var phi_3533_: bool;
+    var phi_3607_: bool;
     var phi_3608_: bool;
-    var phi_3609_: bool;
-    var phi_3614_: f64;
-    var phi_3615_: bool;
-    var phi_3619_: f64;
-    var phi_3651_: bool;
-    var phi_3652_: bool;
-    var phi_3675_: f64;
-    var phi_3676_: bool;
-    var phi_3677_: f64;
-    var phi_3678_: bool;
-    var phi_3679_: f64;
+    var phi_3631_: f64;
+    var phi_3632_: bool;
+    var phi_3633_: f64;
+    var phi_3634_: bool;
+    var phi_3635_: f64;
+    var phi_3636_: bool;
+    var phi_3637_: bool;
+    var phi_3642_: f64;
+    var phi_3643_: bool;
+    var phi_3647_: f64;
+    var phi_3679_: bool;
     var phi_3680_: bool;
-    var phi_3681_: bool;
-    var phi_3686_: f64;
-    var phi_3687_: bool;
-    var phi_3691_: f64;
-    var phi_3696_: f64;
-    var phi_3728_: bool;
-    var phi_3729_: bool;
-    var phi_3752_: f64;
-    var phi_3753_: bool;
-    var phi_3754_: f64;
-    var phi_3755_: bool;
-    var phi_3756_: f64;
+    var phi_3703_: f64;
+    var phi_3704_: bool;
+    var phi_3705_: f64;
+    var phi_3706_: bool;
+    var phi_3707_: f64;
+    var phi_3708_: bool;
+    var phi_3709_: bool;
+    var phi_3714_: f64;
+    var phi_3715_: bool;
+    var phi_3719_: f64;
+    var phi_3724_: f64;
+    var phi_3756_: bool;
     var phi_3757_: bool;
-    var phi_3758_: bool;
-    var phi_3763_: f64;
-    var phi_3764_: bool;
-    var phi_3768_: f64;
-    var phi_3800_: bool;
-    var phi_3801_: bool;
-    var phi_3824_: f64;
-    var phi_3825_: bool;
-    var phi_3826_: f64;
-    var phi_3827_: bool;
-    var phi_3828_: f64;
+    var phi_3780_: f64;
+    var phi_3781_: bool;
+    var phi_3782_: f64;
+    var phi_3783_: bool;
+    var phi_3784_: f64;
+    var phi_3785_: bool;
+    var phi_3786_: bool;
+    var phi_3791_: f64;
+    var phi_3792_: bool;
+    var phi_3796_: f64;
+    var phi_3828_: bool;
     var phi_3829_: bool;
-    var phi_3830_: bool;
-    var phi_3835_: f64;
-    var phi_3836_: bool;
-    var phi_3840_: f64;
-    var phi_3845_: f64;
-    var phi_3850_: f64;
-    var phi_3855_: f64;
-    var phi_3866_: f64;
-    var phi_3867_: f64;
-    var phi_3868_: bool;
-    var phi_3869_: f64;
-    var phi_3870_: f64;
-    var phi_3871_: bool;
-    var phi_3872_: bool;
-    var phi_3873_: bool;
-    var phi_3874_: f64;
-    var phi_3875_: f64;
-    var phi_3876_: bool;
-    var phi_3877_: bool;
-    var phi_3878_: bool;
-    var phi_3879_: bool;
-    var phi_3880_: f64;
-    var phi_3881_: f64;
-    var phi_3882_: bool;
-    var phi_3883_: bool;
-    var phi_3884_: bool;
-    var phi_3885_: bool;
-    var phi_3965_: f64;
-    var phi_4038_: f64;
-    var phi_4043_: f64;
-    var phi_4116_: f64;
-    var phi_4189_: f64;
-    var phi_4194_: f64;
-    var phi_4215_: f64;
-    var phi_4216_: f64;
-    var phi_4217_: f64;
-    var phi_4219_: f64;
-    var phi_4220_: bool;
-    var phi_4221_: f64;
+    var phi_3852_: f64;
+    var phi_3853_: bool;
+    var phi_3854_: f64;
+    var phi_3855_: bool;
+    var phi_3856_: f64;
+    var phi_3857_: bool;
+    var phi_3858_: bool;
+    var phi_3863_: f64;
+    var phi_3864_: bool;
+    var phi_3868_: f64;
+    var phi_3873_: f64;
+    var phi_3878_: f64;
+    var phi_3883_: f64;
+    var phi_3893_: f64;
+    var phi_3894_: f64;
+    var phi_3895_: bool;
+    var phi_3896_: f64;
+    var phi_3897_: f64;
+    var phi_3898_: bool;
+    var phi_3899_: bool;
+    var phi_3900_: bool;
+    var phi_3901_: f64;
+    var phi_3902_: f64;
+    var phi_3903_: bool;
+    var phi_3904_: bool;
+    var phi_3905_: bool;
+    var phi_3906_: bool;
+    var phi_3907_: f64;
+    var phi_3908_: f64;
+    var phi_3909_: bool;
+    var phi_3910_: bool;
+    var phi_3911_: bool;
+    var phi_3912_: bool;
+    var phi_3998_: f64;
+    var phi_4071_: f64;
+    var phi_4076_: f64;
+    var phi_4149_: f64;
     var phi_4222_: f64;
-    var phi_4223_: f64;
-    var phi_4224_: bool;
-    var phi_4225_: bool;
-    var phi_4226_: bool;
-    var phi_4227_: bool;
-    var phi_4236_: f64;
-    var phi_4241_: f64;
-    var phi_4252_: bool;
+    var phi_4227_: f64;
+    var phi_4248_: f64;
+    var phi_4249_: f64;
+    var phi_4250_: f64;
+    var phi_3925_: bool;
+    var phi_4252_: u32;
+    var phi_4253_: f64;
+    var phi_4254_: bool;
+    var phi_4255_: bool;
     var phi_4256_: bool;
-    var phi_4257_: f64;
-    var phi_4258_: bool;
-    var phi_4259_: bool;
-    var phi_4260_: bool;
+    var phi_4257_: u32;
+    var phi_4258_: f64;
+    var phi_4259_: f64;
+    var phi_4260_: f64;
     var phi_4261_: bool;
-    var phi_4262_: bool;
-    var phi_2606_: f64;
-    var phi_2608_: f64;
-    var phi_2610_: f64;
-    var phi_4263_: f64;
+    var phi_4262_: u32;
+    var phi_4263_: bool;
     var phi_4264_: bool;
     var phi_4265_: bool;
     var phi_4266_: bool;
     var phi_4267_: bool;
-    var phi_4268_: bool;
-    var phi_4269_: bool;
-    var local_25: bool;
-    var phi_4273_: f64;
-    var phi_4274_: bool;
-    var phi_4275_: bool;
-    var phi_4276_: bool;
-    var phi_4277_: bool;
-    var phi_4282_: type_44;
-    var phi_4283_: bool;
-    var phi_4284_: bool;
-    var phi_4285_: bool;
-    var local_26: f64;
-    var phi_4290_: type_44;
+    var phi_4276_: f64;
+    var phi_4281_: f64;
     var phi_4291_: bool;
-    var phi_4292_: bool;
-    var phi_4297_: type_44;
-    var phi_4298_: bool;
+    var phi_4295_: bool;
+    var phi_4296_: f64;
+    var phi_4297_: f64;
+    var phi_4298_: f64;
     var phi_4299_: bool;
-    var phi_4304_: type_44;
+    var phi_4300_: u32;
+    var phi_4301_: bool;
+    var phi_4302_: bool;
+    var phi_4303_: bool;
+    var phi_4304_: bool;
     var phi_4305_: bool;
-    var phi_4309_: type_44;
-    var phi_4323_: type_9;
-    var phi_4324_: type_9;
-    var phi_4347_: type_9;
-    var phi_4368_: f64;
-    var phi_4498_: type_16;
-    var phi_4501_: f64;
-    var phi_4522_: bool;
-    var phi_4528_: type_17;
-    var phi_4499_: type_16;
-    var phi_4542_: type_17;
-    var phi_4502_: f64;
+    var phi_2606_: f64;
+    var phi_2608_: f64;
+    var phi_2610_: f64;
+    var phi_2612_: bool;
+    var phi_2614_: u32;
+    var phi_4306_: f64;
+    var phi_4307_: bool;
+    var phi_4308_: bool;
+    var phi_4309_: bool;
+    var phi_4310_: bool;
+    var phi_4311_: bool;
+    var phi_4312_: bool;
+    var local_25: bool;
+    var phi_4316_: f64;
+    var phi_4317_: bool;
+    var phi_4318_: bool;
+    var phi_4319_: bool;
+    var phi_4320_: bool;
+    var phi_4325_: type_44;
+    var phi_4326_: bool;
+    var phi_4327_: bool;
+    var phi_4328_: bool;
+    var local_26: f64;
+    var phi_4333_: type_44;
+    var phi_4334_: bool;
+    var phi_4335_: bool;
+    var phi_4340_: type_44;
+    var phi_4341_: bool;
+    var phi_4342_: bool;
+    var phi_4347_: type_44;
+    var phi_4348_: bool;
+    var phi_4352_: type_44;
+    var phi_4366_: type_9;
+    var phi_4367_: type_9;
+    var phi_4390_: type_9;
+    var phi_4411_: f64;
+    var phi_4541_: type_16;
+    var phi_4544_: f64;
+    var phi_4565_: bool;
+    var phi_4571_: type_17;
+    var phi_4542_: type_16;
+    var phi_4585_: type_17;
+    var phi_4545_: f64;
     var local_27: f64;
-    var phi_4491_: f64;
-    var phi_4555_: f64;
-    var phi_4573_: f64;
-    var phi_4580_: f64;
-    var phi_4585_: f64;
-    var phi_4592_: f64;
-    var phi_4597_: f64;
-    var phi_4610_: f64;
-    var phi_4617_: f64;
-    var phi_4622_: f64;
-    var phi_4629_: f64;
-    var phi_4634_: f64;
-    var phi_4639_: f64;
-    var phi_4656_: f64;
-    var phi_4663_: f64;
-    var phi_4668_: f64;
-    var phi_4675_: f64;
-    var phi_4680_: f64;
-    var phi_4694_: f64;
-    var phi_4701_: f64;
+    var phi_4534_: f64;
+    var phi_4598_: f64;
+    var phi_4616_: f64;
+    var phi_4623_: f64;
+    var phi_4628_: f64;
+    var phi_4635_: f64;
+    var phi_4640_: f64;
+    var phi_4653_: f64;
+    var phi_4660_: f64;
+    var phi_4665_: f64;
+    var phi_4672_: f64;
+    var phi_4677_: f64;
+    var phi_4682_: f64;
+    var phi_4699_: f64;
     var phi_4706_: f64;
-    var phi_4713_: f64;
+    var phi_4711_: f64;
     var phi_4718_: f64;
     var phi_4723_: f64;
-    var phi_4740_: f64;
-    var phi_4747_: f64;
-    var phi_4752_: f64;
-    var phi_4759_: f64;
-    var phi_4764_: f64;
-    var phi_4778_: f64;
-    var phi_4785_: f64;
+    var phi_4737_: f64;
+    var phi_4744_: f64;
+    var phi_4749_: f64;
+    var phi_4756_: f64;
+    var phi_4761_: f64;
+    var phi_4766_: f64;
+    var phi_4783_: f64;
     var phi_4790_: f64;
-    var phi_4797_: f64;
+    var phi_4795_: f64;
     var phi_4802_: f64;
     var phi_4807_: f64;
-    var phi_4831_: bool;
-    var phi_4832_: bool;
-    var phi_4833_: bool;
+    var phi_4821_: f64;
+    var phi_4828_: f64;
+    var phi_4833_: f64;
+    var phi_4840_: f64;
+    var phi_4845_: f64;
+    var phi_4850_: f64;
+    var phi_4874_: bool;
+    var phi_4875_: bool;
+    var phi_4876_: bool;
     var local_28: bool;
-    var phi_4838_: type_44;
-    var phi_4839_: bool;
-    var phi_4844_: type_44;
-    var phi_4845_: bool;
-    var phi_4847_: type_44;
-    var phi_4848_: type_44;
-    var phi_4849_: bool;
-    var phi_4853_: type_44;
-    var phi_8823_: type_44;
-    var phi_8824_: type_44;
-    var phi_8837_: type_32;
-    var phi_8860_: u32;
-    var phi_8864_: type_22;
-    var phi_8865_: bool;
-    var phi_8884_: u32;
+    var phi_4881_: type_44;
+    var phi_4882_: bool;
+    var phi_4887_: type_44;
+    var phi_4888_: bool;
+    var phi_4890_: type_44;
+    var phi_4891_: type_44;
+    var phi_4892_: bool;
+    var phi_4896_: type_44;
+    var phi_8909_: type_44;
+    var phi_8910_: type_44;
+    var phi_8923_: type_32;
+    var phi_8946_: u32;
+    var phi_8950_: type_22;
+    var phi_8951_: bool;
+    var phi_8970_: u32;
     var local_29: u32;
     var local_30: f64;
     var local_31: f64;
@@ -2026,1623 +2066,1700 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                 }
                 let _e1059 = phi_2167_;
                 if ((_e1059 - (_e1029 + ((_e575.member_1 * (((_e1009 + (_e936 * (1.1102230246251565e-16lf * f64(8f)))) + ((_e1015 * f64(6f)) * (_e878 + _e932))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e933 + _e878) * (_e933 + _e932))))) * f64((3f * 1.0001f))))) > f64(0f)) {
-                    phi_8824_ = type_44(0u, type_44().member_1);
+                    phi_8910_ = type_44(0u, type_44().member_1);
                 } else {
                     if (_e575.member_1 > f64(0f)) {
-                        let _e3712 = f64(1f);
-                        let _e3713 = f64(0f);
-                        let _e3716 = local_12.member[0u];
-                        let _e3722 = local_12.member_1[0u];
-                        let _e3728 = local_12.member_2[0u];
-                        let _e3740 = local_12.member[1u];
-                        let _e3746 = local_12.member_1[1u];
-                        let _e3752 = local_12.member_2[1u];
+                        let _e3760 = f64(1f);
+                        let _e3761 = f64(0f);
                         let _e3764 = local_12.member[0u];
-                        if (_e3764[0] < 0.0lf) {
-                            phi_2324_ = -(_e3764[0]);
-                        } else {
-                            phi_2324_ = _e3764[0];
-                        }
-                        let _e3771 = phi_2324_;
-                        if (_e3764[1] < 0.0lf) {
-                            phi_2331_ = -(_e3764[1]);
-                        } else {
-                            phi_2331_ = _e3764[1];
-                        }
-                        let _e3775 = phi_2331_;
-                        if (_e3771 > _e3775) {
-                            phi_2336_ = _e3771;
-                        } else {
-                            phi_2336_ = _e3775;
-                        }
-                        let _e3778 = phi_2336_;
-                        if (_e3764[2] < 0.0lf) {
-                            phi_2343_ = -(_e3764[2]);
-                        } else {
-                            phi_2343_ = _e3764[2];
-                        }
-                        let _e3782 = phi_2343_;
-                        if (_e3778 > _e3782) {
-                            phi_2348_ = _e3778;
-                        } else {
-                            phi_2348_ = _e3782;
-                        }
-                        let _e3785 = phi_2348_;
+                        let _e3770 = local_12.member_1[0u];
+                        let _e3776 = local_12.member_2[0u];
                         let _e3788 = local_12.member[1u];
-                        if (_e3788[0] < 0.0lf) {
-                            phi_2361_ = -(_e3788[0]);
+                        let _e3794 = local_12.member_1[1u];
+                        let _e3800 = local_12.member_2[1u];
+                        let _e3812 = local_12.member[0u];
+                        if (_e3812[0] < 0.0lf) {
+                            phi_2324_ = -(_e3812[0]);
                         } else {
-                            phi_2361_ = _e3788[0];
+                            phi_2324_ = _e3812[0];
                         }
-                        let _e3795 = phi_2361_;
-                        if (_e3788[1] < 0.0lf) {
-                            phi_2368_ = -(_e3788[1]);
+                        let _e3819 = phi_2324_;
+                        if (_e3812[1] < 0.0lf) {
+                            phi_2331_ = -(_e3812[1]);
                         } else {
-                            phi_2368_ = _e3788[1];
+                            phi_2331_ = _e3812[1];
                         }
-                        let _e3799 = phi_2368_;
-                        if (_e3795 > _e3799) {
-                            phi_2373_ = _e3795;
+                        let _e3823 = phi_2331_;
+                        if (_e3819 > _e3823) {
+                            phi_2336_ = _e3819;
                         } else {
-                            phi_2373_ = _e3799;
+                            phi_2336_ = _e3823;
                         }
-                        let _e3802 = phi_2373_;
-                        if (_e3788[2] < 0.0lf) {
-                            phi_2380_ = -(_e3788[2]);
+                        let _e3826 = phi_2336_;
+                        if (_e3812[2] < 0.0lf) {
+                            phi_2343_ = -(_e3812[2]);
                         } else {
-                            phi_2380_ = _e3788[2];
+                            phi_2343_ = _e3812[2];
                         }
-                        let _e3806 = phi_2380_;
-                        if (_e3802 > _e3806) {
-                            phi_2385_ = _e3802;
+                        let _e3830 = phi_2343_;
+                        if (_e3826 > _e3830) {
+                            phi_2348_ = _e3826;
                         } else {
-                            phi_2385_ = _e3806;
+                            phi_2348_ = _e3830;
                         }
-                        let _e3809 = phi_2385_;
-                        if (_e3785 > _e3809) {
-                            phi_2390_ = _e3785;
+                        let _e3833 = phi_2348_;
+                        let _e3836 = local_12.member[1u];
+                        if (_e3836[0] < 0.0lf) {
+                            phi_2361_ = -(_e3836[0]);
                         } else {
-                            phi_2390_ = _e3809;
+                            phi_2361_ = _e3836[0];
                         }
-                        let _e3812 = phi_2390_;
-                        let _e3814 = local_12.member_3;
-                        let _e3818 = local_12.member_1[0u];
-                        if (_e3818[0] < 0.0lf) {
-                            phi_2407_ = -(_e3818[0]);
+                        let _e3843 = phi_2361_;
+                        if (_e3836[1] < 0.0lf) {
+                            phi_2368_ = -(_e3836[1]);
                         } else {
-                            phi_2407_ = _e3818[0];
+                            phi_2368_ = _e3836[1];
                         }
-                        let _e3825 = phi_2407_;
-                        if (_e3818[1] < 0.0lf) {
-                            phi_2414_ = -(_e3818[1]);
+                        let _e3847 = phi_2368_;
+                        if (_e3843 > _e3847) {
+                            phi_2373_ = _e3843;
                         } else {
-                            phi_2414_ = _e3818[1];
+                            phi_2373_ = _e3847;
                         }
-                        let _e3829 = phi_2414_;
-                        if (_e3825 > _e3829) {
-                            phi_2419_ = _e3825;
+                        let _e3850 = phi_2373_;
+                        if (_e3836[2] < 0.0lf) {
+                            phi_2380_ = -(_e3836[2]);
                         } else {
-                            phi_2419_ = _e3829;
+                            phi_2380_ = _e3836[2];
                         }
-                        let _e3832 = phi_2419_;
-                        if (_e3818[2] < 0.0lf) {
-                            phi_2426_ = -(_e3818[2]);
+                        let _e3854 = phi_2380_;
+                        if (_e3850 > _e3854) {
+                            phi_2385_ = _e3850;
                         } else {
-                            phi_2426_ = _e3818[2];
+                            phi_2385_ = _e3854;
                         }
-                        let _e3836 = phi_2426_;
-                        if (_e3832 > _e3836) {
-                            phi_2431_ = _e3832;
+                        let _e3857 = phi_2385_;
+                        if (_e3833 > _e3857) {
+                            phi_2390_ = _e3833;
                         } else {
-                            phi_2431_ = _e3836;
+                            phi_2390_ = _e3857;
                         }
-                        let _e3839 = phi_2431_;
-                        let _e3842 = local_12.member_1[1u];
-                        if (_e3842[0] < 0.0lf) {
-                            phi_2445_ = -(_e3842[0]);
+                        let _e3860 = phi_2390_;
+                        let _e3862 = local_12.member_3;
+                        let _e3866 = local_12.member_1[0u];
+                        if (_e3866[0] < 0.0lf) {
+                            phi_2407_ = -(_e3866[0]);
                         } else {
-                            phi_2445_ = _e3842[0];
+                            phi_2407_ = _e3866[0];
                         }
-                        let _e3849 = phi_2445_;
-                        if (_e3842[1] < 0.0lf) {
-                            phi_2452_ = -(_e3842[1]);
+                        let _e3873 = phi_2407_;
+                        if (_e3866[1] < 0.0lf) {
+                            phi_2414_ = -(_e3866[1]);
                         } else {
-                            phi_2452_ = _e3842[1];
+                            phi_2414_ = _e3866[1];
                         }
-                        let _e3853 = phi_2452_;
-                        if (_e3849 > _e3853) {
-                            phi_2457_ = _e3849;
+                        let _e3877 = phi_2414_;
+                        if (_e3873 > _e3877) {
+                            phi_2419_ = _e3873;
                         } else {
-                            phi_2457_ = _e3853;
+                            phi_2419_ = _e3877;
                         }
-                        let _e3856 = phi_2457_;
-                        if (_e3842[2] < 0.0lf) {
-                            phi_2464_ = -(_e3842[2]);
+                        let _e3880 = phi_2419_;
+                        if (_e3866[2] < 0.0lf) {
+                            phi_2426_ = -(_e3866[2]);
                         } else {
-                            phi_2464_ = _e3842[2];
+                            phi_2426_ = _e3866[2];
                         }
-                        let _e3860 = phi_2464_;
-                        if (_e3856 > _e3860) {
-                            phi_2469_ = _e3856;
+                        let _e3884 = phi_2426_;
+                        if (_e3880 > _e3884) {
+                            phi_2431_ = _e3880;
                         } else {
-                            phi_2469_ = _e3860;
+                            phi_2431_ = _e3884;
                         }
-                        let _e3863 = phi_2469_;
-                        if (_e3839 > _e3863) {
-                            phi_2474_ = _e3839;
+                        let _e3887 = phi_2431_;
+                        let _e3890 = local_12.member_1[1u];
+                        if (_e3890[0] < 0.0lf) {
+                            phi_2445_ = -(_e3890[0]);
                         } else {
-                            phi_2474_ = _e3863;
+                            phi_2445_ = _e3890[0];
                         }
-                        let _e3866 = phi_2474_;
-                        let _e3868 = local_12.member_3;
-                        let _e3872 = local_12.member_2[0u];
-                        if (_e3872[0] < 0.0lf) {
-                            phi_2491_ = -(_e3872[0]);
+                        let _e3897 = phi_2445_;
+                        if (_e3890[1] < 0.0lf) {
+                            phi_2452_ = -(_e3890[1]);
                         } else {
-                            phi_2491_ = _e3872[0];
+                            phi_2452_ = _e3890[1];
                         }
-                        let _e3879 = phi_2491_;
-                        if (_e3872[1] < 0.0lf) {
-                            phi_2498_ = -(_e3872[1]);
+                        let _e3901 = phi_2452_;
+                        if (_e3897 > _e3901) {
+                            phi_2457_ = _e3897;
                         } else {
-                            phi_2498_ = _e3872[1];
+                            phi_2457_ = _e3901;
                         }
-                        let _e3883 = phi_2498_;
-                        if (_e3879 > _e3883) {
-                            phi_2503_ = _e3879;
+                        let _e3904 = phi_2457_;
+                        if (_e3890[2] < 0.0lf) {
+                            phi_2464_ = -(_e3890[2]);
                         } else {
-                            phi_2503_ = _e3883;
+                            phi_2464_ = _e3890[2];
                         }
-                        let _e3886 = phi_2503_;
-                        if (_e3872[2] < 0.0lf) {
-                            phi_2510_ = -(_e3872[2]);
+                        let _e3908 = phi_2464_;
+                        if (_e3904 > _e3908) {
+                            phi_2469_ = _e3904;
                         } else {
-                            phi_2510_ = _e3872[2];
+                            phi_2469_ = _e3908;
                         }
-                        let _e3890 = phi_2510_;
-                        if (_e3886 > _e3890) {
-                            phi_2515_ = _e3886;
+                        let _e3911 = phi_2469_;
+                        if (_e3887 > _e3911) {
+                            phi_2474_ = _e3887;
                         } else {
-                            phi_2515_ = _e3890;
+                            phi_2474_ = _e3911;
                         }
-                        let _e3893 = phi_2515_;
-                        let _e3896 = local_12.member_2[1u];
-                        if (_e3896[0] < 0.0lf) {
-                            phi_2529_ = -(_e3896[0]);
+                        let _e3914 = phi_2474_;
+                        let _e3916 = local_12.member_3;
+                        let _e3920 = local_12.member_2[0u];
+                        if (_e3920[0] < 0.0lf) {
+                            phi_2491_ = -(_e3920[0]);
                         } else {
-                            phi_2529_ = _e3896[0];
+                            phi_2491_ = _e3920[0];
                         }
-                        let _e3903 = phi_2529_;
-                        if (_e3896[1] < 0.0lf) {
-                            phi_2536_ = -(_e3896[1]);
+                        let _e3927 = phi_2491_;
+                        if (_e3920[1] < 0.0lf) {
+                            phi_2498_ = -(_e3920[1]);
                         } else {
-                            phi_2536_ = _e3896[1];
+                            phi_2498_ = _e3920[1];
                         }
-                        let _e3907 = phi_2536_;
-                        if (_e3903 > _e3907) {
-                            phi_2541_ = _e3903;
+                        let _e3931 = phi_2498_;
+                        if (_e3927 > _e3931) {
+                            phi_2503_ = _e3927;
                         } else {
-                            phi_2541_ = _e3907;
+                            phi_2503_ = _e3931;
                         }
-                        let _e3910 = phi_2541_;
-                        if (_e3896[2] < 0.0lf) {
-                            phi_2548_ = -(_e3896[2]);
+                        let _e3934 = phi_2503_;
+                        if (_e3920[2] < 0.0lf) {
+                            phi_2510_ = -(_e3920[2]);
                         } else {
-                            phi_2548_ = _e3896[2];
+                            phi_2510_ = _e3920[2];
                         }
-                        let _e3914 = phi_2548_;
-                        if (_e3910 > _e3914) {
-                            phi_2553_ = _e3910;
+                        let _e3938 = phi_2510_;
+                        if (_e3934 > _e3938) {
+                            phi_2515_ = _e3934;
                         } else {
-                            phi_2553_ = _e3914;
+                            phi_2515_ = _e3938;
                         }
-                        let _e3917 = phi_2553_;
-                        if (_e3893 > _e3917) {
-                            phi_2558_ = _e3893;
+                        let _e3941 = phi_2515_;
+                        let _e3944 = local_12.member_2[1u];
+                        if (_e3944[0] < 0.0lf) {
+                            phi_2529_ = -(_e3944[0]);
                         } else {
-                            phi_2558_ = _e3917;
+                            phi_2529_ = _e3944[0];
                         }
-                        let _e3920 = phi_2558_;
-                        let _e3922 = local_12.member_3;
-                        let _e3930 = local_12.member_3;
-                        let _e3937 = f64(0f);
-                        let _e3938 = f64(1f);
-                        local_9 = type_34(array<f64, 4>(_e3937, _e3937, _e3937, _e3937), array<f64, 4>(_e3937, _e3937, _e3937, _e3937), array<f64, 4>(_e3938, _e3938, _e3938, _e3938));
+                        let _e3951 = phi_2529_;
+                        if (_e3944[1] < 0.0lf) {
+                            phi_2536_ = -(_e3944[1]);
+                        } else {
+                            phi_2536_ = _e3944[1];
+                        }
+                        let _e3955 = phi_2536_;
+                        if (_e3951 > _e3955) {
+                            phi_2541_ = _e3951;
+                        } else {
+                            phi_2541_ = _e3955;
+                        }
+                        let _e3958 = phi_2541_;
+                        if (_e3944[2] < 0.0lf) {
+                            phi_2548_ = -(_e3944[2]);
+                        } else {
+                            phi_2548_ = _e3944[2];
+                        }
+                        let _e3962 = phi_2548_;
+                        if (_e3958 > _e3962) {
+                            phi_2553_ = _e3958;
+                        } else {
+                            phi_2553_ = _e3962;
+                        }
+                        let _e3965 = phi_2553_;
+                        if (_e3941 > _e3965) {
+                            phi_2558_ = _e3941;
+                        } else {
+                            phi_2558_ = _e3965;
+                        }
+                        let _e3968 = phi_2558_;
+                        let _e3970 = local_12.member_3;
+                        let _e3978 = local_12.member_3;
+                        let _e3985 = f64(0f);
+                        let _e3986 = f64(1f);
+                        local_9 = type_34(array<f64, 4>(_e3985, _e3985, _e3985, _e3985), array<f64, 4>(_e3985, _e3985, _e3985, _e3985), array<f64, 4>(_e3986, _e3986, _e3986, _e3986));
                         phi_2602_ = type_9(0u, 96u);
-                        phi_2605_ = _e3713;
-                        phi_2607_ = _e3713;
-                        phi_2609_ = _e3713;
+                        phi_2605_ = _e3761;
+                        phi_2607_ = _e3761;
+                        phi_2609_ = _e3761;
+                        phi_2611_ = false;
+                        phi_2613_ = 0u;
                         loop {
-                            let _e3944 = phi_2602_;
-                            let _e3946 = phi_2605_;
-                            let _e3948 = phi_2607_;
-                            let _e3950 = phi_2609_;
-                            local_44 = _e3948;
-                            local_26 = _e3946;
-                            if (_e3944.member < _e3944.member_1) {
-                                phi_2603_ = type_9((_e3944.member + 1u), _e3944.member_1);
-                                phi_2632_ = type_9(1u, _e3944.member);
+                            let _e3992 = phi_2602_;
+                            let _e3994 = phi_2605_;
+                            let _e3996 = phi_2607_;
+                            let _e3998 = phi_2609_;
+                            let _e4000 = phi_2611_;
+                            let _e4002 = phi_2613_;
+                            local_44 = _e3996;
+                            local_26 = _e3994;
+                            if (_e3992.member < _e3992.member_1) {
+                                phi_2603_ = type_9((_e3992.member + 1u), _e3992.member_1);
+                                phi_2636_ = type_9(1u, _e3992.member);
                             } else {
-                                phi_2603_ = _e3944;
-                                phi_2632_ = type_9(0u, type_9().member_1);
+                                phi_2603_ = _e3992;
+                                phi_2636_ = type_9(0u, type_9().member_1);
                             }
-                            let _e3962 = phi_2603_;
-                            let _e3964 = phi_2632_;
-                            if (bitcast<i32>(_e3964.member) != 0i) {
-                                let _e3971 = local_12.member[0u];
-                                let _e3977 = local_12.member[1u];
-                                let _e3993 = local_12.member_1[0u];
-                                let _e3999 = local_12.member_1[1u];
-                                let _e4015 = local_12.member_2[0u];
-                                let _e4021 = local_12.member_2[1u];
-                                let _e4035 = function_2(array<f64, 3>((_e3971[0] + ((_e3977[0] - _e3971[0]) * _e3946)), (_e3971[1] + ((_e3977[1] - _e3971[1]) * _e3946)), (_e3971[2] + ((_e3977[2] - _e3971[2]) * _e3946))), array<f64, 3>((_e3993[0] + ((_e3999[0] - _e3993[0]) * _e3946)), (_e3993[1] + ((_e3999[1] - _e3993[1]) * _e3946)), (_e3993[2] + ((_e3999[2] - _e3993[2]) * _e3946))), array<f64, 3>((_e4015[0] + ((_e4021[0] - _e4015[0]) * _e3946)), (_e4015[1] + ((_e4021[1] - _e4015[1]) * _e3946)), (_e4015[2] + ((_e4021[2] - _e4015[2]) * _e3946))), 0u);
-                                if (_e4035[0] < 0.0lf) {
-                                    phi_2744_ = -(_e4035[0]);
+                            let _e4014 = phi_2603_;
+                            let _e4016 = phi_2636_;
+                            if (bitcast<i32>(_e4016.member) != 0i) {
+                                let _e4022 = local_12.member[0u];
+                                let _e4028 = local_12.member[1u];
+                                let _e4044 = local_12.member_1[0u];
+                                let _e4050 = local_12.member_1[1u];
+                                let _e4066 = local_12.member_2[0u];
+                                let _e4072 = local_12.member_2[1u];
+                                let _e4086 = function_2(array<f64, 3>((_e4022[0] + ((_e4028[0] - _e4022[0]) * _e3994)), (_e4022[1] + ((_e4028[1] - _e4022[1]) * _e3994)), (_e4022[2] + ((_e4028[2] - _e4022[2]) * _e3994))), array<f64, 3>((_e4044[0] + ((_e4050[0] - _e4044[0]) * _e3994)), (_e4044[1] + ((_e4050[1] - _e4044[1]) * _e3994)), (_e4044[2] + ((_e4050[2] - _e4044[2]) * _e3994))), array<f64, 3>((_e4066[0] + ((_e4072[0] - _e4066[0]) * _e3994)), (_e4066[1] + ((_e4072[1] - _e4066[1]) * _e3994)), (_e4066[2] + ((_e4072[2] - _e4066[2]) * _e3994))), 0u);
+                                if (_e4002 == 0u) {
+                                    phi_2765_ = _e4086;
                                 } else {
-                                    phi_2744_ = _e4035[0];
+                                    let _e4088 = f64(0f);
+                                    if (_e4002 == 1u) {
+                                        phi_2751_ = _e4086[0];
+                                    } else {
+                                        phi_2751_ = _e4088;
+                                    }
+                                    let _e4092 = phi_2751_;
+                                    if (_e4002 == 2u) {
+                                        phi_2757_ = _e4086[1];
+                                    } else {
+                                        phi_2757_ = _e4088;
+                                    }
+                                    let _e4096 = phi_2757_;
+                                    if (_e4002 == 3u) {
+                                        phi_2763_ = _e4086[2];
+                                    } else {
+                                        phi_2763_ = _e4088;
+                                    }
+                                    let _e4100 = phi_2763_;
+                                    phi_2765_ = array<f64, 3>(_e4092, _e4096, _e4100);
                                 }
-                                let _e4040 = phi_2744_;
-                                if (_e4035[1] < 0.0lf) {
-                                    phi_2751_ = -(_e4035[1]);
+                                let _e4103 = phi_2765_;
+                                if (_e4103[0] < 0.0lf) {
+                                    phi_2772_ = -(_e4103[0]);
                                 } else {
-                                    phi_2751_ = _e4035[1];
+                                    phi_2772_ = _e4103[0];
                                 }
-                                let _e4045 = phi_2751_;
-                                if (_e4035[2] < 0.0lf) {
-                                    phi_2759_ = -(_e4035[2]);
+                                let _e4108 = phi_2772_;
+                                if (_e4103[1] < 0.0lf) {
+                                    phi_2779_ = -(_e4103[1]);
                                 } else {
-                                    phi_2759_ = _e4035[2];
+                                    phi_2779_ = _e4103[1];
                                 }
-                                let _e4051 = phi_2759_;
-                                let _e4052 = ((_e4040 + _e4045) + _e4051);
-                                if (_e4052 > f64(0f)) {
-                                    if ((bitcast<u64>(_e4052) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                        let _e4059 = (f64(1f) / _e4052);
-                                        let _e4061 = (_e4035[0] * _e4059);
-                                        let _e4063 = (_e4035[1] * _e4059);
-                                        let _e4065 = (_e4035[2] * _e4059);
-                                        let _e4070 = (((_e4061 * _e4061) + (_e4063 * _e4063)) + (_e4065 * _e4065));
-                                        if (_e4070 <= 2.2250738585072014e-308lf) {
-                                            if (_e4070 > 0.0lf) {
-                                                phi_2798_ = (1.464336215552873e-154lf * 2.0lf);
+                                let _e4113 = phi_2779_;
+                                if (_e4103[2] < 0.0lf) {
+                                    phi_2787_ = -(_e4103[2]);
+                                } else {
+                                    phi_2787_ = _e4103[2];
+                                }
+                                let _e4119 = phi_2787_;
+                                let _e4120 = ((_e4108 + _e4113) + _e4119);
+                                if (_e4120 > f64(0f)) {
+                                    if ((bitcast<u64>(_e4120) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                        let _e4127 = (f64(1f) / _e4120);
+                                        let _e4129 = (_e4103[0] * _e4127);
+                                        let _e4131 = (_e4103[1] * _e4127);
+                                        let _e4133 = (_e4103[2] * _e4127);
+                                        let _e4138 = (((_e4129 * _e4129) + (_e4131 * _e4131)) + (_e4133 * _e4133));
+                                        if (_e4138 <= 2.2250738585072014e-308lf) {
+                                            if (_e4138 > 0.0lf) {
+                                                phi_2826_ = (1.464336215552873e-154lf * 2.0lf);
                                             } else {
-                                                phi_2798_ = 0.0lf;
+                                                phi_2826_ = 0.0lf;
                                             }
-                                            let _e4122 = phi_2798_;
-                                            phi_2862_ = _e4122;
+                                            let _e4190 = phi_2826_;
+                                            phi_2890_ = _e4190;
                                         } else {
-                                            phi_2805_ = type_16(0i, 5i);
-                                            phi_2808_ = bitcast<f64>(((bitcast<u64>(_e4070) / 2lu) + 2303426169912950784lu));
+                                            phi_2833_ = type_16(0i, 5i);
+                                            phi_2836_ = bitcast<f64>(((bitcast<u64>(_e4138) / 2lu) + 2303426169912950784lu));
                                             loop {
-                                                let _e4077 = phi_2805_;
-                                                let _e4079 = phi_2808_;
-                                                local_24 = _e4079;
-                                                if (_e4077.member < _e4077.member_1) {
-                                                    let _e4086 = (_e4077.member + 1i);
-                                                    if ((false == (_e4086 > _e4077.member)) != false) {
-                                                        phi_2829_ = true;
+                                                let _e4145 = phi_2833_;
+                                                let _e4147 = phi_2836_;
+                                                local_24 = _e4147;
+                                                if (_e4145.member < _e4145.member_1) {
+                                                    let _e4154 = (_e4145.member + 1i);
+                                                    if ((false == (_e4154 > _e4145.member)) != false) {
+                                                        phi_2857_ = true;
                                                     } else {
-                                                        phi_2829_ = false;
+                                                        phi_2857_ = false;
                                                     }
-                                                    let _e4091 = phi_2829_;
-                                                    if _e4091 {
-                                                        phi_2835_ = type_17(0u, type_17().member_1);
+                                                    let _e4159 = phi_2857_;
+                                                    if _e4159 {
+                                                        phi_2863_ = type_17(0u, type_17().member_1);
                                                     } else {
-                                                        phi_2835_ = type_17(1u, _e4086);
+                                                        phi_2863_ = type_17(1u, _e4154);
                                                     }
-                                                    let _e4096 = phi_2835_;
-                                                    phi_2806_ = type_16(_e4096.member_1, _e4077.member_1);
-                                                    phi_2849_ = type_17(1u, _e4077.member);
+                                                    let _e4164 = phi_2863_;
+                                                    phi_2834_ = type_16(_e4164.member_1, _e4145.member_1);
+                                                    phi_2877_ = type_17(1u, _e4145.member);
                                                 } else {
-                                                    phi_2806_ = _e4077;
-                                                    phi_2849_ = type_17(0u, type_17().member_1);
+                                                    phi_2834_ = _e4145;
+                                                    phi_2877_ = type_17(0u, type_17().member_1);
                                                 }
-                                                let _e4102 = phi_2806_;
-                                                let _e4104 = phi_2849_;
-                                                let _e4107 = (bitcast<i32>(_e4104.member) != 0i);
-                                                if _e4107 {
-                                                    phi_2809_ = (0.5lf * (_e4079 + (_e4070 / _e4079)));
+                                                let _e4170 = phi_2834_;
+                                                let _e4172 = phi_2877_;
+                                                let _e4175 = (bitcast<i32>(_e4172.member) != 0i);
+                                                if _e4175 {
+                                                    phi_2837_ = (0.5lf * (_e4147 + (_e4138 / _e4147)));
                                                 } else {
-                                                    phi_2809_ = f64();
+                                                    phi_2837_ = f64();
                                                 }
-                                                let _e4112 = phi_2809_;
+                                                let _e4180 = phi_2837_;
                                                 continue;
                                                 continuing {
-                                                    phi_2805_ = _e4102;
-                                                    phi_2808_ = _e4112;
-                                                    break if !(_e4107);
+                                                    phi_2833_ = _e4170;
+                                                    phi_2836_ = _e4180;
+                                                    break if !(_e4175);
                                                 }
                                             }
-                                            let _e4117 = local_24;
-                                            phi_2862_ = (_e4117 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                            let _e4185 = local_24;
+                                            phi_2890_ = (_e4185 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                         }
-                                        let _e4124 = phi_2862_;
-                                        let _e4126 = (1.1102230246251565e-16lf * f64(12f));
-                                        let _e4133 = ((((((((_e3812 + _e3814) + (_e3866 + _e3868)) + (_e3920 + _e3922)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3930 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e575.member_1 * _e4124) * (f64(1f) + _e4126)));
-                                        let _e4138 = (((_e4061 * _e3716[0]) + (_e4063 * _e3716[1])) + (_e4065 * _e3716[2]));
-                                        let _e4143 = (((_e4061 * (_e3716[0] - _e3722[0])) + (_e4063 * (_e3716[1] - _e3722[1]))) + (_e4065 * (_e3716[2] - _e3722[2])));
-                                        let _e4148 = (((_e4061 * (_e3716[0] - _e3728[0])) + (_e4063 * (_e3716[1] - _e3728[1]))) + (_e4065 * (_e3716[2] - _e3728[2])));
-                                        let _e4153 = (((_e4061 * _e3716[0]) + (_e4063 * _e3716[1])) + (_e4065 * _e3716[2]));
-                                        let _e4159 = (((_e4061 * _e3740[0]) + (_e4063 * _e3740[1])) + (_e4065 * _e3740[2]));
-                                        let _e4164 = (((_e4061 * (_e3740[0] - _e3746[0])) + (_e4063 * (_e3740[1] - _e3746[1]))) + (_e4065 * (_e3740[2] - _e3746[2])));
-                                        let _e4169 = (((_e4061 * (_e3740[0] - _e3752[0])) + (_e4063 * (_e3740[1] - _e3752[1]))) + (_e4065 * (_e3740[2] - _e3752[2])));
-                                        let _e4174 = (((_e4061 * _e3740[0]) + (_e4063 * _e3740[1])) + (_e4065 * _e3740[2]));
-                                        if (_e4138 < 0.0lf) {
-                                            phi_2931_ = -(_e4138);
+                                        let _e4192 = phi_2890_;
+                                        let _e4194 = (1.1102230246251565e-16lf * f64(12f));
+                                        let _e4201 = ((((((((_e3860 + _e3862) + (_e3914 + _e3916)) + (_e3968 + _e3970)) * (1.1102230246251565e-16lf * f64(16f))) + (_e3978 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((_e575.member_1 * _e4192) * (f64(1f) + _e4194)));
+                                        let _e4206 = (((_e4129 * _e3764[0]) + (_e4131 * _e3764[1])) + (_e4133 * _e3764[2]));
+                                        let _e4211 = (((_e4129 * (_e3764[0] - _e3770[0])) + (_e4131 * (_e3764[1] - _e3770[1]))) + (_e4133 * (_e3764[2] - _e3770[2])));
+                                        let _e4216 = (((_e4129 * (_e3764[0] - _e3776[0])) + (_e4131 * (_e3764[1] - _e3776[1]))) + (_e4133 * (_e3764[2] - _e3776[2])));
+                                        let _e4221 = (((_e4129 * _e3764[0]) + (_e4131 * _e3764[1])) + (_e4133 * _e3764[2]));
+                                        let _e4227 = (((_e4129 * _e3788[0]) + (_e4131 * _e3788[1])) + (_e4133 * _e3788[2]));
+                                        let _e4232 = (((_e4129 * (_e3788[0] - _e3794[0])) + (_e4131 * (_e3788[1] - _e3794[1]))) + (_e4133 * (_e3788[2] - _e3794[2])));
+                                        let _e4237 = (((_e4129 * (_e3788[0] - _e3800[0])) + (_e4131 * (_e3788[1] - _e3800[1]))) + (_e4133 * (_e3788[2] - _e3800[2])));
+                                        let _e4242 = (((_e4129 * _e3788[0]) + (_e4131 * _e3788[1])) + (_e4133 * _e3788[2]));
+                                        if (_e4206 < 0.0lf) {
+                                            phi_2959_ = -(_e4206);
                                         } else {
-                                            phi_2931_ = _e4138;
+                                            phi_2959_ = _e4206;
                                         }
-                                        let _e4179 = phi_2931_;
-                                        if (_e4159 < 0.0lf) {
-                                            phi_2937_ = -(_e4159);
+                                        let _e4247 = phi_2959_;
+                                        if (_e4227 < 0.0lf) {
+                                            phi_2965_ = -(_e4227);
                                         } else {
-                                            phi_2937_ = _e4159;
+                                            phi_2965_ = _e4227;
                                         }
-                                        let _e4183 = phi_2937_;
-                                        if (_e4143 < 0.0lf) {
-                                            phi_2946_ = -(_e4143);
+                                        let _e4251 = phi_2965_;
+                                        if (_e4211 < 0.0lf) {
+                                            phi_2974_ = -(_e4211);
                                         } else {
-                                            phi_2946_ = _e4143;
+                                            phi_2974_ = _e4211;
                                         }
-                                        let _e4190 = phi_2946_;
-                                        if (_e4164 < 0.0lf) {
-                                            phi_2952_ = -(_e4164);
+                                        let _e4258 = phi_2974_;
+                                        if (_e4232 < 0.0lf) {
+                                            phi_2980_ = -(_e4232);
                                         } else {
-                                            phi_2952_ = _e4164;
+                                            phi_2980_ = _e4232;
                                         }
-                                        let _e4194 = phi_2952_;
-                                        if (_e4148 < 0.0lf) {
-                                            phi_2961_ = -(_e4148);
+                                        let _e4262 = phi_2980_;
+                                        if (_e4216 < 0.0lf) {
+                                            phi_2989_ = -(_e4216);
                                         } else {
-                                            phi_2961_ = _e4148;
+                                            phi_2989_ = _e4216;
                                         }
-                                        let _e4201 = phi_2961_;
-                                        if (_e4169 < 0.0lf) {
-                                            phi_2967_ = -(_e4169);
+                                        let _e4269 = phi_2989_;
+                                        if (_e4237 < 0.0lf) {
+                                            phi_2995_ = -(_e4237);
                                         } else {
-                                            phi_2967_ = _e4169;
+                                            phi_2995_ = _e4237;
                                         }
-                                        let _e4205 = phi_2967_;
-                                        if (_e4153 < 0.0lf) {
-                                            phi_2976_ = -(_e4153);
+                                        let _e4273 = phi_2995_;
+                                        if (_e4221 < 0.0lf) {
+                                            phi_3004_ = -(_e4221);
                                         } else {
-                                            phi_2976_ = _e4153;
+                                            phi_3004_ = _e4221;
                                         }
-                                        let _e4212 = phi_2976_;
-                                        if (_e4174 < 0.0lf) {
-                                            phi_2982_ = -(_e4174);
+                                        let _e4280 = phi_3004_;
+                                        if (_e4242 < 0.0lf) {
+                                            phi_3010_ = -(_e4242);
                                         } else {
-                                            phi_2982_ = _e4174;
+                                            phi_3010_ = _e4242;
                                         }
-                                        let _e4216 = phi_2982_;
-                                        phi_2988_ = type_34(array<f64, 4>(_e4138, _e4143, _e4148, _e4153), array<f64, 4>(_e4159, _e4164, _e4169, _e4174), array<f64, 4>((_e4133 + ((_e4179 + _e4183) * _e4126)), (_e4133 + ((_e4190 + _e4194) * _e4126)), (_e4133 + ((_e4201 + _e4205) * _e4126)), (_e4133 + ((_e4212 + _e4216) * _e4126))));
-                                        phi_2989_ = false;
+                                        let _e4284 = phi_3010_;
+                                        phi_3016_ = type_34(array<f64, 4>(_e4206, _e4211, _e4216, _e4221), array<f64, 4>(_e4227, _e4232, _e4237, _e4242), array<f64, 4>((_e4201 + ((_e4247 + _e4251) * _e4194)), (_e4201 + ((_e4258 + _e4262) * _e4194)), (_e4201 + ((_e4269 + _e4273) * _e4194)), (_e4201 + ((_e4280 + _e4284) * _e4194))));
+                                        phi_3017_ = false;
                                     } else {
-                                        phi_2988_ = type_34();
-                                        phi_2989_ = true;
+                                        phi_3016_ = type_34();
+                                        phi_3017_ = true;
                                     }
-                                    let _e4223 = phi_2988_;
-                                    let _e4225 = phi_2989_;
-                                    phi_2990_ = _e4223;
-                                    phi_2991_ = _e4225;
+                                    let _e4291 = phi_3016_;
+                                    let _e4293 = phi_3017_;
+                                    phi_3018_ = _e4291;
+                                    phi_3019_ = _e4293;
                                 } else {
-                                    phi_2990_ = type_34();
-                                    phi_2991_ = true;
+                                    phi_3018_ = type_34();
+                                    phi_3019_ = true;
                                 }
-                                let _e4227 = phi_2990_;
-                                let _e4229 = phi_2991_;
-                                if _e4229 {
-                                    let _e4230 = f64(0f);
-                                    let _e4231 = f64(1f);
-                                    phi_3001_ = type_34(array<f64, 4>(_e4230, _e4230, _e4230, _e4230), array<f64, 4>(_e4230, _e4230, _e4230, _e4230), array<f64, 4>(_e4231, _e4231, _e4231, _e4231));
+                                let _e4295 = phi_3018_;
+                                let _e4297 = phi_3019_;
+                                if _e4297 {
+                                    let _e4298 = f64(0f);
+                                    let _e4299 = f64(1f);
+                                    phi_3029_ = type_34(array<f64, 4>(_e4298, _e4298, _e4298, _e4298), array<f64, 4>(_e4298, _e4298, _e4298, _e4298), array<f64, 4>(_e4299, _e4299, _e4299, _e4299));
                                 } else {
-                                    phi_3001_ = _e4227;
+                                    phi_3029_ = _e4295;
                                 }
-                                let _e4237 = phi_3001_;
-                                local_10 = type_34(array<f64, 4>(_e4237.member[0], _e4237.member[1], _e4237.member[2], _e4237.member[3]), array<f64, 4>(_e4237.member_1[0], _e4237.member_1[1], _e4237.member_1[2], _e4237.member_1[3]), array<f64, 4>(_e4237.member_2[0], _e4237.member_2[1], _e4237.member_2[2], _e4237.member_2[3]));
-                                let _e4257 = (_e3946 - _e3950);
-                                let _e4258 = f64(0f);
-                                let _e4261 = local_10.member[0u];
-                                let _e4264 = local_10.member_1[0u];
-                                let _e4267 = local_10.member[0u];
-                                let _e4273 = local_10.member_2[0u];
-                                if (((_e4261 + ((_e4264 - _e4267) * _e3946)) - _e4273) > _e4258) {
-                                    let _e4278 = local_10.member[1u];
-                                    let _e4281 = local_10.member_1[1u];
-                                    let _e4284 = local_10.member[1u];
-                                    let _e4290 = local_10.member_2[1u];
-                                    if (((_e4278 + ((_e4281 - _e4284) * _e3946)) - _e4290) > _e4258) {
-                                        let _e4295 = local_10.member[2u];
-                                        let _e4298 = local_10.member_1[2u];
-                                        let _e4301 = local_10.member[2u];
-                                        let _e4307 = local_10.member_2[2u];
-                                        if (((_e4295 + ((_e4298 - _e4301) * _e3946)) - _e4307) > _e4258) {
-                                            let _e4312 = local_10.member[3u];
-                                            let _e4315 = local_10.member_1[3u];
-                                            let _e4318 = local_10.member[3u];
-                                            let _e4324 = local_10.member_2[3u];
-                                            phi_3172_ = (((_e4312 + ((_e4315 - _e4318) * _e3946)) - _e4324) > _e4258);
-                                            phi_3173_ = false;
+                                let _e4305 = phi_3029_;
+                                local_10 = type_34(array<f64, 4>(_e4305.member[0], _e4305.member[1], _e4305.member[2], _e4305.member[3]), array<f64, 4>(_e4305.member_1[0], _e4305.member_1[1], _e4305.member_1[2], _e4305.member_1[3]), array<f64, 4>(_e4305.member_2[0], _e4305.member_2[1], _e4305.member_2[2], _e4305.member_2[3]));
+                                let _e4325 = (_e3994 - _e3998);
+                                let _e4327 = f64(0f);
+                                let _e4330 = local_10.member[0u];
+                                let _e4333 = local_10.member_1[0u];
+                                let _e4336 = local_10.member[0u];
+                                let _e4342 = local_10.member_2[0u];
+                                if (((_e4330 + ((_e4333 - _e4336) * _e3994)) - _e4342) > _e4327) {
+                                    let _e4347 = local_10.member[1u];
+                                    let _e4350 = local_10.member_1[1u];
+                                    let _e4353 = local_10.member[1u];
+                                    let _e4359 = local_10.member_2[1u];
+                                    if (((_e4347 + ((_e4350 - _e4353) * _e3994)) - _e4359) > _e4327) {
+                                        let _e4364 = local_10.member[2u];
+                                        let _e4367 = local_10.member_1[2u];
+                                        let _e4370 = local_10.member[2u];
+                                        let _e4376 = local_10.member_2[2u];
+                                        if (((_e4364 + ((_e4367 - _e4370) * _e3994)) - _e4376) > _e4327) {
+                                            let _e4381 = local_10.member[3u];
+                                            let _e4384 = local_10.member_1[3u];
+                                            let _e4387 = local_10.member[3u];
+                                            let _e4393 = local_10.member_2[3u];
+                                            phi_3201_ = (((_e4381 + ((_e4384 - _e4387) * _e3994)) - _e4393) > _e4327);
+                                            phi_3202_ = false;
                                         } else {
-                                            phi_3172_ = bool();
-                                            phi_3173_ = true;
+                                            phi_3201_ = bool();
+                                            phi_3202_ = true;
                                         }
-                                        let _e4328 = phi_3172_;
-                                        let _e4330 = phi_3173_;
-                                        phi_3174_ = _e4328;
-                                        phi_3175_ = _e4330;
+                                        let _e4397 = phi_3201_;
+                                        let _e4399 = phi_3202_;
+                                        phi_3203_ = _e4397;
+                                        phi_3204_ = _e4399;
                                     } else {
-                                        phi_3174_ = bool();
-                                        phi_3175_ = true;
+                                        phi_3203_ = bool();
+                                        phi_3204_ = true;
                                     }
-                                    let _e4332 = phi_3174_;
-                                    let _e4334 = phi_3175_;
-                                    phi_3176_ = _e4332;
-                                    phi_3177_ = _e4334;
+                                    let _e4401 = phi_3203_;
+                                    let _e4403 = phi_3204_;
+                                    phi_3205_ = _e4401;
+                                    phi_3206_ = _e4403;
                                 } else {
-                                    phi_3176_ = bool();
-                                    phi_3177_ = true;
+                                    phi_3205_ = bool();
+                                    phi_3206_ = true;
                                 }
-                                let _e4336 = phi_3176_;
-                                let _e4338 = phi_3177_;
-                                if _e4338 {
-                                    phi_3181_ = false;
+                                let _e4405 = phi_3205_;
+                                let _e4407 = phi_3206_;
+                                if _e4407 {
+                                    phi_3210_ = false;
                                 } else {
-                                    phi_3181_ = _e4336;
+                                    phi_3210_ = _e4405;
                                 }
-                                let _e4340 = phi_3181_;
-                                if _e4340 {
-                                    if (_e3946 <= _e3948) {
-                                        phi_3492_ = true;
+                                let _e4409 = phi_3210_;
+                                if _e4409 {
+                                    if (_e3994 <= _e3996) {
+                                        phi_3521_ = true;
                                     } else {
-                                        let _e4342 = f64(0f);
-                                        let _e4345 = local_9.member[0u];
-                                        let _e4348 = local_9.member_1[0u];
-                                        let _e4351 = local_9.member[0u];
-                                        let _e4357 = local_9.member_2[0u];
-                                        let _e4361 = local_10.member[0u];
-                                        let _e4364 = local_10.member_1[0u];
-                                        let _e4367 = local_10.member[0u];
-                                        let _e4373 = local_10.member_2[0u];
-                                        if ((((_e4345 + ((_e4348 - _e4351) * _e3946)) - _e4357) + ((_e4361 + ((_e4364 - _e4367) * _e3950)) - _e4373)) > _e4342) {
-                                            let _e4379 = local_9.member[1u];
-                                            let _e4382 = local_9.member_1[1u];
-                                            let _e4385 = local_9.member[1u];
-                                            let _e4391 = local_9.member_2[1u];
-                                            let _e4395 = local_10.member[1u];
-                                            let _e4398 = local_10.member_1[1u];
-                                            let _e4401 = local_10.member[1u];
-                                            let _e4407 = local_10.member_2[1u];
-                                            if ((((_e4379 + ((_e4382 - _e4385) * _e3946)) - _e4391) + ((_e4395 + ((_e4398 - _e4401) * _e3950)) - _e4407)) > _e4342) {
-                                                let _e4413 = local_9.member[2u];
-                                                let _e4416 = local_9.member_1[2u];
-                                                let _e4419 = local_9.member[2u];
-                                                let _e4425 = local_9.member_2[2u];
-                                                let _e4429 = local_10.member[2u];
-                                                let _e4432 = local_10.member_1[2u];
-                                                let _e4435 = local_10.member[2u];
-                                                let _e4441 = local_10.member_2[2u];
-                                                if ((((_e4413 + ((_e4416 - _e4419) * _e3946)) - _e4425) + ((_e4429 + ((_e4432 - _e4435) * _e3950)) - _e4441)) > _e4342) {
-                                                    let _e4447 = local_9.member[3u];
-                                                    let _e4450 = local_9.member_1[3u];
-                                                    let _e4453 = local_9.member[3u];
-                                                    let _e4459 = local_9.member_2[3u];
-                                                    let _e4463 = local_10.member[3u];
-                                                    let _e4466 = local_10.member_1[3u];
-                                                    let _e4469 = local_10.member[3u];
-                                                    let _e4475 = local_10.member_2[3u];
-                                                    phi_3479_ = ((((_e4447 + ((_e4450 - _e4453) * _e3946)) - _e4459) + ((_e4463 + ((_e4466 - _e4469) * _e3950)) - _e4475)) > _e4342);
-                                                    phi_3480_ = false;
+                                        let _e4411 = f64(0f);
+                                        let _e4414 = local_9.member[0u];
+                                        let _e4417 = local_9.member_1[0u];
+                                        let _e4420 = local_9.member[0u];
+                                        let _e4426 = local_9.member_2[0u];
+                                        let _e4430 = local_10.member[0u];
+                                        let _e4433 = local_10.member_1[0u];
+                                        let _e4436 = local_10.member[0u];
+                                        let _e4442 = local_10.member_2[0u];
+                                        if ((((_e4414 + ((_e4417 - _e4420) * _e3994)) - _e4426) + ((_e4430 + ((_e4433 - _e4436) * _e3998)) - _e4442)) > _e4411) {
+                                            let _e4448 = local_9.member[1u];
+                                            let _e4451 = local_9.member_1[1u];
+                                            let _e4454 = local_9.member[1u];
+                                            let _e4460 = local_9.member_2[1u];
+                                            let _e4464 = local_10.member[1u];
+                                            let _e4467 = local_10.member_1[1u];
+                                            let _e4470 = local_10.member[1u];
+                                            let _e4476 = local_10.member_2[1u];
+                                            if ((((_e4448 + ((_e4451 - _e4454) * _e3994)) - _e4460) + ((_e4464 + ((_e4467 - _e4470) * _e3998)) - _e4476)) > _e4411) {
+                                                let _e4482 = local_9.member[2u];
+                                                let _e4485 = local_9.member_1[2u];
+                                                let _e4488 = local_9.member[2u];
+                                                let _e4494 = local_9.member_2[2u];
+                                                let _e4498 = local_10.member[2u];
+                                                let _e4501 = local_10.member_1[2u];
+                                                let _e4504 = local_10.member[2u];
+                                                let _e4510 = local_10.member_2[2u];
+                                                if ((((_e4482 + ((_e4485 - _e4488) * _e3994)) - _e4494) + ((_e4498 + ((_e4501 - _e4504) * _e3998)) - _e4510)) > _e4411) {
+                                                    let _e4516 = local_9.member[3u];
+                                                    let _e4519 = local_9.member_1[3u];
+                                                    let _e4522 = local_9.member[3u];
+                                                    let _e4528 = local_9.member_2[3u];
+                                                    let _e4532 = local_10.member[3u];
+                                                    let _e4535 = local_10.member_1[3u];
+                                                    let _e4538 = local_10.member[3u];
+                                                    let _e4544 = local_10.member_2[3u];
+                                                    phi_3508_ = ((((_e4516 + ((_e4519 - _e4522) * _e3994)) - _e4528) + ((_e4532 + ((_e4535 - _e4538) * _e3998)) - _e4544)) > _e4411);
+                                                    phi_3509_ = false;
                                                 } else {
-                                                    phi_3479_ = bool();
-                                                    phi_3480_ = true;
+                                                    phi_3508_ = bool();
+                                                    phi_3509_ = true;
                                                 }
-                                                let _e4480 = phi_3479_;
-                                                let _e4482 = phi_3480_;
-                                                phi_3481_ = _e4480;
-                                                phi_3482_ = _e4482;
+                                                let _e4549 = phi_3508_;
+                                                let _e4551 = phi_3509_;
+                                                phi_3510_ = _e4549;
+                                                phi_3511_ = _e4551;
                                             } else {
-                                                phi_3481_ = bool();
-                                                phi_3482_ = true;
+                                                phi_3510_ = bool();
+                                                phi_3511_ = true;
                                             }
-                                            let _e4484 = phi_3481_;
-                                            let _e4486 = phi_3482_;
-                                            phi_3483_ = _e4484;
-                                            phi_3484_ = _e4486;
+                                            let _e4553 = phi_3510_;
+                                            let _e4555 = phi_3511_;
+                                            phi_3512_ = _e4553;
+                                            phi_3513_ = _e4555;
                                         } else {
-                                            phi_3483_ = bool();
-                                            phi_3484_ = true;
+                                            phi_3512_ = bool();
+                                            phi_3513_ = true;
                                         }
-                                        let _e4488 = phi_3483_;
-                                        let _e4490 = phi_3484_;
-                                        if _e4490 {
-                                            phi_3488_ = false;
+                                        let _e4557 = phi_3512_;
+                                        let _e4559 = phi_3513_;
+                                        if _e4559 {
+                                            phi_3517_ = false;
                                         } else {
-                                            phi_3488_ = _e4488;
+                                            phi_3517_ = _e4557;
                                         }
-                                        let _e4492 = phi_3488_;
-                                        phi_3492_ = _e4492;
+                                        let _e4561 = phi_3517_;
+                                        phi_3521_ = _e4561;
                                     }
-                                    let _e4494 = phi_3492_;
-                                    if _e4494 {
-                                        if (_e3964.member_1 > 0u) {
-                                            if (_e3946 >= _e3712) {
-                                                phi_3504_ = false;
+                                    let _e4563 = phi_3521_;
+                                    if _e4563 {
+                                        if _e4000 {
+                                            if (_e3994 >= _e3760) {
+                                                phi_3532_ = false;
                                             } else {
-                                                phi_3504_ = true;
+                                                phi_3532_ = true;
                                             }
-                                            let _e4498 = phi_3504_;
-                                            phi_3505_ = _e4498;
+                                            let _e4566 = phi_3532_;
+                                            phi_3533_ = _e4566;
                                         } else {
-                                            phi_3505_ = true;
+                                            phi_3533_ = true;
                                         }
-                                        let _e4500 = phi_3505_;
-                                        if _e4500 {
-                                            local_9 = type_34(array<f64, 4>(_e4237.member[0], _e4237.member[1], _e4237.member[2], _e4237.member[3]), array<f64, 4>(_e4237.member_1[0], _e4237.member_1[1], _e4237.member_1[2], _e4237.member_1[3]), array<f64, 4>(_e4237.member_2[0], _e4237.member_2[1], _e4237.member_2[2], _e4237.member_2[3]));
-                                            let _e4522 = local_9.member[0u];
-                                            let _e4525 = local_9.member_1[0u];
-                                            let _e4528 = local_9.member_2[0u];
-                                            if (_e4522 > _e4528) {
-                                                if (_e4525 > _e4528) {
-                                                    phi_3579_ = false;
+                                        let _e4568 = phi_3533_;
+                                        if _e4568 {
+                                            local_9 = type_34(array<f64, 4>(_e4305.member[0], _e4305.member[1], _e4305.member[2], _e4305.member[3]), array<f64, 4>(_e4305.member_1[0], _e4305.member_1[1], _e4305.member_1[2], _e4305.member_1[3]), array<f64, 4>(_e4305.member_2[0], _e4305.member_2[1], _e4305.member_2[2], _e4305.member_2[3]));
+                                            let _e4590 = local_9.member[0u];
+                                            let _e4593 = local_9.member_1[0u];
+                                            let _e4596 = local_9.member_2[0u];
+                                            if (_e4590 > _e4596) {
+                                                if (_e4593 > _e4596) {
+                                                    phi_3607_ = false;
                                                 } else {
-                                                    phi_3579_ = true;
+                                                    phi_3607_ = true;
                                                 }
-                                                let _e4532 = phi_3579_;
-                                                phi_3580_ = _e4532;
+                                                let _e4600 = phi_3607_;
+                                                phi_3608_ = _e4600;
                                             } else {
-                                                phi_3580_ = true;
-                                            }
-                                            let _e4534 = phi_3580_;
-                                            if _e4534 {
-                                                let _e4535 = (_e4525 >= _e4522);
-                                                if _e4535 {
-                                                    phi_3605_ = f64();
-                                                    phi_3606_ = false;
-                                                } else {
-                                                    if ((_e4522 - _e4525) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3603_ = (((_e4522 - _e4528) / (_e4522 - _e4525)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3604_ = false;
-                                                    } else {
-                                                        phi_3603_ = f64();
-                                                        phi_3604_ = true;
-                                                    }
-                                                    let _e4549 = phi_3603_;
-                                                    let _e4551 = phi_3604_;
-                                                    phi_3605_ = _e4549;
-                                                    phi_3606_ = _e4551;
-                                                }
-                                                let _e4553 = phi_3605_;
-                                                let _e4555 = phi_3606_;
-                                                phi_3607_ = _e4553;
-                                                phi_3608_ = _e4535;
-                                                phi_3609_ = _e4555;
-                                            } else {
-                                                phi_3607_ = f64();
                                                 phi_3608_ = true;
-                                                phi_3609_ = false;
                                             }
-                                            let _e4557 = phi_3607_;
-                                            let _e4559 = phi_3608_;
-                                            let _e4561 = phi_3609_;
-                                            if _e4559 {
-                                                phi_3614_ = f64(2f);
-                                                phi_3615_ = true;
-                                            } else {
-                                                phi_3614_ = _e3946;
-                                                phi_3615_ = _e4561;
-                                            }
-                                            let _e4564 = phi_3614_;
-                                            let _e4566 = phi_3615_;
-                                            if _e4566 {
-                                                phi_3619_ = _e4564;
-                                            } else {
-                                                phi_3619_ = _e4557;
-                                            }
-                                            let _e4568 = phi_3619_;
-                                            let _e4571 = local_9.member[1u];
-                                            let _e4574 = local_9.member_1[1u];
-                                            let _e4577 = local_9.member_2[1u];
-                                            if (_e4571 > _e4577) {
-                                                if (_e4574 > _e4577) {
-                                                    phi_3651_ = false;
+                                            let _e4602 = phi_3608_;
+                                            if _e4602 {
+                                                let _e4603 = (_e4593 >= _e4590);
+                                                if _e4603 {
+                                                    phi_3633_ = f64();
+                                                    phi_3634_ = false;
                                                 } else {
-                                                    phi_3651_ = true;
-                                                }
-                                                let _e4581 = phi_3651_;
-                                                phi_3652_ = _e4581;
-                                            } else {
-                                                phi_3652_ = true;
-                                            }
-                                            let _e4583 = phi_3652_;
-                                            if _e4583 {
-                                                let _e4584 = (_e4574 >= _e4571);
-                                                if _e4584 {
-                                                    phi_3677_ = f64();
-                                                    phi_3678_ = false;
-                                                } else {
-                                                    if ((_e4571 - _e4574) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3675_ = (((_e4571 - _e4577) / (_e4571 - _e4574)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3676_ = false;
+                                                    if ((_e4590 - _e4593) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3631_ = (((_e4590 - _e4596) / (_e4590 - _e4593)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3632_ = false;
                                                     } else {
-                                                        phi_3675_ = f64();
-                                                        phi_3676_ = true;
+                                                        phi_3631_ = f64();
+                                                        phi_3632_ = true;
                                                     }
-                                                    let _e4598 = phi_3675_;
-                                                    let _e4600 = phi_3676_;
-                                                    phi_3677_ = _e4598;
-                                                    phi_3678_ = _e4600;
+                                                    let _e4617 = phi_3631_;
+                                                    let _e4619 = phi_3632_;
+                                                    phi_3633_ = _e4617;
+                                                    phi_3634_ = _e4619;
                                                 }
-                                                let _e4602 = phi_3677_;
-                                                let _e4604 = phi_3678_;
-                                                phi_3679_ = _e4602;
-                                                phi_3680_ = _e4584;
-                                                phi_3681_ = _e4604;
+                                                let _e4621 = phi_3633_;
+                                                let _e4623 = phi_3634_;
+                                                phi_3635_ = _e4621;
+                                                phi_3636_ = _e4603;
+                                                phi_3637_ = _e4623;
                                             } else {
-                                                phi_3679_ = f64();
+                                                phi_3635_ = f64();
+                                                phi_3636_ = true;
+                                                phi_3637_ = false;
+                                            }
+                                            let _e4625 = phi_3635_;
+                                            let _e4627 = phi_3636_;
+                                            let _e4629 = phi_3637_;
+                                            if _e4627 {
+                                                phi_3642_ = f64(2f);
+                                                phi_3643_ = true;
+                                            } else {
+                                                phi_3642_ = _e3994;
+                                                phi_3643_ = _e4629;
+                                            }
+                                            let _e4632 = phi_3642_;
+                                            let _e4634 = phi_3643_;
+                                            if _e4634 {
+                                                phi_3647_ = _e4632;
+                                            } else {
+                                                phi_3647_ = _e4625;
+                                            }
+                                            let _e4636 = phi_3647_;
+                                            let _e4639 = local_9.member[1u];
+                                            let _e4642 = local_9.member_1[1u];
+                                            let _e4645 = local_9.member_2[1u];
+                                            if (_e4639 > _e4645) {
+                                                if (_e4642 > _e4645) {
+                                                    phi_3679_ = false;
+                                                } else {
+                                                    phi_3679_ = true;
+                                                }
+                                                let _e4649 = phi_3679_;
+                                                phi_3680_ = _e4649;
+                                            } else {
                                                 phi_3680_ = true;
-                                                phi_3681_ = false;
                                             }
-                                            let _e4606 = phi_3679_;
-                                            let _e4608 = phi_3680_;
-                                            let _e4610 = phi_3681_;
-                                            if _e4608 {
-                                                phi_3686_ = f64(2f);
-                                                phi_3687_ = true;
-                                            } else {
-                                                phi_3686_ = _e3946;
-                                                phi_3687_ = _e4610;
-                                            }
-                                            let _e4613 = phi_3686_;
-                                            let _e4615 = phi_3687_;
-                                            if _e4615 {
-                                                phi_3691_ = _e4613;
-                                            } else {
-                                                phi_3691_ = _e4606;
-                                            }
-                                            let _e4617 = phi_3691_;
-                                            if (_e4568 < _e4617) {
-                                                phi_3696_ = _e4568;
-                                            } else {
-                                                phi_3696_ = _e4617;
-                                            }
-                                            let _e4620 = phi_3696_;
-                                            let _e4623 = local_9.member[2u];
-                                            let _e4626 = local_9.member_1[2u];
-                                            let _e4629 = local_9.member_2[2u];
-                                            if (_e4623 > _e4629) {
-                                                if (_e4626 > _e4629) {
-                                                    phi_3728_ = false;
+                                            let _e4651 = phi_3680_;
+                                            if _e4651 {
+                                                let _e4652 = (_e4642 >= _e4639);
+                                                if _e4652 {
+                                                    phi_3705_ = f64();
+                                                    phi_3706_ = false;
                                                 } else {
-                                                    phi_3728_ = true;
-                                                }
-                                                let _e4633 = phi_3728_;
-                                                phi_3729_ = _e4633;
-                                            } else {
-                                                phi_3729_ = true;
-                                            }
-                                            let _e4635 = phi_3729_;
-                                            if _e4635 {
-                                                let _e4636 = (_e4626 >= _e4623);
-                                                if _e4636 {
-                                                    phi_3754_ = f64();
-                                                    phi_3755_ = false;
-                                                } else {
-                                                    if ((_e4623 - _e4626) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3752_ = (((_e4623 - _e4629) / (_e4623 - _e4626)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3753_ = false;
+                                                    if ((_e4639 - _e4642) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3703_ = (((_e4639 - _e4645) / (_e4639 - _e4642)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3704_ = false;
                                                     } else {
-                                                        phi_3752_ = f64();
-                                                        phi_3753_ = true;
+                                                        phi_3703_ = f64();
+                                                        phi_3704_ = true;
                                                     }
-                                                    let _e4650 = phi_3752_;
-                                                    let _e4652 = phi_3753_;
-                                                    phi_3754_ = _e4650;
-                                                    phi_3755_ = _e4652;
+                                                    let _e4666 = phi_3703_;
+                                                    let _e4668 = phi_3704_;
+                                                    phi_3705_ = _e4666;
+                                                    phi_3706_ = _e4668;
                                                 }
-                                                let _e4654 = phi_3754_;
-                                                let _e4656 = phi_3755_;
-                                                phi_3756_ = _e4654;
-                                                phi_3757_ = _e4636;
-                                                phi_3758_ = _e4656;
+                                                let _e4670 = phi_3705_;
+                                                let _e4672 = phi_3706_;
+                                                phi_3707_ = _e4670;
+                                                phi_3708_ = _e4652;
+                                                phi_3709_ = _e4672;
                                             } else {
-                                                phi_3756_ = f64();
+                                                phi_3707_ = f64();
+                                                phi_3708_ = true;
+                                                phi_3709_ = false;
+                                            }
+                                            let _e4674 = phi_3707_;
+                                            let _e4676 = phi_3708_;
+                                            let _e4678 = phi_3709_;
+                                            if _e4676 {
+                                                phi_3714_ = f64(2f);
+                                                phi_3715_ = true;
+                                            } else {
+                                                phi_3714_ = _e3994;
+                                                phi_3715_ = _e4678;
+                                            }
+                                            let _e4681 = phi_3714_;
+                                            let _e4683 = phi_3715_;
+                                            if _e4683 {
+                                                phi_3719_ = _e4681;
+                                            } else {
+                                                phi_3719_ = _e4674;
+                                            }
+                                            let _e4685 = phi_3719_;
+                                            if (_e4636 < _e4685) {
+                                                phi_3724_ = _e4636;
+                                            } else {
+                                                phi_3724_ = _e4685;
+                                            }
+                                            let _e4688 = phi_3724_;
+                                            let _e4691 = local_9.member[2u];
+                                            let _e4694 = local_9.member_1[2u];
+                                            let _e4697 = local_9.member_2[2u];
+                                            if (_e4691 > _e4697) {
+                                                if (_e4694 > _e4697) {
+                                                    phi_3756_ = false;
+                                                } else {
+                                                    phi_3756_ = true;
+                                                }
+                                                let _e4701 = phi_3756_;
+                                                phi_3757_ = _e4701;
+                                            } else {
                                                 phi_3757_ = true;
-                                                phi_3758_ = false;
                                             }
-                                            let _e4658 = phi_3756_;
-                                            let _e4660 = phi_3757_;
-                                            let _e4662 = phi_3758_;
-                                            if _e4660 {
-                                                phi_3763_ = f64(2f);
-                                                phi_3764_ = true;
-                                            } else {
-                                                phi_3763_ = _e3946;
-                                                phi_3764_ = _e4662;
-                                            }
-                                            let _e4665 = phi_3763_;
-                                            let _e4667 = phi_3764_;
-                                            if _e4667 {
-                                                phi_3768_ = _e4665;
-                                            } else {
-                                                phi_3768_ = _e4658;
-                                            }
-                                            let _e4669 = phi_3768_;
-                                            let _e4672 = local_9.member[3u];
-                                            let _e4675 = local_9.member_1[3u];
-                                            let _e4678 = local_9.member_2[3u];
-                                            if (_e4672 > _e4678) {
-                                                if (_e4675 > _e4678) {
-                                                    phi_3800_ = false;
+                                            let _e4703 = phi_3757_;
+                                            if _e4703 {
+                                                let _e4704 = (_e4694 >= _e4691);
+                                                if _e4704 {
+                                                    phi_3782_ = f64();
+                                                    phi_3783_ = false;
                                                 } else {
-                                                    phi_3800_ = true;
-                                                }
-                                                let _e4682 = phi_3800_;
-                                                phi_3801_ = _e4682;
-                                            } else {
-                                                phi_3801_ = true;
-                                            }
-                                            let _e4684 = phi_3801_;
-                                            if _e4684 {
-                                                let _e4685 = (_e4675 >= _e4672);
-                                                if _e4685 {
-                                                    phi_3826_ = f64();
-                                                    phi_3827_ = false;
-                                                } else {
-                                                    if ((_e4672 - _e4675) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                        phi_3824_ = (((_e4672 - _e4678) / (_e4672 - _e4675)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                        phi_3825_ = false;
+                                                    if ((_e4691 - _e4694) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3780_ = (((_e4691 - _e4697) / (_e4691 - _e4694)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3781_ = false;
                                                     } else {
-                                                        phi_3824_ = f64();
-                                                        phi_3825_ = true;
+                                                        phi_3780_ = f64();
+                                                        phi_3781_ = true;
                                                     }
-                                                    let _e4699 = phi_3824_;
-                                                    let _e4701 = phi_3825_;
-                                                    phi_3826_ = _e4699;
-                                                    phi_3827_ = _e4701;
+                                                    let _e4718 = phi_3780_;
+                                                    let _e4720 = phi_3781_;
+                                                    phi_3782_ = _e4718;
+                                                    phi_3783_ = _e4720;
                                                 }
-                                                let _e4703 = phi_3826_;
-                                                let _e4705 = phi_3827_;
-                                                phi_3828_ = _e4703;
-                                                phi_3829_ = _e4685;
-                                                phi_3830_ = _e4705;
+                                                let _e4722 = phi_3782_;
+                                                let _e4724 = phi_3783_;
+                                                phi_3784_ = _e4722;
+                                                phi_3785_ = _e4704;
+                                                phi_3786_ = _e4724;
                                             } else {
-                                                phi_3828_ = f64();
-                                                phi_3829_ = true;
-                                                phi_3830_ = false;
+                                                phi_3784_ = f64();
+                                                phi_3785_ = true;
+                                                phi_3786_ = false;
                                             }
-                                            let _e4707 = phi_3828_;
-                                            let _e4709 = phi_3829_;
-                                            let _e4711 = phi_3830_;
-                                            if _e4709 {
-                                                phi_3835_ = f64(2f);
-                                                phi_3836_ = true;
-                                            } else {
-                                                phi_3835_ = _e3946;
-                                                phi_3836_ = _e4711;
-                                            }
-                                            let _e4714 = phi_3835_;
-                                            let _e4716 = phi_3836_;
-                                            if _e4716 {
-                                                phi_3840_ = _e4714;
-                                            } else {
-                                                phi_3840_ = _e4707;
-                                            }
-                                            let _e4718 = phi_3840_;
-                                            if (_e4669 < _e4718) {
-                                                phi_3845_ = _e4669;
-                                            } else {
-                                                phi_3845_ = _e4718;
-                                            }
-                                            let _e4721 = phi_3845_;
-                                            if (_e4620 < _e4721) {
-                                                phi_3850_ = _e4620;
-                                            } else {
-                                                phi_3850_ = _e4721;
-                                            }
-                                            let _e4724 = phi_3850_;
-                                            if (_e4724 > _e3946) {
-                                                phi_3855_ = _e4724;
-                                            } else {
-                                                phi_3855_ = _e3946;
-                                            }
-                                            let _e4727 = phi_3855_;
-                                            let _e4728 = (_e4727 > _e3712);
+                                            let _e4726 = phi_3784_;
+                                            let _e4728 = phi_3785_;
+                                            let _e4730 = phi_3786_;
                                             if _e4728 {
-                                                phi_3867_ = f64();
-                                                phi_3868_ = false;
+                                                phi_3791_ = f64(2f);
+                                                phi_3792_ = true;
                                             } else {
-                                                if (_e3964.member_1 == 0u) {
-                                                    phi_3866_ = (_e3712 - _e3946);
-                                                } else {
-                                                    phi_3866_ = (_e4257 + _e4257);
-                                                }
-                                                let _e4733 = phi_3866_;
-                                                phi_3867_ = _e4733;
-                                                phi_3868_ = true;
+                                                phi_3791_ = _e3994;
+                                                phi_3792_ = _e4730;
                                             }
-                                            let _e4735 = phi_3867_;
-                                            let _e4737 = phi_3868_;
-                                            phi_3869_ = _e4727;
-                                            phi_3870_ = _e4735;
-                                            phi_3871_ = _e4737;
-                                            phi_3872_ = _e4728;
-                                            phi_3873_ = false;
-                                        } else {
-                                            phi_3869_ = f64();
-                                            phi_3870_ = f64();
-                                            phi_3871_ = false;
-                                            phi_3872_ = false;
-                                            phi_3873_ = true;
-                                        }
-                                        let _e4739 = phi_3869_;
-                                        let _e4741 = phi_3870_;
-                                        let _e4743 = phi_3871_;
-                                        let _e4745 = phi_3872_;
-                                        let _e4747 = phi_3873_;
-                                        phi_3874_ = _e4739;
-                                        phi_3875_ = _e4741;
-                                        phi_3876_ = false;
-                                        phi_3877_ = _e4743;
-                                        phi_3878_ = _e4745;
-                                        phi_3879_ = _e4747;
-                                    } else {
-                                        phi_3874_ = f64();
-                                        phi_3875_ = f64();
-                                        phi_3876_ = true;
-                                        phi_3877_ = false;
-                                        phi_3878_ = false;
-                                        phi_3879_ = false;
-                                    }
-                                    let _e4749 = phi_3874_;
-                                    let _e4751 = phi_3875_;
-                                    let _e4753 = phi_3876_;
-                                    let _e4755 = phi_3877_;
-                                    let _e4757 = phi_3878_;
-                                    let _e4759 = phi_3879_;
-                                    phi_3880_ = _e4749;
-                                    phi_3881_ = _e4751;
-                                    phi_3882_ = _e4753;
-                                    phi_3883_ = _e4755;
-                                    phi_3884_ = _e4757;
-                                    phi_3885_ = _e4759;
-                                } else {
-                                    phi_3880_ = f64();
-                                    phi_3881_ = f64();
-                                    phi_3882_ = true;
-                                    phi_3883_ = false;
-                                    phi_3884_ = false;
-                                    phi_3885_ = false;
-                                }
-                                let _e4761 = phi_3880_;
-                                let _e4763 = phi_3881_;
-                                let _e4765 = phi_3882_;
-                                let _e4767 = phi_3883_;
-                                let _e4769 = phi_3884_;
-                                let _e4771 = phi_3885_;
-                                if _e4765 {
-                                    let _e4772 = (_e3946 <= _e3948);
-                                    if _e4772 {
-                                        phi_4219_ = f64();
-                                        phi_4220_ = false;
-                                    } else {
-                                        let _e4775 = local_9.member[0u];
-                                        let _e4778 = local_9.member_1[0u];
-                                        let _e4781 = local_9.member[0u];
-                                        let _e4787 = local_9.member_2[0u];
-                                        let _e4788 = ((_e4775 + ((_e4778 - _e4781) * _e3950)) - _e4787);
-                                        let _e4791 = local_9.member[1u];
-                                        let _e4794 = local_9.member_1[1u];
-                                        let _e4797 = local_9.member[1u];
-                                        let _e4803 = local_9.member_2[1u];
-                                        let _e4804 = ((_e4791 + ((_e4794 - _e4797) * _e3950)) - _e4803);
-                                        if (_e4788 < _e4804) {
-                                            phi_3965_ = _e4788;
-                                        } else {
-                                            phi_3965_ = _e4804;
-                                        }
-                                        let _e4807 = phi_3965_;
-                                        let _e4810 = local_9.member[2u];
-                                        let _e4813 = local_9.member_1[2u];
-                                        let _e4816 = local_9.member[2u];
-                                        let _e4822 = local_9.member_2[2u];
-                                        let _e4823 = ((_e4810 + ((_e4813 - _e4816) * _e3950)) - _e4822);
-                                        let _e4826 = local_9.member[3u];
-                                        let _e4829 = local_9.member_1[3u];
-                                        let _e4832 = local_9.member[3u];
-                                        let _e4838 = local_9.member_2[3u];
-                                        let _e4839 = ((_e4826 + ((_e4829 - _e4832) * _e3950)) - _e4838);
-                                        if (_e4823 < _e4839) {
-                                            phi_4038_ = _e4823;
-                                        } else {
-                                            phi_4038_ = _e4839;
-                                        }
-                                        let _e4842 = phi_4038_;
-                                        if (_e4807 < _e4842) {
-                                            phi_4043_ = _e4807;
-                                        } else {
-                                            phi_4043_ = _e4842;
-                                        }
-                                        let _e4845 = phi_4043_;
-                                        let _e4848 = local_10.member[0u];
-                                        let _e4851 = local_10.member_1[0u];
-                                        let _e4854 = local_10.member[0u];
-                                        let _e4860 = local_10.member_2[0u];
-                                        let _e4861 = ((_e4848 + ((_e4851 - _e4854) * _e3946)) - _e4860);
-                                        let _e4864 = local_10.member[1u];
-                                        let _e4867 = local_10.member_1[1u];
-                                        let _e4870 = local_10.member[1u];
-                                        let _e4876 = local_10.member_2[1u];
-                                        let _e4877 = ((_e4864 + ((_e4867 - _e4870) * _e3946)) - _e4876);
-                                        if (_e4861 < _e4877) {
-                                            phi_4116_ = _e4861;
-                                        } else {
-                                            phi_4116_ = _e4877;
-                                        }
-                                        let _e4880 = phi_4116_;
-                                        let _e4883 = local_10.member[2u];
-                                        let _e4886 = local_10.member_1[2u];
-                                        let _e4889 = local_10.member[2u];
-                                        let _e4895 = local_10.member_2[2u];
-                                        let _e4896 = ((_e4883 + ((_e4886 - _e4889) * _e3946)) - _e4895);
-                                        let _e4899 = local_10.member[3u];
-                                        let _e4902 = local_10.member_1[3u];
-                                        let _e4905 = local_10.member[3u];
-                                        let _e4911 = local_10.member_2[3u];
-                                        let _e4912 = ((_e4899 + ((_e4902 - _e4905) * _e3946)) - _e4911);
-                                        if (_e4896 < _e4912) {
-                                            phi_4189_ = _e4896;
-                                        } else {
-                                            phi_4189_ = _e4912;
-                                        }
-                                        let _e4915 = phi_4189_;
-                                        if (_e4880 < _e4915) {
-                                            phi_4194_ = _e4880;
-                                        } else {
-                                            phi_4194_ = _e4915;
-                                        }
-                                        let _e4918 = phi_4194_;
-                                        let _e4919 = f64(0.0625f);
-                                        let _e4921 = f64(0.9f);
-                                        if (_e4918 > f64(0f)) {
-                                            phi_4217_ = f64(0.5f);
-                                        } else {
-                                            let _e4927 = (f64(0.95f) * (_e4845 / (_e4845 - _e4918)));
-                                            if (_e4927 > _e4919) {
-                                                if (_e4927 < _e4921) {
-                                                    phi_4215_ = _e4927;
-                                                } else {
-                                                    phi_4215_ = _e4921;
-                                                }
-                                                let _e4931 = phi_4215_;
-                                                phi_4216_ = _e4931;
+                                            let _e4733 = phi_3791_;
+                                            let _e4735 = phi_3792_;
+                                            if _e4735 {
+                                                phi_3796_ = _e4733;
                                             } else {
-                                                phi_4216_ = _e4919;
+                                                phi_3796_ = _e4726;
                                             }
-                                            let _e4933 = phi_4216_;
-                                            phi_4217_ = _e4933;
+                                            let _e4737 = phi_3796_;
+                                            let _e4740 = local_9.member[3u];
+                                            let _e4743 = local_9.member_1[3u];
+                                            let _e4746 = local_9.member_2[3u];
+                                            if (_e4740 > _e4746) {
+                                                if (_e4743 > _e4746) {
+                                                    phi_3828_ = false;
+                                                } else {
+                                                    phi_3828_ = true;
+                                                }
+                                                let _e4750 = phi_3828_;
+                                                phi_3829_ = _e4750;
+                                            } else {
+                                                phi_3829_ = true;
+                                            }
+                                            let _e4752 = phi_3829_;
+                                            if _e4752 {
+                                                let _e4753 = (_e4743 >= _e4740);
+                                                if _e4753 {
+                                                    phi_3854_ = f64();
+                                                    phi_3855_ = false;
+                                                } else {
+                                                    if ((_e4740 - _e4743) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                        phi_3852_ = (((_e4740 - _e4746) / (_e4740 - _e4743)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                        phi_3853_ = false;
+                                                    } else {
+                                                        phi_3852_ = f64();
+                                                        phi_3853_ = true;
+                                                    }
+                                                    let _e4767 = phi_3852_;
+                                                    let _e4769 = phi_3853_;
+                                                    phi_3854_ = _e4767;
+                                                    phi_3855_ = _e4769;
+                                                }
+                                                let _e4771 = phi_3854_;
+                                                let _e4773 = phi_3855_;
+                                                phi_3856_ = _e4771;
+                                                phi_3857_ = _e4753;
+                                                phi_3858_ = _e4773;
+                                            } else {
+                                                phi_3856_ = f64();
+                                                phi_3857_ = true;
+                                                phi_3858_ = false;
+                                            }
+                                            let _e4775 = phi_3856_;
+                                            let _e4777 = phi_3857_;
+                                            let _e4779 = phi_3858_;
+                                            if _e4777 {
+                                                phi_3863_ = f64(2f);
+                                                phi_3864_ = true;
+                                            } else {
+                                                phi_3863_ = _e3994;
+                                                phi_3864_ = _e4779;
+                                            }
+                                            let _e4782 = phi_3863_;
+                                            let _e4784 = phi_3864_;
+                                            if _e4784 {
+                                                phi_3868_ = _e4782;
+                                            } else {
+                                                phi_3868_ = _e4775;
+                                            }
+                                            let _e4786 = phi_3868_;
+                                            if (_e4737 < _e4786) {
+                                                phi_3873_ = _e4737;
+                                            } else {
+                                                phi_3873_ = _e4786;
+                                            }
+                                            let _e4789 = phi_3873_;
+                                            if (_e4688 < _e4789) {
+                                                phi_3878_ = _e4688;
+                                            } else {
+                                                phi_3878_ = _e4789;
+                                            }
+                                            let _e4792 = phi_3878_;
+                                            if (_e4792 > _e3994) {
+                                                phi_3883_ = _e4792;
+                                            } else {
+                                                phi_3883_ = _e3994;
+                                            }
+                                            let _e4795 = phi_3883_;
+                                            let _e4796 = (_e4795 > _e3760);
+                                            if _e4796 {
+                                                phi_3894_ = f64();
+                                                phi_3895_ = false;
+                                            } else {
+                                                if _e4000 {
+                                                    phi_3893_ = (_e4325 + _e4325);
+                                                } else {
+                                                    phi_3893_ = (_e3760 - _e3994);
+                                                }
+                                                let _e4800 = phi_3893_;
+                                                phi_3894_ = _e4800;
+                                                phi_3895_ = true;
+                                            }
+                                            let _e4802 = phi_3894_;
+                                            let _e4804 = phi_3895_;
+                                            phi_3896_ = _e4795;
+                                            phi_3897_ = _e4802;
+                                            phi_3898_ = _e4804;
+                                            phi_3899_ = _e4796;
+                                            phi_3900_ = false;
+                                        } else {
+                                            phi_3896_ = f64();
+                                            phi_3897_ = f64();
+                                            phi_3898_ = false;
+                                            phi_3899_ = false;
+                                            phi_3900_ = true;
                                         }
-                                        let _e4935 = phi_4217_;
-                                        phi_4219_ = (_e4257 * _e4935);
-                                        phi_4220_ = true;
+                                        let _e4806 = phi_3896_;
+                                        let _e4808 = phi_3897_;
+                                        let _e4810 = phi_3898_;
+                                        let _e4812 = phi_3899_;
+                                        let _e4814 = phi_3900_;
+                                        phi_3901_ = _e4806;
+                                        phi_3902_ = _e4808;
+                                        phi_3903_ = false;
+                                        phi_3904_ = _e4810;
+                                        phi_3905_ = _e4812;
+                                        phi_3906_ = _e4814;
+                                    } else {
+                                        phi_3901_ = f64();
+                                        phi_3902_ = f64();
+                                        phi_3903_ = true;
+                                        phi_3904_ = false;
+                                        phi_3905_ = false;
+                                        phi_3906_ = false;
                                     }
-                                    let _e4938 = phi_4219_;
-                                    let _e4940 = phi_4220_;
-                                    phi_4221_ = _e3948;
-                                    phi_4222_ = _e4938;
-                                    phi_4223_ = _e3950;
-                                    phi_4224_ = _e4940;
-                                    phi_4225_ = _e4772;
-                                    phi_4226_ = false;
-                                    phi_4227_ = false;
+                                    let _e4816 = phi_3901_;
+                                    let _e4818 = phi_3902_;
+                                    let _e4820 = phi_3903_;
+                                    let _e4822 = phi_3904_;
+                                    let _e4824 = phi_3905_;
+                                    let _e4826 = phi_3906_;
+                                    phi_3907_ = _e4816;
+                                    phi_3908_ = _e4818;
+                                    phi_3909_ = _e4820;
+                                    phi_3910_ = _e4822;
+                                    phi_3911_ = _e4824;
+                                    phi_3912_ = _e4826;
                                 } else {
-                                    phi_4221_ = _e4761;
-                                    phi_4222_ = _e4763;
-                                    phi_4223_ = _e3946;
-                                    phi_4224_ = _e4767;
-                                    phi_4225_ = false;
-                                    phi_4226_ = _e4769;
-                                    phi_4227_ = _e4771;
+                                    phi_3907_ = f64();
+                                    phi_3908_ = f64();
+                                    phi_3909_ = true;
+                                    phi_3910_ = false;
+                                    phi_3911_ = false;
+                                    phi_3912_ = false;
                                 }
-                                let _e4942 = phi_4221_;
-                                let _e4944 = phi_4222_;
-                                let _e4946 = phi_4223_;
-                                let _e4948 = phi_4224_;
-                                let _e4950 = phi_4225_;
-                                let _e4952 = phi_4226_;
-                                let _e4954 = phi_4227_;
-                                if _e4948 {
-                                    let _e4955 = (_e4946 + _e4944);
-                                    if (_e4955 > _e4942) {
-                                        phi_4236_ = _e4955;
+                                let _e4828 = phi_3907_;
+                                let _e4830 = phi_3908_;
+                                let _e4832 = phi_3909_;
+                                let _e4834 = phi_3910_;
+                                let _e4836 = phi_3911_;
+                                let _e4838 = phi_3912_;
+                                if _e4832 {
+                                    if (_e3994 <= _e3996) {
+                                        let _e5004 = (_e4002 + 1u);
+                                        let _e5005 = (_e5004 > 3u);
+                                        if _e5005 {
+                                            phi_3925_ = false;
+                                        } else {
+                                            phi_3925_ = true;
+                                        }
+                                        let _e5007 = phi_3925_;
+                                        phi_4252_ = _e5004;
+                                        phi_4253_ = f64();
+                                        phi_4254_ = false;
+                                        phi_4255_ = _e5007;
+                                        phi_4256_ = _e5005;
                                     } else {
-                                        phi_4236_ = _e4942;
-                                    }
-                                    let _e4958 = phi_4236_;
-                                    if (_e4958 < _e3712) {
-                                        phi_4241_ = _e4958;
-                                    } else {
-                                        phi_4241_ = _e3712;
-                                    }
-                                    let _e4961 = phi_4241_;
-                                    if (_e3964.member_1 > 0u) {
-                                        phi_4252_ = ((_e4961 - _e4946) > f64(0.0000000037252903f));
-                                    } else {
-                                        phi_4252_ = true;
-                                    }
-                                    let _e4967 = phi_4252_;
-                                    if _e4967 {
+                                        let _e4842 = local_9.member[0u];
+                                        let _e4845 = local_9.member_1[0u];
+                                        let _e4848 = local_9.member[0u];
+                                        let _e4854 = local_9.member_2[0u];
+                                        let _e4855 = ((_e4842 + ((_e4845 - _e4848) * _e3998)) - _e4854);
+                                        let _e4858 = local_9.member[1u];
+                                        let _e4861 = local_9.member_1[1u];
+                                        let _e4864 = local_9.member[1u];
+                                        let _e4870 = local_9.member_2[1u];
+                                        let _e4871 = ((_e4858 + ((_e4861 - _e4864) * _e3998)) - _e4870);
+                                        if (_e4855 < _e4871) {
+                                            phi_3998_ = _e4855;
+                                        } else {
+                                            phi_3998_ = _e4871;
+                                        }
+                                        let _e4874 = phi_3998_;
+                                        let _e4877 = local_9.member[2u];
+                                        let _e4880 = local_9.member_1[2u];
+                                        let _e4883 = local_9.member[2u];
+                                        let _e4889 = local_9.member_2[2u];
+                                        let _e4890 = ((_e4877 + ((_e4880 - _e4883) * _e3998)) - _e4889);
+                                        let _e4893 = local_9.member[3u];
+                                        let _e4896 = local_9.member_1[3u];
+                                        let _e4899 = local_9.member[3u];
+                                        let _e4905 = local_9.member_2[3u];
+                                        let _e4906 = ((_e4893 + ((_e4896 - _e4899) * _e3998)) - _e4905);
+                                        if (_e4890 < _e4906) {
+                                            phi_4071_ = _e4890;
+                                        } else {
+                                            phi_4071_ = _e4906;
+                                        }
+                                        let _e4909 = phi_4071_;
+                                        if (_e4874 < _e4909) {
+                                            phi_4076_ = _e4874;
+                                        } else {
+                                            phi_4076_ = _e4909;
+                                        }
+                                        let _e4912 = phi_4076_;
+                                        let _e4915 = local_10.member[0u];
+                                        let _e4918 = local_10.member_1[0u];
+                                        let _e4921 = local_10.member[0u];
+                                        let _e4927 = local_10.member_2[0u];
+                                        let _e4928 = ((_e4915 + ((_e4918 - _e4921) * _e3994)) - _e4927);
+                                        let _e4931 = local_10.member[1u];
+                                        let _e4934 = local_10.member_1[1u];
+                                        let _e4937 = local_10.member[1u];
+                                        let _e4943 = local_10.member_2[1u];
+                                        let _e4944 = ((_e4931 + ((_e4934 - _e4937) * _e3994)) - _e4943);
+                                        if (_e4928 < _e4944) {
+                                            phi_4149_ = _e4928;
+                                        } else {
+                                            phi_4149_ = _e4944;
+                                        }
+                                        let _e4947 = phi_4149_;
+                                        let _e4950 = local_10.member[2u];
+                                        let _e4953 = local_10.member_1[2u];
+                                        let _e4956 = local_10.member[2u];
+                                        let _e4962 = local_10.member_2[2u];
+                                        let _e4963 = ((_e4950 + ((_e4953 - _e4956) * _e3994)) - _e4962);
+                                        let _e4966 = local_10.member[3u];
+                                        let _e4969 = local_10.member_1[3u];
+                                        let _e4972 = local_10.member[3u];
+                                        let _e4978 = local_10.member_2[3u];
+                                        let _e4979 = ((_e4966 + ((_e4969 - _e4972) * _e3994)) - _e4978);
+                                        if (_e4963 < _e4979) {
+                                            phi_4222_ = _e4963;
+                                        } else {
+                                            phi_4222_ = _e4979;
+                                        }
+                                        let _e4982 = phi_4222_;
+                                        if (_e4947 < _e4982) {
+                                            phi_4227_ = _e4947;
+                                        } else {
+                                            phi_4227_ = _e4982;
+                                        }
+                                        let _e4985 = phi_4227_;
+                                        let _e4986 = f64(0.0625f);
+                                        let _e4988 = f64(0.9f);
+                                        if (_e4985 > f64(0f)) {
+                                            phi_4250_ = f64(0.5f);
+                                        } else {
+                                            let _e4994 = (f64(0.95f) * (_e4912 / (_e4912 - _e4985)));
+                                            if (_e4994 > _e4986) {
+                                                if (_e4994 < _e4988) {
+                                                    phi_4248_ = _e4994;
+                                                } else {
+                                                    phi_4248_ = _e4988;
+                                                }
+                                                let _e4998 = phi_4248_;
+                                                phi_4249_ = _e4998;
+                                            } else {
+                                                phi_4249_ = _e4986;
+                                            }
+                                            let _e5000 = phi_4249_;
+                                            phi_4250_ = _e5000;
+                                        }
+                                        let _e5002 = phi_4250_;
+                                        phi_4252_ = u32();
+                                        phi_4253_ = (_e4325 * _e5002);
+                                        phi_4254_ = true;
+                                        phi_4255_ = false;
                                         phi_4256_ = false;
-                                    } else {
-                                        phi_4256_ = true;
                                     }
-                                    let _e4969 = phi_4256_;
-                                    phi_4257_ = _e4961;
-                                    phi_4258_ = _e4967;
-                                    phi_4259_ = _e4969;
-                                    phi_4260_ = false;
-                                    phi_4261_ = false;
-                                    phi_4262_ = false;
+                                    let _e5009 = phi_4252_;
+                                    let _e5011 = phi_4253_;
+                                    let _e5013 = phi_4254_;
+                                    let _e5015 = phi_4255_;
+                                    let _e5017 = phi_4256_;
+                                    phi_4257_ = _e5009;
+                                    phi_4258_ = _e3996;
+                                    phi_4259_ = _e5011;
+                                    phi_4260_ = _e3998;
+                                    phi_4261_ = _e4000;
+                                    phi_4262_ = _e4002;
+                                    phi_4263_ = _e5013;
+                                    phi_4264_ = _e5015;
+                                    phi_4265_ = _e5017;
+                                    phi_4266_ = false;
+                                    phi_4267_ = false;
                                 } else {
-                                    phi_4257_ = f64();
-                                    phi_4258_ = false;
-                                    phi_4259_ = false;
-                                    phi_4260_ = _e4950;
-                                    phi_4261_ = _e4952;
-                                    phi_4262_ = _e4954;
+                                    phi_4257_ = u32();
+                                    phi_4258_ = _e4828;
+                                    phi_4259_ = _e4830;
+                                    phi_4260_ = _e3994;
+                                    phi_4261_ = true;
+                                    phi_4262_ = 0u;
+                                    phi_4263_ = _e4834;
+                                    phi_4264_ = false;
+                                    phi_4265_ = false;
+                                    phi_4266_ = _e4836;
+                                    phi_4267_ = _e4838;
                                 }
-                                let _e4971 = phi_4257_;
-                                let _e4973 = phi_4258_;
-                                let _e4975 = phi_4259_;
-                                let _e4977 = phi_4260_;
-                                let _e4979 = phi_4261_;
-                                let _e4981 = phi_4262_;
-                                phi_2606_ = _e4971;
-                                phi_2608_ = _e4942;
-                                phi_2610_ = _e4946;
-                                phi_4263_ = _e4942;
-                                phi_4264_ = _e4973;
-                                phi_4265_ = _e4975;
-                                phi_4266_ = false;
-                                phi_4267_ = _e4977;
-                                phi_4268_ = _e4979;
-                                phi_4269_ = _e4981;
+                                let _e5019 = phi_4257_;
+                                let _e5021 = phi_4258_;
+                                let _e5023 = phi_4259_;
+                                let _e5025 = phi_4260_;
+                                let _e5027 = phi_4261_;
+                                let _e5029 = phi_4262_;
+                                let _e5031 = phi_4263_;
+                                let _e5033 = phi_4264_;
+                                let _e5035 = phi_4265_;
+                                let _e5037 = phi_4266_;
+                                let _e5039 = phi_4267_;
+                                if _e5031 {
+                                    let _e5040 = (_e5025 + _e5023);
+                                    if (_e5040 > _e5021) {
+                                        phi_4276_ = _e5040;
+                                    } else {
+                                        phi_4276_ = _e5021;
+                                    }
+                                    let _e5043 = phi_4276_;
+                                    if (_e5043 < _e3760) {
+                                        phi_4281_ = _e5043;
+                                    } else {
+                                        phi_4281_ = _e3760;
+                                    }
+                                    let _e5046 = phi_4281_;
+                                    if !(_e4000) {
+                                        phi_4291_ = true;
+                                    } else {
+                                        phi_4291_ = ((_e5046 - _e5025) > f64(0.0000000037252903f));
+                                    }
+                                    let _e5051 = phi_4291_;
+                                    if _e5051 {
+                                        phi_4295_ = false;
+                                    } else {
+                                        phi_4295_ = true;
+                                    }
+                                    let _e5053 = phi_4295_;
+                                    phi_4296_ = _e5046;
+                                    phi_4297_ = _e5021;
+                                    phi_4298_ = _e5025;
+                                    phi_4299_ = _e5027;
+                                    phi_4300_ = _e5029;
+                                    phi_4301_ = _e5051;
+                                    phi_4302_ = _e5053;
+                                    phi_4303_ = false;
+                                    phi_4304_ = false;
+                                    phi_4305_ = false;
+                                } else {
+                                    phi_4296_ = _e3994;
+                                    phi_4297_ = _e3996;
+                                    phi_4298_ = _e3998;
+                                    phi_4299_ = _e4000;
+                                    phi_4300_ = _e5019;
+                                    phi_4301_ = _e5033;
+                                    phi_4302_ = false;
+                                    phi_4303_ = _e5035;
+                                    phi_4304_ = _e5037;
+                                    phi_4305_ = _e5039;
+                                }
+                                let _e5055 = phi_4296_;
+                                let _e5057 = phi_4297_;
+                                let _e5059 = phi_4298_;
+                                let _e5061 = phi_4299_;
+                                let _e5063 = phi_4300_;
+                                let _e5065 = phi_4301_;
+                                let _e5067 = phi_4302_;
+                                let _e5069 = phi_4303_;
+                                let _e5071 = phi_4304_;
+                                let _e5073 = phi_4305_;
+                                phi_2606_ = _e5055;
+                                phi_2608_ = _e5057;
+                                phi_2610_ = _e5059;
+                                phi_2612_ = _e5061;
+                                phi_2614_ = _e5063;
+                                phi_4306_ = _e5021;
+                                phi_4307_ = _e5065;
+                                phi_4308_ = _e5067;
+                                phi_4309_ = false;
+                                phi_4310_ = _e5069;
+                                phi_4311_ = _e5071;
+                                phi_4312_ = _e5073;
                             } else {
                                 phi_2606_ = f64();
                                 phi_2608_ = f64();
                                 phi_2610_ = f64();
-                                phi_4263_ = f64();
-                                phi_4264_ = false;
-                                phi_4265_ = false;
-                                phi_4266_ = true;
-                                phi_4267_ = false;
-                                phi_4268_ = false;
-                                phi_4269_ = false;
+                                phi_2612_ = bool();
+                                phi_2614_ = u32();
+                                phi_4306_ = f64();
+                                phi_4307_ = false;
+                                phi_4308_ = false;
+                                phi_4309_ = true;
+                                phi_4310_ = false;
+                                phi_4311_ = false;
+                                phi_4312_ = false;
                             }
-                            let _e4983 = phi_2606_;
-                            let _e4985 = phi_2608_;
-                            let _e4987 = phi_2610_;
-                            let _e4989 = phi_4263_;
-                            let _e4991 = phi_4264_;
-                            let _e4993 = phi_4265_;
-                            let _e4995 = phi_4266_;
-                            let _e4997 = phi_4267_;
-                            let _e4999 = phi_4268_;
-                            let _e5001 = phi_4269_;
-                            local_25 = _e4993;
-                            local_43 = _e4989;
-                            local_45 = _e4995;
-                            local_46 = _e4997;
-                            local_47 = _e4999;
-                            local_48 = _e5001;
+                            let _e5075 = phi_2606_;
+                            let _e5077 = phi_2608_;
+                            let _e5079 = phi_2610_;
+                            let _e5081 = phi_2612_;
+                            let _e5083 = phi_2614_;
+                            let _e5085 = phi_4306_;
+                            let _e5087 = phi_4307_;
+                            let _e5089 = phi_4308_;
+                            let _e5091 = phi_4309_;
+                            let _e5093 = phi_4310_;
+                            let _e5095 = phi_4311_;
+                            let _e5097 = phi_4312_;
+                            local_25 = _e5089;
+                            local_43 = _e5085;
+                            local_45 = _e5091;
+                            local_46 = _e5093;
+                            local_47 = _e5095;
+                            local_48 = _e5097;
                             continue;
                             continuing {
-                                phi_2602_ = _e3962;
-                                phi_2605_ = _e4983;
-                                phi_2607_ = _e4985;
-                                phi_2609_ = _e4987;
-                                break if !(_e4991);
+                                phi_2602_ = _e4014;
+                                phi_2605_ = _e5075;
+                                phi_2607_ = _e5077;
+                                phi_2609_ = _e5079;
+                                phi_2611_ = _e5081;
+                                phi_2613_ = _e5083;
+                                break if !(_e5087);
                             }
                         }
-                        let _e5004 = local_25;
-                        if _e5004 {
-                            let _e6289 = local_43;
-                            phi_4273_ = _e6289;
-                            phi_4274_ = true;
-                            phi_4275_ = false;
-                            phi_4276_ = false;
-                            phi_4277_ = false;
+                        let _e5100 = local_25;
+                        if _e5100 {
+                            let _e6425 = local_43;
+                            phi_4316_ = _e6425;
+                            phi_4317_ = true;
+                            phi_4318_ = false;
+                            phi_4319_ = false;
+                            phi_4320_ = false;
                         } else {
-                            let _e6291 = local_44;
-                            phi_4273_ = _e6291;
-                            let _e6294 = local_45;
-                            phi_4274_ = _e6294;
-                            let _e6297 = local_46;
-                            phi_4275_ = _e6297;
-                            let _e6300 = local_47;
-                            phi_4276_ = _e6300;
-                            let _e6303 = local_48;
-                            phi_4277_ = _e6303;
+                            let _e6427 = local_44;
+                            phi_4316_ = _e6427;
+                            let _e6430 = local_45;
+                            phi_4317_ = _e6430;
+                            let _e6433 = local_46;
+                            phi_4318_ = _e6433;
+                            let _e6436 = local_47;
+                            phi_4319_ = _e6436;
+                            let _e6439 = local_48;
+                            phi_4320_ = _e6439;
                         }
-                        let _e5006 = phi_4273_;
-                        let _e5008 = phi_4274_;
-                        let _e5010 = phi_4275_;
-                        let _e5012 = phi_4276_;
-                        let _e5014 = phi_4277_;
-                        if _e5008 {
-                            phi_4282_ = type_44(1u, _e5006);
-                            phi_4283_ = false;
-                            phi_4284_ = false;
-                            phi_4285_ = false;
+                        let _e5102 = phi_4316_;
+                        let _e5104 = phi_4317_;
+                        let _e5106 = phi_4318_;
+                        let _e5108 = phi_4319_;
+                        let _e5110 = phi_4320_;
+                        if _e5104 {
+                            phi_4325_ = type_44(1u, _e5102);
+                            phi_4326_ = false;
+                            phi_4327_ = false;
+                            phi_4328_ = false;
                         } else {
-                            phi_4282_ = type_44();
-                            phi_4283_ = _e5010;
-                            phi_4284_ = _e5012;
-                            phi_4285_ = _e5014;
+                            phi_4325_ = type_44();
+                            phi_4326_ = _e5106;
+                            phi_4327_ = _e5108;
+                            phi_4328_ = _e5110;
                         }
-                        let _e5017 = phi_4282_;
-                        let _e5019 = phi_4283_;
-                        let _e5021 = phi_4284_;
-                        let _e5023 = phi_4285_;
-                        if _e5019 {
-                            let _e5025 = local_26;
-                            phi_4290_ = type_44(1u, _e5025);
-                            phi_4291_ = false;
-                            phi_4292_ = false;
+                        let _e5113 = phi_4325_;
+                        let _e5115 = phi_4326_;
+                        let _e5117 = phi_4327_;
+                        let _e5119 = phi_4328_;
+                        if _e5115 {
+                            let _e5121 = local_26;
+                            phi_4333_ = type_44(1u, _e5121);
+                            phi_4334_ = false;
+                            phi_4335_ = false;
                         } else {
-                            phi_4290_ = type_44();
-                            phi_4291_ = _e5021;
-                            phi_4292_ = _e5023;
+                            phi_4333_ = type_44();
+                            phi_4334_ = _e5117;
+                            phi_4335_ = _e5119;
                         }
-                        let _e5028 = phi_4290_;
-                        let _e5030 = phi_4291_;
-                        let _e5032 = phi_4292_;
-                        if _e5030 {
-                            phi_4297_ = type_44(0u, type_44().member_1);
-                            phi_4298_ = false;
-                            phi_4299_ = true;
+                        let _e5124 = phi_4333_;
+                        let _e5126 = phi_4334_;
+                        let _e5128 = phi_4335_;
+                        if _e5126 {
+                            phi_4340_ = type_44(0u, type_44().member_1);
+                            phi_4341_ = false;
+                            phi_4342_ = true;
                         } else {
-                            phi_4297_ = _e5028;
-                            phi_4298_ = _e5032;
-                            phi_4299_ = _e5019;
+                            phi_4340_ = _e5124;
+                            phi_4341_ = _e5128;
+                            phi_4342_ = _e5115;
                         }
-                        let _e5036 = phi_4297_;
-                        let _e5038 = phi_4298_;
-                        let _e5040 = phi_4299_;
-                        if _e5038 {
-                            phi_4304_ = type_44(0u, type_44().member_1);
-                            phi_4305_ = true;
+                        let _e5132 = phi_4340_;
+                        let _e5134 = phi_4341_;
+                        let _e5136 = phi_4342_;
+                        if _e5134 {
+                            phi_4347_ = type_44(0u, type_44().member_1);
+                            phi_4348_ = true;
                         } else {
-                            phi_4304_ = _e5036;
-                            phi_4305_ = _e5040;
+                            phi_4347_ = _e5132;
+                            phi_4348_ = _e5136;
                         }
-                        let _e5044 = phi_4304_;
-                        let _e5046 = phi_4305_;
-                        if _e5046 {
-                            phi_4309_ = _e5044;
+                        let _e5140 = phi_4347_;
+                        let _e5142 = phi_4348_;
+                        if _e5142 {
+                            phi_4352_ = _e5140;
                         } else {
-                            phi_4309_ = _e5017;
+                            phi_4352_ = _e5113;
                         }
-                        let _e5048 = phi_4309_;
-                        if (_e5048.member != 0u) {
+                        let _e5144 = phi_4352_;
+                        if (_e5144.member != 0u) {
                             local_11[0u] = 0f;
                             local_11[1u] = (0.02f * 0.0000005f);
                             local_11[2u] = (1.8f * 0.0000005f);
-                            phi_4323_ = type_9(0u, 3u);
+                            phi_4366_ = type_9(0u, 3u);
                             loop {
-                                let _e5060 = phi_4323_;
-                                if (_e5060.member < _e5060.member_1) {
-                                    phi_4324_ = type_9((_e5060.member + 1u), _e5060.member_1);
-                                    phi_4347_ = type_9(1u, _e5060.member);
+                                let _e5156 = phi_4366_;
+                                if (_e5156.member < _e5156.member_1) {
+                                    phi_4367_ = type_9((_e5156.member + 1u), _e5156.member_1);
+                                    phi_4390_ = type_9(1u, _e5156.member);
                                 } else {
-                                    phi_4324_ = _e5060;
-                                    phi_4347_ = type_9(0u, type_9().member_1);
+                                    phi_4367_ = _e5156;
+                                    phi_4390_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e5072 = phi_4324_;
-                                let _e5074 = phi_4347_;
-                                if (bitcast<i32>(_e5074.member) != 0i) {
-                                    let _e5080 = local_11[_e5074.member_1];
-                                    let _e5082 = (_e5048.member_1 + f64(_e5080));
-                                    if (_e5082 < _e3712) {
-                                        phi_4368_ = _e5082;
+                                let _e5168 = phi_4367_;
+                                let _e5170 = phi_4390_;
+                                if (bitcast<i32>(_e5170.member) != 0i) {
+                                    let _e5176 = local_11[_e5170.member_1];
+                                    let _e5178 = (_e5144.member_1 + f64(_e5176));
+                                    if (_e5178 < _e3760) {
+                                        phi_4411_ = _e5178;
                                     } else {
-                                        phi_4368_ = _e3712;
+                                        phi_4411_ = _e3760;
                                     }
-                                    let _e5085 = phi_4368_;
-                                    let _e5088 = local_12.member[0u];
-                                    let _e5094 = local_12.member[1u];
-                                    let _e5110 = local_12.member_1[0u];
-                                    let _e5116 = local_12.member_1[1u];
-                                    let _e5132 = local_12.member_2[0u];
-                                    let _e5138 = local_12.member_2[1u];
-                                    let _e5152 = function_2(array<f64, 3>((_e5088[0] + ((_e5094[0] - _e5088[0]) * _e5085)), (_e5088[1] + ((_e5094[1] - _e5088[1]) * _e5085)), (_e5088[2] + ((_e5094[2] - _e5088[2]) * _e5085))), array<f64, 3>((_e5110[0] + ((_e5116[0] - _e5110[0]) * _e5085)), (_e5110[1] + ((_e5116[1] - _e5110[1]) * _e5085)), (_e5110[2] + ((_e5116[2] - _e5110[2]) * _e5085))), array<f64, 3>((_e5132[0] + ((_e5138[0] - _e5132[0]) * _e5085)), (_e5132[1] + ((_e5138[1] - _e5132[1]) * _e5085)), (_e5132[2] + ((_e5138[2] - _e5132[2]) * _e5085))), 0u);
-                                    let _e5163 = (((_e5152[0] * _e5152[0]) + (_e5152[1] * _e5152[1])) + (_e5152[2] * _e5152[2]));
-                                    if (_e5163 <= 2.2250738585072014e-308lf) {
-                                        if (_e5163 > 0.0lf) {
-                                            phi_4491_ = (1.464336215552873e-154lf * 2.0lf);
+                                    let _e5181 = phi_4411_;
+                                    let _e5184 = local_12.member[0u];
+                                    let _e5190 = local_12.member[1u];
+                                    let _e5206 = local_12.member_1[0u];
+                                    let _e5212 = local_12.member_1[1u];
+                                    let _e5228 = local_12.member_2[0u];
+                                    let _e5234 = local_12.member_2[1u];
+                                    let _e5248 = function_2(array<f64, 3>((_e5184[0] + ((_e5190[0] - _e5184[0]) * _e5181)), (_e5184[1] + ((_e5190[1] - _e5184[1]) * _e5181)), (_e5184[2] + ((_e5190[2] - _e5184[2]) * _e5181))), array<f64, 3>((_e5206[0] + ((_e5212[0] - _e5206[0]) * _e5181)), (_e5206[1] + ((_e5212[1] - _e5206[1]) * _e5181)), (_e5206[2] + ((_e5212[2] - _e5206[2]) * _e5181))), array<f64, 3>((_e5228[0] + ((_e5234[0] - _e5228[0]) * _e5181)), (_e5228[1] + ((_e5234[1] - _e5228[1]) * _e5181)), (_e5228[2] + ((_e5234[2] - _e5228[2]) * _e5181))), 0u);
+                                    let _e5259 = (((_e5248[0] * _e5248[0]) + (_e5248[1] * _e5248[1])) + (_e5248[2] * _e5248[2]));
+                                    if (_e5259 <= 2.2250738585072014e-308lf) {
+                                        if (_e5259 > 0.0lf) {
+                                            phi_4534_ = (1.464336215552873e-154lf * 2.0lf);
                                         } else {
-                                            phi_4491_ = 0.0lf;
+                                            phi_4534_ = 0.0lf;
                                         }
-                                        let _e5215 = phi_4491_;
-                                        phi_4555_ = _e5215;
+                                        let _e5311 = phi_4534_;
+                                        phi_4598_ = _e5311;
                                     } else {
-                                        phi_4498_ = type_16(0i, 5i);
-                                        phi_4501_ = bitcast<f64>(((bitcast<u64>(_e5163) / 2lu) + 2303426169912950784lu));
+                                        phi_4541_ = type_16(0i, 5i);
+                                        phi_4544_ = bitcast<f64>(((bitcast<u64>(_e5259) / 2lu) + 2303426169912950784lu));
                                         loop {
-                                            let _e5170 = phi_4498_;
-                                            let _e5172 = phi_4501_;
-                                            local_27 = _e5172;
-                                            if (_e5170.member < _e5170.member_1) {
-                                                let _e5179 = (_e5170.member + 1i);
-                                                if ((false == (_e5179 > _e5170.member)) != false) {
-                                                    phi_4522_ = true;
+                                            let _e5266 = phi_4541_;
+                                            let _e5268 = phi_4544_;
+                                            local_27 = _e5268;
+                                            if (_e5266.member < _e5266.member_1) {
+                                                let _e5275 = (_e5266.member + 1i);
+                                                if ((false == (_e5275 > _e5266.member)) != false) {
+                                                    phi_4565_ = true;
                                                 } else {
-                                                    phi_4522_ = false;
+                                                    phi_4565_ = false;
                                                 }
-                                                let _e5184 = phi_4522_;
-                                                if _e5184 {
-                                                    phi_4528_ = type_17(0u, type_17().member_1);
+                                                let _e5280 = phi_4565_;
+                                                if _e5280 {
+                                                    phi_4571_ = type_17(0u, type_17().member_1);
                                                 } else {
-                                                    phi_4528_ = type_17(1u, _e5179);
+                                                    phi_4571_ = type_17(1u, _e5275);
                                                 }
-                                                let _e5189 = phi_4528_;
-                                                phi_4499_ = type_16(_e5189.member_1, _e5170.member_1);
-                                                phi_4542_ = type_17(1u, _e5170.member);
+                                                let _e5285 = phi_4571_;
+                                                phi_4542_ = type_16(_e5285.member_1, _e5266.member_1);
+                                                phi_4585_ = type_17(1u, _e5266.member);
                                             } else {
-                                                phi_4499_ = _e5170;
-                                                phi_4542_ = type_17(0u, type_17().member_1);
+                                                phi_4542_ = _e5266;
+                                                phi_4585_ = type_17(0u, type_17().member_1);
                                             }
-                                            let _e5195 = phi_4499_;
-                                            let _e5197 = phi_4542_;
-                                            let _e5200 = (bitcast<i32>(_e5197.member) != 0i);
-                                            if _e5200 {
-                                                phi_4502_ = (0.5lf * (_e5172 + (_e5163 / _e5172)));
+                                            let _e5291 = phi_4542_;
+                                            let _e5293 = phi_4585_;
+                                            let _e5296 = (bitcast<i32>(_e5293.member) != 0i);
+                                            if _e5296 {
+                                                phi_4545_ = (0.5lf * (_e5268 + (_e5259 / _e5268)));
                                             } else {
-                                                phi_4502_ = f64();
+                                                phi_4545_ = f64();
                                             }
-                                            let _e5205 = phi_4502_;
+                                            let _e5301 = phi_4545_;
                                             continue;
                                             continuing {
-                                                phi_4498_ = _e5195;
-                                                phi_4501_ = _e5205;
-                                                break if !(_e5200);
+                                                phi_4541_ = _e5291;
+                                                phi_4544_ = _e5301;
+                                                break if !(_e5296);
                                             }
                                         }
-                                        let _e5210 = local_27;
-                                        phi_4555_ = (_e5210 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                        let _e5306 = local_27;
+                                        phi_4598_ = (_e5306 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                     }
-                                    let _e5217 = phi_4555_;
-                                    let _e5225 = local_12.member[0u];
-                                    if (_e5225[0] < 0.0lf) {
-                                        phi_4573_ = -(_e5225[0]);
+                                    let _e5313 = phi_4598_;
+                                    let _e5321 = local_12.member[0u];
+                                    if (_e5321[0] < 0.0lf) {
+                                        phi_4616_ = -(_e5321[0]);
                                     } else {
-                                        phi_4573_ = _e5225[0];
+                                        phi_4616_ = _e5321[0];
                                     }
-                                    let _e5232 = phi_4573_;
-                                    if (_e5225[1] < 0.0lf) {
-                                        phi_4580_ = -(_e5225[1]);
+                                    let _e5328 = phi_4616_;
+                                    if (_e5321[1] < 0.0lf) {
+                                        phi_4623_ = -(_e5321[1]);
                                     } else {
-                                        phi_4580_ = _e5225[1];
+                                        phi_4623_ = _e5321[1];
                                     }
-                                    let _e5236 = phi_4580_;
-                                    if (_e5232 > _e5236) {
-                                        phi_4585_ = _e5232;
+                                    let _e5332 = phi_4623_;
+                                    if (_e5328 > _e5332) {
+                                        phi_4628_ = _e5328;
                                     } else {
-                                        phi_4585_ = _e5236;
+                                        phi_4628_ = _e5332;
                                     }
-                                    let _e5239 = phi_4585_;
-                                    if (_e5225[2] < 0.0lf) {
-                                        phi_4592_ = -(_e5225[2]);
+                                    let _e5335 = phi_4628_;
+                                    if (_e5321[2] < 0.0lf) {
+                                        phi_4635_ = -(_e5321[2]);
                                     } else {
-                                        phi_4592_ = _e5225[2];
+                                        phi_4635_ = _e5321[2];
                                     }
-                                    let _e5243 = phi_4592_;
-                                    if (_e5239 > _e5243) {
-                                        phi_4597_ = _e5239;
+                                    let _e5339 = phi_4635_;
+                                    if (_e5335 > _e5339) {
+                                        phi_4640_ = _e5335;
                                     } else {
-                                        phi_4597_ = _e5243;
+                                        phi_4640_ = _e5339;
                                     }
-                                    let _e5246 = phi_4597_;
-                                    let _e5249 = local_12.member[1u];
-                                    if (_e5249[0] < 0.0lf) {
-                                        phi_4610_ = -(_e5249[0]);
+                                    let _e5342 = phi_4640_;
+                                    let _e5345 = local_12.member[1u];
+                                    if (_e5345[0] < 0.0lf) {
+                                        phi_4653_ = -(_e5345[0]);
                                     } else {
-                                        phi_4610_ = _e5249[0];
+                                        phi_4653_ = _e5345[0];
                                     }
-                                    let _e5256 = phi_4610_;
-                                    if (_e5249[1] < 0.0lf) {
-                                        phi_4617_ = -(_e5249[1]);
+                                    let _e5352 = phi_4653_;
+                                    if (_e5345[1] < 0.0lf) {
+                                        phi_4660_ = -(_e5345[1]);
                                     } else {
-                                        phi_4617_ = _e5249[1];
+                                        phi_4660_ = _e5345[1];
                                     }
-                                    let _e5260 = phi_4617_;
-                                    if (_e5256 > _e5260) {
-                                        phi_4622_ = _e5256;
+                                    let _e5356 = phi_4660_;
+                                    if (_e5352 > _e5356) {
+                                        phi_4665_ = _e5352;
                                     } else {
-                                        phi_4622_ = _e5260;
+                                        phi_4665_ = _e5356;
                                     }
-                                    let _e5263 = phi_4622_;
-                                    if (_e5249[2] < 0.0lf) {
-                                        phi_4629_ = -(_e5249[2]);
+                                    let _e5359 = phi_4665_;
+                                    if (_e5345[2] < 0.0lf) {
+                                        phi_4672_ = -(_e5345[2]);
                                     } else {
-                                        phi_4629_ = _e5249[2];
+                                        phi_4672_ = _e5345[2];
                                     }
-                                    let _e5267 = phi_4629_;
-                                    if (_e5263 > _e5267) {
-                                        phi_4634_ = _e5263;
+                                    let _e5363 = phi_4672_;
+                                    if (_e5359 > _e5363) {
+                                        phi_4677_ = _e5359;
                                     } else {
-                                        phi_4634_ = _e5267;
+                                        phi_4677_ = _e5363;
                                     }
-                                    let _e5270 = phi_4634_;
-                                    if (_e5246 > _e5270) {
-                                        phi_4639_ = _e5246;
+                                    let _e5366 = phi_4677_;
+                                    if (_e5342 > _e5366) {
+                                        phi_4682_ = _e5342;
                                     } else {
-                                        phi_4639_ = _e5270;
+                                        phi_4682_ = _e5366;
                                     }
-                                    let _e5273 = phi_4639_;
-                                    let _e5275 = local_12.member_3;
-                                    let _e5279 = local_12.member_1[0u];
-                                    if (_e5279[0] < 0.0lf) {
-                                        phi_4656_ = -(_e5279[0]);
+                                    let _e5369 = phi_4682_;
+                                    let _e5371 = local_12.member_3;
+                                    let _e5375 = local_12.member_1[0u];
+                                    if (_e5375[0] < 0.0lf) {
+                                        phi_4699_ = -(_e5375[0]);
                                     } else {
-                                        phi_4656_ = _e5279[0];
+                                        phi_4699_ = _e5375[0];
                                     }
-                                    let _e5286 = phi_4656_;
-                                    if (_e5279[1] < 0.0lf) {
-                                        phi_4663_ = -(_e5279[1]);
+                                    let _e5382 = phi_4699_;
+                                    if (_e5375[1] < 0.0lf) {
+                                        phi_4706_ = -(_e5375[1]);
                                     } else {
-                                        phi_4663_ = _e5279[1];
+                                        phi_4706_ = _e5375[1];
                                     }
-                                    let _e5290 = phi_4663_;
-                                    if (_e5286 > _e5290) {
-                                        phi_4668_ = _e5286;
+                                    let _e5386 = phi_4706_;
+                                    if (_e5382 > _e5386) {
+                                        phi_4711_ = _e5382;
                                     } else {
-                                        phi_4668_ = _e5290;
+                                        phi_4711_ = _e5386;
                                     }
-                                    let _e5293 = phi_4668_;
-                                    if (_e5279[2] < 0.0lf) {
-                                        phi_4675_ = -(_e5279[2]);
+                                    let _e5389 = phi_4711_;
+                                    if (_e5375[2] < 0.0lf) {
+                                        phi_4718_ = -(_e5375[2]);
                                     } else {
-                                        phi_4675_ = _e5279[2];
+                                        phi_4718_ = _e5375[2];
                                     }
-                                    let _e5297 = phi_4675_;
-                                    if (_e5293 > _e5297) {
-                                        phi_4680_ = _e5293;
+                                    let _e5393 = phi_4718_;
+                                    if (_e5389 > _e5393) {
+                                        phi_4723_ = _e5389;
                                     } else {
-                                        phi_4680_ = _e5297;
+                                        phi_4723_ = _e5393;
                                     }
-                                    let _e5300 = phi_4680_;
-                                    let _e5303 = local_12.member_1[1u];
-                                    if (_e5303[0] < 0.0lf) {
-                                        phi_4694_ = -(_e5303[0]);
+                                    let _e5396 = phi_4723_;
+                                    let _e5399 = local_12.member_1[1u];
+                                    if (_e5399[0] < 0.0lf) {
+                                        phi_4737_ = -(_e5399[0]);
                                     } else {
-                                        phi_4694_ = _e5303[0];
+                                        phi_4737_ = _e5399[0];
                                     }
-                                    let _e5310 = phi_4694_;
-                                    if (_e5303[1] < 0.0lf) {
-                                        phi_4701_ = -(_e5303[1]);
+                                    let _e5406 = phi_4737_;
+                                    if (_e5399[1] < 0.0lf) {
+                                        phi_4744_ = -(_e5399[1]);
                                     } else {
-                                        phi_4701_ = _e5303[1];
+                                        phi_4744_ = _e5399[1];
                                     }
-                                    let _e5314 = phi_4701_;
-                                    if (_e5310 > _e5314) {
-                                        phi_4706_ = _e5310;
+                                    let _e5410 = phi_4744_;
+                                    if (_e5406 > _e5410) {
+                                        phi_4749_ = _e5406;
                                     } else {
-                                        phi_4706_ = _e5314;
+                                        phi_4749_ = _e5410;
                                     }
-                                    let _e5317 = phi_4706_;
-                                    if (_e5303[2] < 0.0lf) {
-                                        phi_4713_ = -(_e5303[2]);
+                                    let _e5413 = phi_4749_;
+                                    if (_e5399[2] < 0.0lf) {
+                                        phi_4756_ = -(_e5399[2]);
                                     } else {
-                                        phi_4713_ = _e5303[2];
+                                        phi_4756_ = _e5399[2];
                                     }
-                                    let _e5321 = phi_4713_;
-                                    if (_e5317 > _e5321) {
-                                        phi_4718_ = _e5317;
+                                    let _e5417 = phi_4756_;
+                                    if (_e5413 > _e5417) {
+                                        phi_4761_ = _e5413;
                                     } else {
-                                        phi_4718_ = _e5321;
+                                        phi_4761_ = _e5417;
                                     }
-                                    let _e5324 = phi_4718_;
-                                    if (_e5300 > _e5324) {
-                                        phi_4723_ = _e5300;
+                                    let _e5420 = phi_4761_;
+                                    if (_e5396 > _e5420) {
+                                        phi_4766_ = _e5396;
                                     } else {
-                                        phi_4723_ = _e5324;
+                                        phi_4766_ = _e5420;
                                     }
-                                    let _e5327 = phi_4723_;
-                                    let _e5329 = local_12.member_3;
-                                    let _e5333 = local_12.member_2[0u];
-                                    if (_e5333[0] < 0.0lf) {
-                                        phi_4740_ = -(_e5333[0]);
+                                    let _e5423 = phi_4766_;
+                                    let _e5425 = local_12.member_3;
+                                    let _e5429 = local_12.member_2[0u];
+                                    if (_e5429[0] < 0.0lf) {
+                                        phi_4783_ = -(_e5429[0]);
                                     } else {
-                                        phi_4740_ = _e5333[0];
+                                        phi_4783_ = _e5429[0];
                                     }
-                                    let _e5340 = phi_4740_;
-                                    if (_e5333[1] < 0.0lf) {
-                                        phi_4747_ = -(_e5333[1]);
+                                    let _e5436 = phi_4783_;
+                                    if (_e5429[1] < 0.0lf) {
+                                        phi_4790_ = -(_e5429[1]);
                                     } else {
-                                        phi_4747_ = _e5333[1];
+                                        phi_4790_ = _e5429[1];
                                     }
-                                    let _e5344 = phi_4747_;
-                                    if (_e5340 > _e5344) {
-                                        phi_4752_ = _e5340;
+                                    let _e5440 = phi_4790_;
+                                    if (_e5436 > _e5440) {
+                                        phi_4795_ = _e5436;
                                     } else {
-                                        phi_4752_ = _e5344;
+                                        phi_4795_ = _e5440;
                                     }
-                                    let _e5347 = phi_4752_;
-                                    if (_e5333[2] < 0.0lf) {
-                                        phi_4759_ = -(_e5333[2]);
+                                    let _e5443 = phi_4795_;
+                                    if (_e5429[2] < 0.0lf) {
+                                        phi_4802_ = -(_e5429[2]);
                                     } else {
-                                        phi_4759_ = _e5333[2];
+                                        phi_4802_ = _e5429[2];
                                     }
-                                    let _e5351 = phi_4759_;
-                                    if (_e5347 > _e5351) {
-                                        phi_4764_ = _e5347;
+                                    let _e5447 = phi_4802_;
+                                    if (_e5443 > _e5447) {
+                                        phi_4807_ = _e5443;
                                     } else {
-                                        phi_4764_ = _e5351;
+                                        phi_4807_ = _e5447;
                                     }
-                                    let _e5354 = phi_4764_;
-                                    let _e5357 = local_12.member_2[1u];
-                                    if (_e5357[0] < 0.0lf) {
-                                        phi_4778_ = -(_e5357[0]);
+                                    let _e5450 = phi_4807_;
+                                    let _e5453 = local_12.member_2[1u];
+                                    if (_e5453[0] < 0.0lf) {
+                                        phi_4821_ = -(_e5453[0]);
                                     } else {
-                                        phi_4778_ = _e5357[0];
+                                        phi_4821_ = _e5453[0];
                                     }
-                                    let _e5364 = phi_4778_;
-                                    if (_e5357[1] < 0.0lf) {
-                                        phi_4785_ = -(_e5357[1]);
+                                    let _e5460 = phi_4821_;
+                                    if (_e5453[1] < 0.0lf) {
+                                        phi_4828_ = -(_e5453[1]);
                                     } else {
-                                        phi_4785_ = _e5357[1];
+                                        phi_4828_ = _e5453[1];
                                     }
-                                    let _e5368 = phi_4785_;
-                                    if (_e5364 > _e5368) {
-                                        phi_4790_ = _e5364;
+                                    let _e5464 = phi_4828_;
+                                    if (_e5460 > _e5464) {
+                                        phi_4833_ = _e5460;
                                     } else {
-                                        phi_4790_ = _e5368;
+                                        phi_4833_ = _e5464;
                                     }
-                                    let _e5371 = phi_4790_;
-                                    if (_e5357[2] < 0.0lf) {
-                                        phi_4797_ = -(_e5357[2]);
+                                    let _e5467 = phi_4833_;
+                                    if (_e5453[2] < 0.0lf) {
+                                        phi_4840_ = -(_e5453[2]);
                                     } else {
-                                        phi_4797_ = _e5357[2];
+                                        phi_4840_ = _e5453[2];
                                     }
-                                    let _e5375 = phi_4797_;
-                                    if (_e5371 > _e5375) {
-                                        phi_4802_ = _e5371;
+                                    let _e5471 = phi_4840_;
+                                    if (_e5467 > _e5471) {
+                                        phi_4845_ = _e5467;
                                     } else {
-                                        phi_4802_ = _e5375;
+                                        phi_4845_ = _e5471;
                                     }
-                                    let _e5378 = phi_4802_;
-                                    if (_e5354 > _e5378) {
-                                        phi_4807_ = _e5354;
+                                    let _e5474 = phi_4845_;
+                                    if (_e5450 > _e5474) {
+                                        phi_4850_ = _e5450;
                                     } else {
-                                        phi_4807_ = _e5378;
+                                        phi_4850_ = _e5474;
                                     }
-                                    let _e5381 = phi_4807_;
-                                    let _e5383 = local_12.member_3;
-                                    let _e5391 = local_12.member_3;
-                                    let _e5401 = (((_e5217 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5273 + _e5275) + (_e5327 + _e5329)) + (_e5381 + _e5383)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5391 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1);
-                                    if _e5401 {
-                                        phi_4831_ = false;
+                                    let _e5477 = phi_4850_;
+                                    let _e5479 = local_12.member_3;
+                                    let _e5487 = local_12.member_3;
+                                    let _e5497 = (((_e5313 * (f64(1f) + (1.1102230246251565e-16lf * f64(8f)))) + (((((((_e5369 + _e5371) + (_e5423 + _e5425)) + (_e5477 + _e5479)) * (1.1102230246251565e-16lf * f64(16f))) + (_e5487 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(4f))) <= _e575.member_1);
+                                    if _e5497 {
+                                        phi_4874_ = false;
                                     } else {
-                                        phi_4831_ = true;
+                                        phi_4874_ = true;
                                     }
-                                    let _e5403 = phi_4831_;
-                                    phi_4832_ = _e5403;
-                                    phi_4833_ = _e5401;
+                                    let _e5499 = phi_4874_;
+                                    phi_4875_ = _e5499;
+                                    phi_4876_ = _e5497;
                                 } else {
-                                    phi_4832_ = false;
-                                    phi_4833_ = false;
+                                    phi_4875_ = false;
+                                    phi_4876_ = false;
                                 }
-                                let _e5405 = phi_4832_;
-                                let _e5407 = phi_4833_;
-                                local_28 = _e5407;
+                                let _e5501 = phi_4875_;
+                                let _e5503 = phi_4876_;
+                                local_28 = _e5503;
                                 continue;
                                 continuing {
-                                    phi_4323_ = _e5072;
-                                    break if !(_e5405);
+                                    phi_4366_ = _e5168;
+                                    break if !(_e5501);
                                 }
                             }
-                            let _e5410 = local_28;
-                            if _e5410 {
-                                phi_4838_ = type_44(1u, _e5048.member_1);
-                                phi_4839_ = false;
+                            let _e5506 = local_28;
+                            if _e5506 {
+                                phi_4881_ = type_44(1u, _e5144.member_1);
+                                phi_4882_ = false;
                             } else {
-                                phi_4838_ = type_44();
-                                phi_4839_ = true;
+                                phi_4881_ = type_44();
+                                phi_4882_ = true;
                             }
-                            let _e5413 = phi_4838_;
-                            let _e5415 = phi_4839_;
-                            if _e5415 {
-                                phi_4844_ = type_44(2u, _e5048.member_1);
-                                phi_4845_ = false;
+                            let _e5509 = phi_4881_;
+                            let _e5511 = phi_4882_;
+                            if _e5511 {
+                                phi_4887_ = type_44(2u, _e5144.member_1);
+                                phi_4888_ = false;
                             } else {
-                                phi_4844_ = type_44();
-                                phi_4845_ = true;
+                                phi_4887_ = type_44();
+                                phi_4888_ = true;
                             }
-                            let _e5418 = phi_4844_;
-                            let _e5420 = phi_4845_;
-                            phi_4847_ = _e5418;
-                            phi_4848_ = _e5413;
-                            phi_4849_ = _e5420;
+                            let _e5514 = phi_4887_;
+                            let _e5516 = phi_4888_;
+                            phi_4890_ = _e5514;
+                            phi_4891_ = _e5509;
+                            phi_4892_ = _e5516;
                         } else {
-                            phi_4847_ = type_44();
-                            phi_4848_ = type_44(0u, type_44().member_1);
-                            phi_4849_ = true;
+                            phi_4890_ = type_44();
+                            phi_4891_ = type_44(0u, type_44().member_1);
+                            phi_4892_ = true;
                         }
-                        let _e5422 = phi_4847_;
-                        let _e5424 = phi_4848_;
-                        let _e5426 = phi_4849_;
-                        if _e5426 {
-                            phi_4853_ = _e5424;
+                        let _e5518 = phi_4890_;
+                        let _e5520 = phi_4891_;
+                        let _e5522 = phi_4892_;
+                        if _e5522 {
+                            phi_4896_ = _e5520;
                         } else {
-                            phi_4853_ = _e5422;
+                            phi_4896_ = _e5518;
                         }
-                        let _e5428 = phi_4853_;
-                        phi_8823_ = _e5428;
+                        let _e5524 = phi_4896_;
+                        phi_8909_ = _e5524;
                     } else {
                         if (_e713 < 0.0lf) {
-                            phi_4864_ = -(_e713);
+                            phi_4907_ = -(_e713);
                         } else {
-                            phi_4864_ = _e713;
+                            phi_4907_ = _e713;
                         }
-                        let _e1070 = phi_4864_;
+                        let _e1070 = phi_4907_;
                         if (_e736 < 0.0lf) {
-                            phi_4870_ = -(_e736);
+                            phi_4913_ = -(_e736);
                         } else {
-                            phi_4870_ = _e736;
+                            phi_4913_ = _e736;
                         }
-                        let _e1074 = phi_4870_;
+                        let _e1074 = phi_4913_;
                         if (_e1070 > _e1074) {
-                            phi_4875_ = _e1070;
+                            phi_4918_ = _e1070;
                         } else {
-                            phi_4875_ = _e1074;
+                            phi_4918_ = _e1074;
                         }
-                        let _e1077 = phi_4875_;
+                        let _e1077 = phi_4918_;
                         if (_e759 < 0.0lf) {
-                            phi_4881_ = -(_e759);
+                            phi_4924_ = -(_e759);
                         } else {
-                            phi_4881_ = _e759;
+                            phi_4924_ = _e759;
                         }
-                        let _e1081 = phi_4881_;
+                        let _e1081 = phi_4924_;
                         if (_e770 < 0.0lf) {
-                            phi_4887_ = -(_e770);
+                            phi_4930_ = -(_e770);
                         } else {
-                            phi_4887_ = _e770;
+                            phi_4930_ = _e770;
                         }
-                        let _e1085 = phi_4887_;
+                        let _e1085 = phi_4930_;
                         if (_e1081 > _e1085) {
-                            phi_4892_ = _e1081;
+                            phi_4935_ = _e1081;
                         } else {
-                            phi_4892_ = _e1085;
+                            phi_4935_ = _e1085;
                         }
-                        let _e1088 = phi_4892_;
+                        let _e1088 = phi_4935_;
                         if (_e1077 > _e1088) {
-                            phi_4897_ = _e1077;
+                            phi_4940_ = _e1077;
                         } else {
-                            phi_4897_ = _e1088;
+                            phi_4940_ = _e1088;
                         }
-                        let _e1091 = phi_4897_;
+                        let _e1091 = phi_4940_;
                         let _e1093 = (2.2250738585072014e-308lf * f64(67108864f));
                         let _e1094 = f64(1f);
                         if (_e1091 >= _e1093) {
-                            phi_4907_ = (_e1091 <= (_e1094 / _e1093));
+                            phi_4950_ = (_e1091 <= (_e1094 / _e1093));
                         } else {
-                            phi_4907_ = false;
+                            phi_4950_ = false;
                         }
-                        let _e1099 = phi_4907_;
+                        let _e1099 = phi_4950_;
                         if _e1099 {
-                            phi_4914_ = (1.1102230246251565e-16lf * f64(256f));
+                            phi_4957_ = (1.1102230246251565e-16lf * f64(256f));
                         } else {
-                            phi_4914_ = f64(2f);
+                            phi_4957_ = f64(2f);
                         }
-                        let _e1104 = phi_4914_;
+                        let _e1104 = phi_4957_;
                         let _e1106 = ((_e1029 * f64(0.34f)) + (_e1091 * _e1104));
                         if _e1099 {
-                            phi_4922_ = (_e1094 / _e1091);
+                            phi_4965_ = (_e1094 / _e1091);
                         } else {
-                            phi_4922_ = f64(0f);
+                            phi_4965_ = f64(0f);
                         }
-                        let _e1110 = phi_4922_;
+                        let _e1110 = phi_4965_;
                         let _e1111 = f64(0f);
                         let _e1112 = f64(1f);
                         let _e1113 = f64(3f);
@@ -3657,65 +3774,65 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                         if (_e1128 > _e1111) {
                             if (_e1128 <= 2.2250738585072014e-308lf) {
                                 if (_e1128 > 0.0lf) {
-                                    phi_4958_ = (1.464336215552873e-154lf * 2.0lf);
+                                    phi_5001_ = (1.464336215552873e-154lf * 2.0lf);
                                 } else {
-                                    phi_4958_ = 0.0lf;
+                                    phi_5001_ = 0.0lf;
                                 }
-                                let _e1181 = phi_4958_;
-                                phi_5022_ = _e1181;
+                                let _e1181 = phi_5001_;
+                                phi_5065_ = _e1181;
                             } else {
-                                phi_4965_ = type_16(0i, 5i);
-                                phi_4968_ = bitcast<f64>(((bitcast<u64>(_e1128) / 2lu) + 2303426169912950784lu));
+                                phi_5008_ = type_16(0i, 5i);
+                                phi_5011_ = bitcast<f64>(((bitcast<u64>(_e1128) / 2lu) + 2303426169912950784lu));
                                 loop {
-                                    let _e1136 = phi_4965_;
-                                    let _e1138 = phi_4968_;
+                                    let _e1136 = phi_5008_;
+                                    let _e1138 = phi_5011_;
                                     local_13 = _e1138;
                                     if (_e1136.member < _e1136.member_1) {
                                         let _e1145 = (_e1136.member + 1i);
                                         if ((false == (_e1145 > _e1136.member)) != false) {
-                                            phi_4989_ = true;
+                                            phi_5032_ = true;
                                         } else {
-                                            phi_4989_ = false;
+                                            phi_5032_ = false;
                                         }
-                                        let _e1150 = phi_4989_;
+                                        let _e1150 = phi_5032_;
                                         if _e1150 {
-                                            phi_4995_ = type_17(0u, type_17().member_1);
+                                            phi_5038_ = type_17(0u, type_17().member_1);
                                         } else {
-                                            phi_4995_ = type_17(1u, _e1145);
+                                            phi_5038_ = type_17(1u, _e1145);
                                         }
-                                        let _e1155 = phi_4995_;
-                                        phi_4966_ = type_16(_e1155.member_1, _e1136.member_1);
-                                        phi_5009_ = type_17(1u, _e1136.member);
+                                        let _e1155 = phi_5038_;
+                                        phi_5009_ = type_16(_e1155.member_1, _e1136.member_1);
+                                        phi_5052_ = type_17(1u, _e1136.member);
                                     } else {
-                                        phi_4966_ = _e1136;
-                                        phi_5009_ = type_17(0u, type_17().member_1);
+                                        phi_5009_ = _e1136;
+                                        phi_5052_ = type_17(0u, type_17().member_1);
                                     }
-                                    let _e1161 = phi_4966_;
-                                    let _e1163 = phi_5009_;
+                                    let _e1161 = phi_5009_;
+                                    let _e1163 = phi_5052_;
                                     let _e1166 = (bitcast<i32>(_e1163.member) != 0i);
                                     if _e1166 {
-                                        phi_4969_ = (0.5lf * (_e1138 + (_e1128 / _e1138)));
+                                        phi_5012_ = (0.5lf * (_e1138 + (_e1128 / _e1138)));
                                     } else {
-                                        phi_4969_ = f64();
+                                        phi_5012_ = f64();
                                     }
-                                    let _e1171 = phi_4969_;
+                                    let _e1171 = phi_5012_;
                                     continue;
                                     continuing {
-                                        phi_4965_ = _e1161;
-                                        phi_4968_ = _e1171;
+                                        phi_5008_ = _e1161;
+                                        phi_5011_ = _e1171;
                                         break if !(_e1166);
                                     }
                                 }
                                 let _e1176 = local_13;
-                                phi_5022_ = (_e1176 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                phi_5065_ = (_e1176 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                             }
-                            let _e1183 = phi_5022_;
+                            let _e1183 = phi_5065_;
                             if (_e1120 < _e1111) {
-                                phi_5028_ = -(_e1183);
+                                phi_5071_ = -(_e1183);
                             } else {
-                                phi_5028_ = _e1183;
+                                phi_5071_ = _e1183;
                             }
-                            let _e1187 = phi_5028_;
+                            let _e1187 = phi_5071_;
                             let _e1189 = -((_e1120 + _e1187));
                             local_7[0u] = (_e1189 / (_e1189 + _e1121));
                             local_7[1u] = (_e1119 / (_e1119 + _e1189));
@@ -3727,21 +3844,21 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 local_7[0u] = _e1202;
                                 local_7[1u] = _e1204;
                             }
-                            phi_5053_ = type_9(0u, 2u);
-                            phi_5056_ = 1u;
+                            phi_5096_ = type_9(0u, 2u);
+                            phi_5099_ = 1u;
                             loop {
-                                let _e1208 = phi_5053_;
-                                let _e1210 = phi_5056_;
+                                let _e1208 = phi_5096_;
+                                let _e1210 = phi_5099_;
                                 local_29 = _e1210;
                                 if (_e1208.member < _e1208.member_1) {
-                                    phi_5054_ = type_9((_e1208.member + 1u), _e1208.member_1);
-                                    phi_5079_ = type_9(1u, _e1208.member);
+                                    phi_5097_ = type_9((_e1208.member + 1u), _e1208.member_1);
+                                    phi_5122_ = type_9(1u, _e1208.member);
                                 } else {
-                                    phi_5054_ = _e1208;
-                                    phi_5079_ = type_9(0u, type_9().member_1);
+                                    phi_5097_ = _e1208;
+                                    phi_5122_ = type_9(0u, type_9().member_1);
                                 }
-                                let _e1222 = phi_5054_;
-                                let _e1224 = phi_5079_;
+                                let _e1222 = phi_5097_;
+                                let _e1224 = phi_5122_;
                                 let _e1228 = (bitcast<i32>(_e1224.member) != 0i);
                                 if _e1228 {
                                     let _e1230 = local_7[_e1224.member_1];
@@ -3750,49 +3867,49 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         if (_e1233 < _e1112) {
                                             let _e1236 = local_7[_e1224.member_1];
                                             local_6[_e1210] = _e1236;
-                                            phi_5123_ = (_e1210 + 1u);
+                                            phi_5166_ = (_e1210 + 1u);
                                         } else {
-                                            phi_5123_ = _e1210;
+                                            phi_5166_ = _e1210;
                                         }
-                                        let _e1240 = phi_5123_;
-                                        phi_5124_ = _e1240;
+                                        let _e1240 = phi_5166_;
+                                        phi_5167_ = _e1240;
                                     } else {
-                                        phi_5124_ = _e1210;
+                                        phi_5167_ = _e1210;
                                     }
-                                    let _e1242 = phi_5124_;
-                                    phi_5057_ = _e1242;
+                                    let _e1242 = phi_5167_;
+                                    phi_5100_ = _e1242;
                                 } else {
-                                    phi_5057_ = u32();
+                                    phi_5100_ = u32();
                                 }
-                                let _e1244 = phi_5057_;
+                                let _e1244 = phi_5100_;
                                 continue;
                                 continuing {
-                                    phi_5053_ = _e1222;
-                                    phi_5056_ = _e1244;
+                                    phi_5096_ = _e1222;
+                                    phi_5099_ = _e1244;
                                     break if !(_e1228);
                                 }
                             }
-                            let _e5654 = local_29;
-                            phi_5125_ = _e5654;
+                            let _e5750 = local_29;
+                            phi_5168_ = _e5750;
                         } else {
-                            phi_5125_ = 1u;
+                            phi_5168_ = 1u;
                         }
-                        let _e1247 = phi_5125_;
+                        let _e1247 = phi_5168_;
                         local_6[_e1247] = _e1112;
                         let _e1249 = local_6;
                         local_8 = _e1249;
-                        phi_5145_ = type_9(0u, _e1247);
+                        phi_5188_ = type_9(0u, _e1247);
                         loop {
-                            let _e1252 = phi_5145_;
+                            let _e1252 = phi_5188_;
                             if (_e1252.member < _e1252.member_1) {
-                                phi_5146_ = type_9((_e1252.member + 1u), _e1252.member_1);
-                                phi_5169_ = type_9(1u, _e1252.member);
+                                phi_5189_ = type_9((_e1252.member + 1u), _e1252.member_1);
+                                phi_5212_ = type_9(1u, _e1252.member);
                             } else {
-                                phi_5146_ = _e1252;
-                                phi_5169_ = type_9(0u, type_9().member_1);
+                                phi_5189_ = _e1252;
+                                phi_5212_ = type_9(0u, type_9().member_1);
                             }
-                            let _e1264 = phi_5146_;
-                            let _e1266 = phi_5169_;
+                            let _e1264 = phi_5189_;
+                            let _e1266 = phi_5212_;
                             if (bitcast<i32>(_e1266.member) != 0i) {
                                 let _e1272 = local_8[_e1266.member_1];
                                 let _e1275 = local_8[(_e1266.member_1 + 1u)];
@@ -3801,326 +3918,326 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                 let _e1290 = (f64(1f) - _e1275);
                                 let _e1301 = ((((_e713 * _e1290) + (_e736 * _e1275)) * (_e1290 * _e1290)) + (((_e759 * _e1290) + (_e770 * _e1275)) * (_e1275 * _e1275)));
                                 if (_e1288 < 0.0lf) {
-                                    phi_5223_ = -(_e1288);
+                                    phi_5266_ = -(_e1288);
                                 } else {
-                                    phi_5223_ = _e1288;
+                                    phi_5266_ = _e1288;
                                 }
-                                let _e1305 = phi_5223_;
+                                let _e1305 = phi_5266_;
                                 let _e1306 = (_e1305 > _e1106);
                                 if (_e1301 < 0.0lf) {
-                                    phi_5230_ = -(_e1301);
+                                    phi_5273_ = -(_e1301);
                                 } else {
-                                    phi_5230_ = _e1301;
+                                    phi_5273_ = _e1301;
                                 }
-                                let _e1310 = phi_5230_;
+                                let _e1310 = phi_5273_;
                                 let _e1311 = (_e1310 > _e1106);
                                 let _e1312 = f64(0f);
                                 if _e1306 {
                                     if _e1311 {
-                                        phi_5242_ = ((_e1288 > _e1312) != (_e1301 > _e1312));
-                                        phi_5243_ = false;
+                                        phi_5285_ = ((_e1288 > _e1312) != (_e1301 > _e1312));
+                                        phi_5286_ = false;
                                     } else {
-                                        phi_5242_ = bool();
-                                        phi_5243_ = true;
+                                        phi_5285_ = bool();
+                                        phi_5286_ = true;
                                     }
-                                    let _e1317 = phi_5242_;
-                                    let _e1319 = phi_5243_;
-                                    phi_5244_ = _e1317;
-                                    phi_5245_ = _e1319;
+                                    let _e1317 = phi_5285_;
+                                    let _e1319 = phi_5286_;
+                                    phi_5287_ = _e1317;
+                                    phi_5288_ = _e1319;
                                 } else {
-                                    phi_5244_ = bool();
-                                    phi_5245_ = true;
+                                    phi_5287_ = bool();
+                                    phi_5288_ = true;
                                 }
-                                let _e1321 = phi_5244_;
-                                let _e1323 = phi_5245_;
+                                let _e1321 = phi_5287_;
+                                let _e1323 = phi_5288_;
                                 if _e1323 {
-                                    phi_5249_ = false;
+                                    phi_5292_ = false;
                                 } else {
-                                    phi_5249_ = _e1321;
+                                    phi_5292_ = _e1321;
                                 }
-                                let _e1325 = phi_5249_;
+                                let _e1325 = phi_5292_;
                                 if _e1306 {
                                     if _e1311 {
                                         if _e1325 {
-                                            phi_5261_ = type_45();
+                                            phi_5304_ = type_45();
                                         } else {
-                                            phi_5261_ = type_45(f64(1f), _e1312, _e1325);
+                                            phi_5304_ = type_45(f64(1f), _e1312, _e1325);
                                         }
-                                        let _e1329 = phi_5261_;
-                                        phi_5262_ = _e1329;
-                                        phi_5263_ = _e1325;
+                                        let _e1329 = phi_5304_;
+                                        phi_5305_ = _e1329;
+                                        phi_5306_ = _e1325;
                                     } else {
-                                        phi_5262_ = type_45();
-                                        phi_5263_ = true;
+                                        phi_5305_ = type_45();
+                                        phi_5306_ = true;
                                     }
-                                    let _e1331 = phi_5262_;
-                                    let _e1333 = phi_5263_;
-                                    phi_5264_ = _e1331;
-                                    phi_5265_ = _e1333;
+                                    let _e1331 = phi_5305_;
+                                    let _e1333 = phi_5306_;
+                                    phi_5307_ = _e1331;
+                                    phi_5308_ = _e1333;
                                 } else {
-                                    phi_5264_ = type_45();
-                                    phi_5265_ = true;
+                                    phi_5307_ = type_45();
+                                    phi_5308_ = true;
                                 }
-                                let _e1335 = phi_5264_;
-                                let _e1337 = phi_5265_;
+                                let _e1335 = phi_5307_;
+                                let _e1337 = phi_5308_;
                                 if _e1337 {
                                     if _e1306 {
                                         if (_e1288 < _e1312) {
-                                            phi_5278_ = f64(-1f);
+                                            phi_5321_ = f64(-1f);
                                         } else {
-                                            phi_5278_ = f64(1f);
+                                            phi_5321_ = f64(1f);
                                         }
-                                        let _e1342 = phi_5278_;
+                                        let _e1342 = phi_5321_;
                                         let _e1343 = f64(0.00000000000022737368f);
                                         let _e1344 = f64(0.5f);
                                         let _e1345 = f64(3f);
                                         let _e1348 = (_e759 - _e736);
-                                        phi_5291_ = type_9(0u, 64u);
-                                        phi_5294_ = _e1275;
-                                        phi_5296_ = _e1272;
-                                        phi_5298_ = (_e1344 * (_e1272 + _e1275));
+                                        phi_5334_ = type_9(0u, 64u);
+                                        phi_5337_ = _e1275;
+                                        phi_5339_ = _e1272;
+                                        phi_5341_ = (_e1344 * (_e1272 + _e1275));
                                         loop {
-                                            let _e1354 = phi_5291_;
-                                            let _e1356 = phi_5294_;
-                                            let _e1358 = phi_5296_;
-                                            let _e1360 = phi_5298_;
+                                            let _e1354 = phi_5334_;
+                                            let _e1356 = phi_5337_;
+                                            let _e1358 = phi_5339_;
+                                            let _e1360 = phi_5341_;
                                             local_31 = _e1358;
                                             if (_e1354.member < _e1354.member_1) {
-                                                phi_5292_ = type_9((_e1354.member + 1u), _e1354.member_1);
-                                                phi_5321_ = type_9(1u, _e1354.member);
+                                                phi_5335_ = type_9((_e1354.member + 1u), _e1354.member_1);
+                                                phi_5364_ = type_9(1u, _e1354.member);
                                             } else {
-                                                phi_5292_ = _e1354;
-                                                phi_5321_ = type_9(0u, type_9().member_1);
+                                                phi_5335_ = _e1354;
+                                                phi_5364_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1372 = phi_5292_;
-                                            let _e1374 = phi_5321_;
+                                            let _e1372 = phi_5335_;
+                                            let _e1374 = phi_5364_;
                                             if (bitcast<i32>(_e1374.member) != 0i) {
                                                 let _e1379 = (f64(1f) - _e1360);
                                                 let _e1392 = ((_e1342 * ((((_e713 * _e1379) + (_e736 * _e1360)) * (_e1379 * _e1379)) + (((_e759 * _e1379) + (_e770 * _e1360)) * (_e1360 * _e1360)))) - _e1106);
                                                 if (_e1392 > f64(0f)) {
-                                                    phi_5348_ = _e1356;
-                                                    phi_5349_ = _e1360;
+                                                    phi_5391_ = _e1356;
+                                                    phi_5392_ = _e1360;
                                                 } else {
-                                                    phi_5348_ = _e1360;
-                                                    phi_5349_ = _e1358;
+                                                    phi_5391_ = _e1360;
+                                                    phi_5392_ = _e1358;
                                                 }
-                                                let _e1396 = phi_5348_;
-                                                let _e1398 = phi_5349_;
+                                                let _e1396 = phi_5391_;
+                                                let _e1398 = phi_5392_;
                                                 let _e1400 = ((_e1396 - _e1398) > _e1343);
                                                 if _e1400 {
                                                     let _e1402 = (f64(1f) - _e1360);
                                                     let _e1414 = (-(_e1392) / (_e1342 * (((((_e736 - (_e1345 * _e713)) * _e1402) + (_e1348 * _e1360)) * _e1402) + (((_e1348 * _e1402) + (((_e1345 * _e770) - _e759) * _e1360)) * _e1360))));
                                                     if (_e1392 > f64(0f)) {
-                                                        phi_5377_ = (_e1344 * _e1343);
+                                                        phi_5420_ = (_e1344 * _e1343);
                                                     } else {
-                                                        phi_5377_ = -((_e1344 * _e1343));
+                                                        phi_5420_ = -((_e1344 * _e1343));
                                                     }
-                                                    let _e1421 = phi_5377_;
+                                                    let _e1421 = phi_5420_;
                                                     let _e1423 = ((_e1360 + _e1414) + _e1421);
                                                     if (_e1423 > _e1398) {
                                                         if (_e1423 < _e1396) {
                                                             if (_e1414 < 0.0lf) {
-                                                                phi_5393_ = -(_e1414);
+                                                                phi_5436_ = -(_e1414);
                                                             } else {
-                                                                phi_5393_ = _e1414;
+                                                                phi_5436_ = _e1414;
                                                             }
-                                                            let _e1429 = phi_5393_;
+                                                            let _e1429 = phi_5436_;
                                                             if (_e1429 < (_e1344 * (_e1396 - _e1398))) {
-                                                                phi_5400_ = false;
+                                                                phi_5443_ = false;
                                                             } else {
-                                                                phi_5400_ = true;
+                                                                phi_5443_ = true;
                                                             }
-                                                            let _e1434 = phi_5400_;
-                                                            phi_5401_ = _e1434;
+                                                            let _e1434 = phi_5443_;
+                                                            phi_5444_ = _e1434;
                                                         } else {
-                                                            phi_5401_ = true;
+                                                            phi_5444_ = true;
                                                         }
-                                                        let _e1436 = phi_5401_;
-                                                        phi_5402_ = _e1436;
+                                                        let _e1436 = phi_5444_;
+                                                        phi_5445_ = _e1436;
                                                     } else {
-                                                        phi_5402_ = true;
+                                                        phi_5445_ = true;
                                                     }
-                                                    let _e1438 = phi_5402_;
+                                                    let _e1438 = phi_5445_;
                                                     if _e1438 {
-                                                        phi_5408_ = (_e1344 * (_e1398 + _e1396));
+                                                        phi_5451_ = (_e1344 * (_e1398 + _e1396));
                                                     } else {
-                                                        phi_5408_ = _e1423;
+                                                        phi_5451_ = _e1423;
                                                     }
-                                                    let _e1442 = phi_5408_;
-                                                    phi_5409_ = _e1442;
-                                                    phi_5410_ = false;
+                                                    let _e1442 = phi_5451_;
+                                                    phi_5452_ = _e1442;
+                                                    phi_5453_ = false;
                                                 } else {
-                                                    phi_5409_ = f64();
-                                                    phi_5410_ = true;
+                                                    phi_5452_ = f64();
+                                                    phi_5453_ = true;
                                                 }
-                                                let _e1444 = phi_5409_;
-                                                let _e1446 = phi_5410_;
-                                                phi_5295_ = _e1396;
-                                                phi_5297_ = _e1398;
-                                                phi_5299_ = _e1444;
-                                                phi_5411_ = _e1398;
-                                                phi_5412_ = _e1400;
-                                                phi_5413_ = _e1446;
+                                                let _e1444 = phi_5452_;
+                                                let _e1446 = phi_5453_;
+                                                phi_5338_ = _e1396;
+                                                phi_5340_ = _e1398;
+                                                phi_5342_ = _e1444;
+                                                phi_5454_ = _e1398;
+                                                phi_5455_ = _e1400;
+                                                phi_5456_ = _e1446;
                                             } else {
-                                                phi_5295_ = f64();
-                                                phi_5297_ = f64();
-                                                phi_5299_ = f64();
-                                                phi_5411_ = f64();
-                                                phi_5412_ = false;
-                                                phi_5413_ = false;
+                                                phi_5338_ = f64();
+                                                phi_5340_ = f64();
+                                                phi_5342_ = f64();
+                                                phi_5454_ = f64();
+                                                phi_5455_ = false;
+                                                phi_5456_ = false;
                                             }
-                                            let _e1448 = phi_5295_;
-                                            let _e1450 = phi_5297_;
-                                            let _e1452 = phi_5299_;
-                                            let _e1454 = phi_5411_;
-                                            let _e1456 = phi_5412_;
-                                            let _e1458 = phi_5413_;
+                                            let _e1448 = phi_5338_;
+                                            let _e1450 = phi_5340_;
+                                            let _e1452 = phi_5342_;
+                                            let _e1454 = phi_5454_;
+                                            let _e1456 = phi_5455_;
+                                            let _e1458 = phi_5456_;
                                             local_14 = _e1458;
                                             local_30 = _e1454;
                                             continue;
                                             continuing {
-                                                phi_5291_ = _e1372;
-                                                phi_5294_ = _e1448;
-                                                phi_5296_ = _e1450;
-                                                phi_5298_ = _e1452;
+                                                phi_5334_ = _e1372;
+                                                phi_5337_ = _e1448;
+                                                phi_5339_ = _e1450;
+                                                phi_5341_ = _e1452;
                                                 break if !(_e1456);
                                             }
                                         }
                                         let _e1461 = local_14;
                                         if _e1461 {
-                                            let _e5696 = local_30;
-                                            phi_5417_ = _e5696;
+                                            let _e5792 = local_30;
+                                            phi_5460_ = _e5792;
                                         } else {
-                                            let _e5698 = local_31;
-                                            phi_5417_ = _e5698;
+                                            let _e5794 = local_31;
+                                            phi_5460_ = _e5794;
                                         }
-                                        let _e1463 = phi_5417_;
-                                        phi_5418_ = _e1463;
+                                        let _e1463 = phi_5460_;
+                                        phi_5461_ = _e1463;
                                     } else {
-                                        phi_5418_ = _e1272;
+                                        phi_5461_ = _e1272;
                                     }
-                                    let _e1465 = phi_5418_;
+                                    let _e1465 = phi_5461_;
                                     if _e1311 {
                                         if (_e1301 < _e1312) {
-                                            phi_5428_ = f64(-1f);
+                                            phi_5471_ = f64(-1f);
                                         } else {
-                                            phi_5428_ = f64(1f);
+                                            phi_5471_ = f64(1f);
                                         }
-                                        let _e1470 = phi_5428_;
-                                        phi_5433_ = type_9(0u, 64u);
-                                        phi_5436_ = f64((2f * 0.00000000000022737368f));
+                                        let _e1470 = phi_5471_;
+                                        phi_5476_ = type_9(0u, 64u);
+                                        phi_5479_ = f64((2f * 0.00000000000022737368f));
                                         loop {
-                                            let _e1474 = phi_5433_;
-                                            let _e1476 = phi_5436_;
+                                            let _e1474 = phi_5476_;
+                                            let _e1476 = phi_5479_;
                                             if (_e1474.member < _e1474.member_1) {
-                                                phi_5434_ = type_9((_e1474.member + 1u), _e1474.member_1);
-                                                phi_5459_ = type_9(1u, _e1474.member);
+                                                phi_5477_ = type_9((_e1474.member + 1u), _e1474.member_1);
+                                                phi_5502_ = type_9(1u, _e1474.member);
                                             } else {
-                                                phi_5434_ = _e1474;
-                                                phi_5459_ = type_9(0u, type_9().member_1);
+                                                phi_5477_ = _e1474;
+                                                phi_5502_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e1488 = phi_5434_;
-                                            let _e1490 = phi_5459_;
+                                            let _e1488 = phi_5477_;
+                                            let _e1490 = phi_5502_;
                                             if (bitcast<i32>(_e1490.member) != 0i) {
                                                 let _e1494 = (_e1465 + _e1476);
                                                 if (_e1494 < _e1275) {
                                                     let _e1497 = (f64(1f) - _e1494);
                                                     let _e1510 = ((_e1470 * ((((_e713 * _e1497) + (_e736 * _e1494)) * (_e1497 * _e1497)) + (((_e759 * _e1497) + (_e770 * _e1494)) * (_e1494 * _e1494)))) > _e1106);
                                                     if _e1510 {
-                                                        phi_5490_ = f64();
-                                                        phi_5491_ = false;
+                                                        phi_5533_ = f64();
+                                                        phi_5534_ = false;
                                                     } else {
-                                                        phi_5490_ = (_e1476 + _e1476);
-                                                        phi_5491_ = true;
+                                                        phi_5533_ = (_e1476 + _e1476);
+                                                        phi_5534_ = true;
                                                     }
-                                                    let _e1513 = phi_5490_;
-                                                    let _e1515 = phi_5491_;
-                                                    phi_5492_ = _e1513;
-                                                    phi_5493_ = _e1515;
-                                                    phi_5494_ = _e1510;
-                                                    phi_5495_ = false;
+                                                    let _e1513 = phi_5533_;
+                                                    let _e1515 = phi_5534_;
+                                                    phi_5535_ = _e1513;
+                                                    phi_5536_ = _e1515;
+                                                    phi_5537_ = _e1510;
+                                                    phi_5538_ = false;
                                                 } else {
-                                                    phi_5492_ = f64();
-                                                    phi_5493_ = false;
-                                                    phi_5494_ = false;
-                                                    phi_5495_ = true;
+                                                    phi_5535_ = f64();
+                                                    phi_5536_ = false;
+                                                    phi_5537_ = false;
+                                                    phi_5538_ = true;
                                                 }
-                                                let _e1517 = phi_5492_;
-                                                let _e1519 = phi_5493_;
-                                                let _e1521 = phi_5494_;
-                                                let _e1523 = phi_5495_;
-                                                phi_5496_ = _e1494;
-                                                phi_5437_ = _e1517;
-                                                phi_5497_ = _e1519;
-                                                phi_5498_ = _e1521;
-                                                phi_5499_ = _e1523;
-                                                phi_5500_ = false;
+                                                let _e1517 = phi_5535_;
+                                                let _e1519 = phi_5536_;
+                                                let _e1521 = phi_5537_;
+                                                let _e1523 = phi_5538_;
+                                                phi_5539_ = _e1494;
+                                                phi_5480_ = _e1517;
+                                                phi_5540_ = _e1519;
+                                                phi_5541_ = _e1521;
+                                                phi_5542_ = _e1523;
+                                                phi_5543_ = false;
                                             } else {
-                                                phi_5496_ = f64();
-                                                phi_5437_ = f64();
-                                                phi_5497_ = false;
-                                                phi_5498_ = false;
-                                                phi_5499_ = false;
-                                                phi_5500_ = true;
+                                                phi_5539_ = f64();
+                                                phi_5480_ = f64();
+                                                phi_5540_ = false;
+                                                phi_5541_ = false;
+                                                phi_5542_ = false;
+                                                phi_5543_ = true;
                                             }
-                                            let _e1525 = phi_5496_;
-                                            let _e1527 = phi_5437_;
-                                            let _e1529 = phi_5497_;
-                                            let _e1531 = phi_5498_;
-                                            let _e1533 = phi_5499_;
-                                            let _e1535 = phi_5500_;
+                                            let _e1525 = phi_5539_;
+                                            let _e1527 = phi_5480_;
+                                            let _e1529 = phi_5540_;
+                                            let _e1531 = phi_5541_;
+                                            let _e1533 = phi_5542_;
+                                            let _e1535 = phi_5543_;
                                             local_15 = _e1531;
                                             local_32 = _e1533;
                                             local_33 = _e1535;
                                             local_34 = _e1525;
                                             continue;
                                             continuing {
-                                                phi_5433_ = _e1488;
-                                                phi_5436_ = _e1527;
+                                                phi_5476_ = _e1488;
+                                                phi_5479_ = _e1527;
                                                 break if !(_e1529);
                                             }
                                         }
                                         let _e1538 = local_15;
                                         if _e1538 {
-                                            phi_5504_ = false;
-                                            phi_5505_ = false;
+                                            phi_5547_ = false;
+                                            phi_5548_ = false;
                                         } else {
-                                            let _e5720 = local_32;
-                                            phi_5504_ = _e5720;
-                                            let _e5723 = local_33;
-                                            phi_5505_ = _e5723;
+                                            let _e5816 = local_32;
+                                            phi_5547_ = _e5816;
+                                            let _e5819 = local_33;
+                                            phi_5548_ = _e5819;
                                         }
-                                        let _e1540 = phi_5504_;
-                                        let _e1542 = phi_5505_;
+                                        let _e1540 = phi_5547_;
+                                        let _e1542 = phi_5548_;
                                         if _e1540 {
-                                            phi_5509_ = true;
+                                            phi_5552_ = true;
                                         } else {
-                                            phi_5509_ = _e1542;
+                                            phi_5552_ = _e1542;
                                         }
-                                        let _e1544 = phi_5509_;
+                                        let _e1544 = phi_5552_;
                                         if _e1544 {
-                                            phi_5513_ = _e1275;
+                                            phi_5556_ = _e1275;
                                         } else {
-                                            let _e5727 = local_34;
-                                            phi_5513_ = _e5727;
+                                            let _e5823 = local_34;
+                                            phi_5556_ = _e5823;
                                         }
-                                        let _e1546 = phi_5513_;
-                                        phi_5514_ = _e1546;
+                                        let _e1546 = phi_5556_;
+                                        phi_5557_ = _e1546;
                                     } else {
-                                        phi_5514_ = _e1275;
+                                        phi_5557_ = _e1275;
                                     }
-                                    let _e1548 = phi_5514_;
-                                    phi_5516_ = type_45(_e1465, _e1548, _e1325);
+                                    let _e1548 = phi_5557_;
+                                    phi_5559_ = type_45(_e1465, _e1548, _e1325);
                                 } else {
-                                    phi_5516_ = _e1335;
+                                    phi_5559_ = _e1335;
                                 }
-                                let _e1551 = phi_5516_;
+                                let _e1551 = phi_5559_;
                                 if (_e1551.member > _e1551.member_1) {
-                                    phi_8779_ = f64();
-                                    phi_8780_ = true;
-                                    phi_8781_ = false;
-                                    phi_8782_ = false;
-                                    phi_8783_ = false;
+                                    phi_8865_ = f64();
+                                    phi_8866_ = true;
+                                    phi_8867_ = false;
+                                    phi_8868_ = false;
+                                    phi_8869_ = false;
                                 } else {
                                     let _e1559 = ((_e1551.member_1 - _e1551.member) * f64(0.5f));
                                     let _e1560 = (_e1551.member + _e1559);
@@ -4128,72 +4245,72 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1565 = local_12.member_3;
                                     let _e1568 = local_12.member[0u];
                                     if (_e1568[0] < 0.0lf) {
-                                        phi_5547_ = -(_e1568[0]);
+                                        phi_5590_ = -(_e1568[0]);
                                     } else {
-                                        phi_5547_ = _e1568[0];
+                                        phi_5590_ = _e1568[0];
                                     }
-                                    let _e1575 = phi_5547_;
+                                    let _e1575 = phi_5590_;
                                     if (_e1568[1] < 0.0lf) {
-                                        phi_5554_ = -(_e1568[1]);
+                                        phi_5597_ = -(_e1568[1]);
                                     } else {
-                                        phi_5554_ = _e1568[1];
+                                        phi_5597_ = _e1568[1];
                                     }
-                                    let _e1579 = phi_5554_;
+                                    let _e1579 = phi_5597_;
                                     if (_e1575 > _e1579) {
-                                        phi_5559_ = _e1575;
+                                        phi_5602_ = _e1575;
                                     } else {
-                                        phi_5559_ = _e1579;
+                                        phi_5602_ = _e1579;
                                     }
-                                    let _e1582 = phi_5559_;
+                                    let _e1582 = phi_5602_;
                                     if (_e1568[2] < 0.0lf) {
-                                        phi_5566_ = -(_e1568[2]);
+                                        phi_5609_ = -(_e1568[2]);
                                     } else {
-                                        phi_5566_ = _e1568[2];
+                                        phi_5609_ = _e1568[2];
                                     }
-                                    let _e1586 = phi_5566_;
+                                    let _e1586 = phi_5609_;
                                     if (_e1582 > _e1586) {
-                                        phi_5571_ = _e1582;
+                                        phi_5614_ = _e1582;
                                     } else {
-                                        phi_5571_ = _e1586;
+                                        phi_5614_ = _e1586;
                                     }
-                                    let _e1589 = phi_5571_;
+                                    let _e1589 = phi_5614_;
                                     let _e1591 = local_12.member[1u];
                                     if (_e1591[0] < 0.0lf) {
-                                        phi_5584_ = -(_e1591[0]);
+                                        phi_5627_ = -(_e1591[0]);
                                     } else {
-                                        phi_5584_ = _e1591[0];
+                                        phi_5627_ = _e1591[0];
                                     }
-                                    let _e1598 = phi_5584_;
+                                    let _e1598 = phi_5627_;
                                     if (_e1591[1] < 0.0lf) {
-                                        phi_5591_ = -(_e1591[1]);
+                                        phi_5634_ = -(_e1591[1]);
                                     } else {
-                                        phi_5591_ = _e1591[1];
+                                        phi_5634_ = _e1591[1];
                                     }
-                                    let _e1602 = phi_5591_;
+                                    let _e1602 = phi_5634_;
                                     if (_e1598 > _e1602) {
-                                        phi_5596_ = _e1598;
+                                        phi_5639_ = _e1598;
                                     } else {
-                                        phi_5596_ = _e1602;
+                                        phi_5639_ = _e1602;
                                     }
-                                    let _e1605 = phi_5596_;
+                                    let _e1605 = phi_5639_;
                                     if (_e1591[2] < 0.0lf) {
-                                        phi_5603_ = -(_e1591[2]);
+                                        phi_5646_ = -(_e1591[2]);
                                     } else {
-                                        phi_5603_ = _e1591[2];
+                                        phi_5646_ = _e1591[2];
                                     }
-                                    let _e1609 = phi_5603_;
+                                    let _e1609 = phi_5646_;
                                     if (_e1605 > _e1609) {
-                                        phi_5608_ = _e1605;
+                                        phi_5651_ = _e1605;
                                     } else {
-                                        phi_5608_ = _e1609;
+                                        phi_5651_ = _e1609;
                                     }
-                                    let _e1612 = phi_5608_;
+                                    let _e1612 = phi_5651_;
                                     if (_e1589 > _e1612) {
-                                        phi_5613_ = _e1589;
+                                        phi_5656_ = _e1589;
                                     } else {
-                                        phi_5613_ = _e1612;
+                                        phi_5656_ = _e1612;
                                     }
-                                    let _e1615 = phi_5613_;
+                                    let _e1615 = phi_5656_;
                                     let _e1618 = local_12.member[0u];
                                     let _e1623 = local_12.member[1u];
                                     let _e1633 = (_e1618[0] + ((_e1623[0] - _e1618[0]) * _e1560));
@@ -4205,136 +4322,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1647 = (_e1637[1] - _e1642[1]);
                                     let _e1648 = (_e1637[2] - _e1642[2]);
                                     if (_e1646 < 0.0lf) {
-                                        phi_5672_ = -(_e1646);
+                                        phi_5715_ = -(_e1646);
                                     } else {
-                                        phi_5672_ = _e1646;
+                                        phi_5715_ = _e1646;
                                     }
-                                    let _e1652 = phi_5672_;
+                                    let _e1652 = phi_5715_;
                                     if (_e1647 < 0.0lf) {
-                                        phi_5678_ = -(_e1647);
+                                        phi_5721_ = -(_e1647);
                                     } else {
-                                        phi_5678_ = _e1647;
+                                        phi_5721_ = _e1647;
                                     }
-                                    let _e1656 = phi_5678_;
+                                    let _e1656 = phi_5721_;
                                     if (_e1652 > _e1656) {
-                                        phi_5683_ = _e1652;
+                                        phi_5726_ = _e1652;
                                     } else {
-                                        phi_5683_ = _e1656;
+                                        phi_5726_ = _e1656;
                                     }
-                                    let _e1659 = phi_5683_;
+                                    let _e1659 = phi_5726_;
                                     if (_e1648 < 0.0lf) {
-                                        phi_5689_ = -(_e1648);
+                                        phi_5732_ = -(_e1648);
                                     } else {
-                                        phi_5689_ = _e1648;
+                                        phi_5732_ = _e1648;
                                     }
-                                    let _e1663 = phi_5689_;
+                                    let _e1663 = phi_5732_;
                                     if (_e1659 > _e1663) {
-                                        phi_5694_ = _e1659;
+                                        phi_5737_ = _e1659;
                                     } else {
-                                        phi_5694_ = _e1663;
+                                        phi_5737_ = _e1663;
                                     }
-                                    let _e1666 = phi_5694_;
+                                    let _e1666 = phi_5737_;
                                     let _e1674 = ((((_e1563 * _e1666) * f64(1.01f)) + ((_e1615 + _e1565) * (1.1102230246251565e-16lf * f64(8f)))) + _e1565);
                                     if (_e1633 < 0.0lf) {
-                                        phi_5708_ = -(_e1633);
+                                        phi_5751_ = -(_e1633);
                                     } else {
-                                        phi_5708_ = _e1633;
+                                        phi_5751_ = _e1633;
                                     }
-                                    let _e1678 = phi_5708_;
+                                    let _e1678 = phi_5751_;
                                     if (_e1634 < 0.0lf) {
-                                        phi_5714_ = -(_e1634);
+                                        phi_5757_ = -(_e1634);
                                     } else {
-                                        phi_5714_ = _e1634;
+                                        phi_5757_ = _e1634;
                                     }
-                                    let _e1682 = phi_5714_;
+                                    let _e1682 = phi_5757_;
                                     if (_e1678 > _e1682) {
-                                        phi_5719_ = _e1678;
+                                        phi_5762_ = _e1678;
                                     } else {
-                                        phi_5719_ = _e1682;
+                                        phi_5762_ = _e1682;
                                     }
-                                    let _e1685 = phi_5719_;
+                                    let _e1685 = phi_5762_;
                                     if (_e1635 < 0.0lf) {
-                                        phi_5725_ = -(_e1635);
+                                        phi_5768_ = -(_e1635);
                                     } else {
-                                        phi_5725_ = _e1635;
+                                        phi_5768_ = _e1635;
                                     }
-                                    let _e1689 = phi_5725_;
+                                    let _e1689 = phi_5768_;
                                     if (_e1685 > _e1689) {
-                                        phi_5730_ = _e1685;
+                                        phi_5773_ = _e1685;
                                     } else {
-                                        phi_5730_ = _e1689;
+                                        phi_5773_ = _e1689;
                                     }
-                                    let _e1692 = phi_5730_;
+                                    let _e1692 = phi_5773_;
                                     local_2 = type_35(array<f64, 3>(_e1633, _e1634, _e1635), _e1674, (_e1692 + _e1674));
                                     let _e1698 = local_12.member_3;
                                     let _e1700 = local_12.member_1[0u];
                                     if (_e1700[0] < 0.0lf) {
-                                        phi_5756_ = -(_e1700[0]);
+                                        phi_5799_ = -(_e1700[0]);
                                     } else {
-                                        phi_5756_ = _e1700[0];
+                                        phi_5799_ = _e1700[0];
                                     }
-                                    let _e1707 = phi_5756_;
+                                    let _e1707 = phi_5799_;
                                     if (_e1700[1] < 0.0lf) {
-                                        phi_5763_ = -(_e1700[1]);
+                                        phi_5806_ = -(_e1700[1]);
                                     } else {
-                                        phi_5763_ = _e1700[1];
+                                        phi_5806_ = _e1700[1];
                                     }
-                                    let _e1711 = phi_5763_;
+                                    let _e1711 = phi_5806_;
                                     if (_e1707 > _e1711) {
-                                        phi_5768_ = _e1707;
+                                        phi_5811_ = _e1707;
                                     } else {
-                                        phi_5768_ = _e1711;
+                                        phi_5811_ = _e1711;
                                     }
-                                    let _e1714 = phi_5768_;
+                                    let _e1714 = phi_5811_;
                                     if (_e1700[2] < 0.0lf) {
-                                        phi_5775_ = -(_e1700[2]);
+                                        phi_5818_ = -(_e1700[2]);
                                     } else {
-                                        phi_5775_ = _e1700[2];
+                                        phi_5818_ = _e1700[2];
                                     }
-                                    let _e1718 = phi_5775_;
+                                    let _e1718 = phi_5818_;
                                     if (_e1714 > _e1718) {
-                                        phi_5780_ = _e1714;
+                                        phi_5823_ = _e1714;
                                     } else {
-                                        phi_5780_ = _e1718;
+                                        phi_5823_ = _e1718;
                                     }
-                                    let _e1721 = phi_5780_;
+                                    let _e1721 = phi_5823_;
                                     let _e1723 = local_12.member_1[1u];
                                     if (_e1723[0] < 0.0lf) {
-                                        phi_5793_ = -(_e1723[0]);
+                                        phi_5836_ = -(_e1723[0]);
                                     } else {
-                                        phi_5793_ = _e1723[0];
+                                        phi_5836_ = _e1723[0];
                                     }
-                                    let _e1730 = phi_5793_;
+                                    let _e1730 = phi_5836_;
                                     if (_e1723[1] < 0.0lf) {
-                                        phi_5800_ = -(_e1723[1]);
+                                        phi_5843_ = -(_e1723[1]);
                                     } else {
-                                        phi_5800_ = _e1723[1];
+                                        phi_5843_ = _e1723[1];
                                     }
-                                    let _e1734 = phi_5800_;
+                                    let _e1734 = phi_5843_;
                                     if (_e1730 > _e1734) {
-                                        phi_5805_ = _e1730;
+                                        phi_5848_ = _e1730;
                                     } else {
-                                        phi_5805_ = _e1734;
+                                        phi_5848_ = _e1734;
                                     }
-                                    let _e1737 = phi_5805_;
+                                    let _e1737 = phi_5848_;
                                     if (_e1723[2] < 0.0lf) {
-                                        phi_5812_ = -(_e1723[2]);
+                                        phi_5855_ = -(_e1723[2]);
                                     } else {
-                                        phi_5812_ = _e1723[2];
+                                        phi_5855_ = _e1723[2];
                                     }
-                                    let _e1741 = phi_5812_;
+                                    let _e1741 = phi_5855_;
                                     if (_e1737 > _e1741) {
-                                        phi_5817_ = _e1737;
+                                        phi_5860_ = _e1737;
                                     } else {
-                                        phi_5817_ = _e1741;
+                                        phi_5860_ = _e1741;
                                     }
-                                    let _e1744 = phi_5817_;
+                                    let _e1744 = phi_5860_;
                                     if (_e1721 > _e1744) {
-                                        phi_5822_ = _e1721;
+                                        phi_5865_ = _e1721;
                                     } else {
-                                        phi_5822_ = _e1744;
+                                        phi_5865_ = _e1744;
                                     }
-                                    let _e1747 = phi_5822_;
+                                    let _e1747 = phi_5865_;
                                     let _e1750 = local_12.member_1[0u];
                                     let _e1755 = local_12.member_1[1u];
                                     let _e1765 = (_e1750[0] + ((_e1755[0] - _e1750[0]) * _e1560));
@@ -4346,136 +4463,136 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1779 = (_e1769[1] - _e1774[1]);
                                     let _e1780 = (_e1769[2] - _e1774[2]);
                                     if (_e1778 < 0.0lf) {
-                                        phi_5881_ = -(_e1778);
+                                        phi_5924_ = -(_e1778);
                                     } else {
-                                        phi_5881_ = _e1778;
+                                        phi_5924_ = _e1778;
                                     }
-                                    let _e1784 = phi_5881_;
+                                    let _e1784 = phi_5924_;
                                     if (_e1779 < 0.0lf) {
-                                        phi_5887_ = -(_e1779);
+                                        phi_5930_ = -(_e1779);
                                     } else {
-                                        phi_5887_ = _e1779;
+                                        phi_5930_ = _e1779;
                                     }
-                                    let _e1788 = phi_5887_;
+                                    let _e1788 = phi_5930_;
                                     if (_e1784 > _e1788) {
-                                        phi_5892_ = _e1784;
+                                        phi_5935_ = _e1784;
                                     } else {
-                                        phi_5892_ = _e1788;
+                                        phi_5935_ = _e1788;
                                     }
-                                    let _e1791 = phi_5892_;
+                                    let _e1791 = phi_5935_;
                                     if (_e1780 < 0.0lf) {
-                                        phi_5898_ = -(_e1780);
+                                        phi_5941_ = -(_e1780);
                                     } else {
-                                        phi_5898_ = _e1780;
+                                        phi_5941_ = _e1780;
                                     }
-                                    let _e1795 = phi_5898_;
+                                    let _e1795 = phi_5941_;
                                     if (_e1791 > _e1795) {
-                                        phi_5903_ = _e1791;
+                                        phi_5946_ = _e1791;
                                     } else {
-                                        phi_5903_ = _e1795;
+                                        phi_5946_ = _e1795;
                                     }
-                                    let _e1798 = phi_5903_;
+                                    let _e1798 = phi_5946_;
                                     let _e1806 = ((((_e1563 * _e1798) * f64(1.01f)) + ((_e1747 + _e1698) * (1.1102230246251565e-16lf * f64(8f)))) + _e1698);
                                     if (_e1765 < 0.0lf) {
-                                        phi_5917_ = -(_e1765);
+                                        phi_5960_ = -(_e1765);
                                     } else {
-                                        phi_5917_ = _e1765;
+                                        phi_5960_ = _e1765;
                                     }
-                                    let _e1810 = phi_5917_;
+                                    let _e1810 = phi_5960_;
                                     if (_e1766 < 0.0lf) {
-                                        phi_5923_ = -(_e1766);
+                                        phi_5966_ = -(_e1766);
                                     } else {
-                                        phi_5923_ = _e1766;
+                                        phi_5966_ = _e1766;
                                     }
-                                    let _e1814 = phi_5923_;
+                                    let _e1814 = phi_5966_;
                                     if (_e1810 > _e1814) {
-                                        phi_5928_ = _e1810;
+                                        phi_5971_ = _e1810;
                                     } else {
-                                        phi_5928_ = _e1814;
+                                        phi_5971_ = _e1814;
                                     }
-                                    let _e1817 = phi_5928_;
+                                    let _e1817 = phi_5971_;
                                     if (_e1767 < 0.0lf) {
-                                        phi_5934_ = -(_e1767);
+                                        phi_5977_ = -(_e1767);
                                     } else {
-                                        phi_5934_ = _e1767;
+                                        phi_5977_ = _e1767;
                                     }
-                                    let _e1821 = phi_5934_;
+                                    let _e1821 = phi_5977_;
                                     if (_e1817 > _e1821) {
-                                        phi_5939_ = _e1817;
+                                        phi_5982_ = _e1817;
                                     } else {
-                                        phi_5939_ = _e1821;
+                                        phi_5982_ = _e1821;
                                     }
-                                    let _e1824 = phi_5939_;
+                                    let _e1824 = phi_5982_;
                                     local_3 = type_35(array<f64, 3>(_e1765, _e1766, _e1767), _e1806, (_e1824 + _e1806));
                                     let _e1830 = local_12.member_3;
                                     let _e1832 = local_12.member_2[0u];
                                     if (_e1832[0] < 0.0lf) {
-                                        phi_5965_ = -(_e1832[0]);
+                                        phi_6008_ = -(_e1832[0]);
                                     } else {
-                                        phi_5965_ = _e1832[0];
+                                        phi_6008_ = _e1832[0];
                                     }
-                                    let _e1839 = phi_5965_;
+                                    let _e1839 = phi_6008_;
                                     if (_e1832[1] < 0.0lf) {
-                                        phi_5972_ = -(_e1832[1]);
+                                        phi_6015_ = -(_e1832[1]);
                                     } else {
-                                        phi_5972_ = _e1832[1];
+                                        phi_6015_ = _e1832[1];
                                     }
-                                    let _e1843 = phi_5972_;
+                                    let _e1843 = phi_6015_;
                                     if (_e1839 > _e1843) {
-                                        phi_5977_ = _e1839;
+                                        phi_6020_ = _e1839;
                                     } else {
-                                        phi_5977_ = _e1843;
+                                        phi_6020_ = _e1843;
                                     }
-                                    let _e1846 = phi_5977_;
+                                    let _e1846 = phi_6020_;
                                     if (_e1832[2] < 0.0lf) {
-                                        phi_5984_ = -(_e1832[2]);
+                                        phi_6027_ = -(_e1832[2]);
                                     } else {
-                                        phi_5984_ = _e1832[2];
+                                        phi_6027_ = _e1832[2];
                                     }
-                                    let _e1850 = phi_5984_;
+                                    let _e1850 = phi_6027_;
                                     if (_e1846 > _e1850) {
-                                        phi_5989_ = _e1846;
+                                        phi_6032_ = _e1846;
                                     } else {
-                                        phi_5989_ = _e1850;
+                                        phi_6032_ = _e1850;
                                     }
-                                    let _e1853 = phi_5989_;
+                                    let _e1853 = phi_6032_;
                                     let _e1855 = local_12.member_2[1u];
                                     if (_e1855[0] < 0.0lf) {
-                                        phi_6002_ = -(_e1855[0]);
+                                        phi_6045_ = -(_e1855[0]);
                                     } else {
-                                        phi_6002_ = _e1855[0];
+                                        phi_6045_ = _e1855[0];
                                     }
-                                    let _e1862 = phi_6002_;
+                                    let _e1862 = phi_6045_;
                                     if (_e1855[1] < 0.0lf) {
-                                        phi_6009_ = -(_e1855[1]);
+                                        phi_6052_ = -(_e1855[1]);
                                     } else {
-                                        phi_6009_ = _e1855[1];
+                                        phi_6052_ = _e1855[1];
                                     }
-                                    let _e1866 = phi_6009_;
+                                    let _e1866 = phi_6052_;
                                     if (_e1862 > _e1866) {
-                                        phi_6014_ = _e1862;
+                                        phi_6057_ = _e1862;
                                     } else {
-                                        phi_6014_ = _e1866;
+                                        phi_6057_ = _e1866;
                                     }
-                                    let _e1869 = phi_6014_;
+                                    let _e1869 = phi_6057_;
                                     if (_e1855[2] < 0.0lf) {
-                                        phi_6021_ = -(_e1855[2]);
+                                        phi_6064_ = -(_e1855[2]);
                                     } else {
-                                        phi_6021_ = _e1855[2];
+                                        phi_6064_ = _e1855[2];
                                     }
-                                    let _e1873 = phi_6021_;
+                                    let _e1873 = phi_6064_;
                                     if (_e1869 > _e1873) {
-                                        phi_6026_ = _e1869;
+                                        phi_6069_ = _e1869;
                                     } else {
-                                        phi_6026_ = _e1873;
+                                        phi_6069_ = _e1873;
                                     }
-                                    let _e1876 = phi_6026_;
+                                    let _e1876 = phi_6069_;
                                     if (_e1853 > _e1876) {
-                                        phi_6031_ = _e1853;
+                                        phi_6074_ = _e1853;
                                     } else {
-                                        phi_6031_ = _e1876;
+                                        phi_6074_ = _e1876;
                                     }
-                                    let _e1879 = phi_6031_;
+                                    let _e1879 = phi_6074_;
                                     let _e1882 = local_12.member_2[0u];
                                     let _e1887 = local_12.member_2[1u];
                                     let _e1897 = (_e1882[0] + ((_e1887[0] - _e1882[0]) * _e1560));
@@ -4487,66 +4604,66 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1911 = (_e1901[1] - _e1906[1]);
                                     let _e1912 = (_e1901[2] - _e1906[2]);
                                     if (_e1910 < 0.0lf) {
-                                        phi_6090_ = -(_e1910);
+                                        phi_6133_ = -(_e1910);
                                     } else {
-                                        phi_6090_ = _e1910;
+                                        phi_6133_ = _e1910;
                                     }
-                                    let _e1916 = phi_6090_;
+                                    let _e1916 = phi_6133_;
                                     if (_e1911 < 0.0lf) {
-                                        phi_6096_ = -(_e1911);
+                                        phi_6139_ = -(_e1911);
                                     } else {
-                                        phi_6096_ = _e1911;
+                                        phi_6139_ = _e1911;
                                     }
-                                    let _e1920 = phi_6096_;
+                                    let _e1920 = phi_6139_;
                                     if (_e1916 > _e1920) {
-                                        phi_6101_ = _e1916;
+                                        phi_6144_ = _e1916;
                                     } else {
-                                        phi_6101_ = _e1920;
+                                        phi_6144_ = _e1920;
                                     }
-                                    let _e1923 = phi_6101_;
+                                    let _e1923 = phi_6144_;
                                     if (_e1912 < 0.0lf) {
-                                        phi_6107_ = -(_e1912);
+                                        phi_6150_ = -(_e1912);
                                     } else {
-                                        phi_6107_ = _e1912;
+                                        phi_6150_ = _e1912;
                                     }
-                                    let _e1927 = phi_6107_;
+                                    let _e1927 = phi_6150_;
                                     if (_e1923 > _e1927) {
-                                        phi_6112_ = _e1923;
+                                        phi_6155_ = _e1923;
                                     } else {
-                                        phi_6112_ = _e1927;
+                                        phi_6155_ = _e1927;
                                     }
-                                    let _e1930 = phi_6112_;
+                                    let _e1930 = phi_6155_;
                                     let _e1938 = ((((_e1563 * _e1930) * f64(1.01f)) + ((_e1879 + _e1830) * (1.1102230246251565e-16lf * f64(8f)))) + _e1830);
                                     if (_e1897 < 0.0lf) {
-                                        phi_6126_ = -(_e1897);
+                                        phi_6169_ = -(_e1897);
                                     } else {
-                                        phi_6126_ = _e1897;
+                                        phi_6169_ = _e1897;
                                     }
-                                    let _e1942 = phi_6126_;
+                                    let _e1942 = phi_6169_;
                                     if (_e1898 < 0.0lf) {
-                                        phi_6132_ = -(_e1898);
+                                        phi_6175_ = -(_e1898);
                                     } else {
-                                        phi_6132_ = _e1898;
+                                        phi_6175_ = _e1898;
                                     }
-                                    let _e1946 = phi_6132_;
+                                    let _e1946 = phi_6175_;
                                     if (_e1942 > _e1946) {
-                                        phi_6137_ = _e1942;
+                                        phi_6180_ = _e1942;
                                     } else {
-                                        phi_6137_ = _e1946;
+                                        phi_6180_ = _e1946;
                                     }
-                                    let _e1949 = phi_6137_;
+                                    let _e1949 = phi_6180_;
                                     if (_e1899 < 0.0lf) {
-                                        phi_6143_ = -(_e1899);
+                                        phi_6186_ = -(_e1899);
                                     } else {
-                                        phi_6143_ = _e1899;
+                                        phi_6186_ = _e1899;
                                     }
-                                    let _e1953 = phi_6143_;
+                                    let _e1953 = phi_6186_;
                                     if (_e1949 > _e1953) {
-                                        phi_6148_ = _e1949;
+                                        phi_6191_ = _e1949;
                                     } else {
-                                        phi_6148_ = _e1953;
+                                        phi_6191_ = _e1953;
                                     }
-                                    let _e1956 = phi_6148_;
+                                    let _e1956 = phi_6191_;
                                     local_4 = type_35(array<f64, 3>(_e1897, _e1898, _e1899), _e1938, (_e1956 + _e1938));
                                     let _e1961 = local_3.member;
                                     let _e1966 = local_4.member;
@@ -4554,68 +4671,68 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e1975 = ((_e1961[2] * _e1966[0]) - (_e1961[0] * _e1966[2]));
                                     let _e1978 = ((_e1961[0] * _e1966[1]) - (_e1961[1] * _e1966[0]));
                                     if (_e1972 < 0.0lf) {
-                                        phi_6197_ = -(_e1972);
+                                        phi_6240_ = -(_e1972);
                                     } else {
-                                        phi_6197_ = _e1972;
+                                        phi_6240_ = _e1972;
                                     }
-                                    let _e1982 = phi_6197_;
+                                    let _e1982 = phi_6240_;
                                     if (_e1975 < 0.0lf) {
-                                        phi_6203_ = -(_e1975);
+                                        phi_6246_ = -(_e1975);
                                     } else {
-                                        phi_6203_ = _e1975;
+                                        phi_6246_ = _e1975;
                                     }
-                                    let _e1986 = phi_6203_;
+                                    let _e1986 = phi_6246_;
                                     if (_e1982 > _e1986) {
                                         if (_e1972 < 0.0lf) {
-                                            phi_6213_ = -(_e1972);
+                                            phi_6256_ = -(_e1972);
                                         } else {
-                                            phi_6213_ = _e1972;
+                                            phi_6256_ = _e1972;
                                         }
-                                        let _e2004 = phi_6213_;
+                                        let _e2004 = phi_6256_;
                                         if (_e1978 < 0.0lf) {
-                                            phi_6219_ = -(_e1978);
+                                            phi_6262_ = -(_e1978);
                                         } else {
-                                            phi_6219_ = _e1978;
+                                            phi_6262_ = _e1978;
                                         }
-                                        let _e2008 = phi_6219_;
+                                        let _e2008 = phi_6262_;
                                         if (_e2004 > _e2008) {
-                                            phi_6224_ = 2u;
-                                            phi_6225_ = 1u;
+                                            phi_6267_ = 2u;
+                                            phi_6268_ = 1u;
                                         } else {
-                                            phi_6224_ = 1u;
-                                            phi_6225_ = 0u;
+                                            phi_6267_ = 1u;
+                                            phi_6268_ = 0u;
                                         }
-                                        let _e2011 = phi_6224_;
-                                        let _e2013 = phi_6225_;
-                                        phi_6244_ = _e2011;
-                                        phi_6245_ = _e2013;
+                                        let _e2011 = phi_6267_;
+                                        let _e2013 = phi_6268_;
+                                        phi_6287_ = _e2011;
+                                        phi_6288_ = _e2013;
                                     } else {
                                         if (_e1975 < 0.0lf) {
-                                            phi_6231_ = -(_e1975);
+                                            phi_6274_ = -(_e1975);
                                         } else {
-                                            phi_6231_ = _e1975;
+                                            phi_6274_ = _e1975;
                                         }
-                                        let _e1991 = phi_6231_;
+                                        let _e1991 = phi_6274_;
                                         if (_e1978 < 0.0lf) {
-                                            phi_6237_ = -(_e1978);
+                                            phi_6280_ = -(_e1978);
                                         } else {
-                                            phi_6237_ = _e1978;
+                                            phi_6280_ = _e1978;
                                         }
-                                        let _e1995 = phi_6237_;
+                                        let _e1995 = phi_6280_;
                                         if (_e1991 > _e1995) {
-                                            phi_6242_ = 0u;
-                                            phi_6243_ = 2u;
+                                            phi_6285_ = 0u;
+                                            phi_6286_ = 2u;
                                         } else {
-                                            phi_6242_ = 1u;
-                                            phi_6243_ = 0u;
+                                            phi_6285_ = 1u;
+                                            phi_6286_ = 0u;
                                         }
-                                        let _e1998 = phi_6242_;
-                                        let _e2000 = phi_6243_;
-                                        phi_6244_ = _e1998;
-                                        phi_6245_ = _e2000;
+                                        let _e1998 = phi_6285_;
+                                        let _e2000 = phi_6286_;
+                                        phi_6287_ = _e1998;
+                                        phi_6288_ = _e2000;
                                     }
-                                    let _e2015 = phi_6244_;
-                                    let _e2017 = phi_6245_;
+                                    let _e2015 = phi_6287_;
+                                    let _e2017 = phi_6288_;
                                     let _e2020 = local_3.member[_e2017];
                                     let _e2023 = local_4.member[_e2015];
                                     let _e2027 = local_3.member[_e2015];
@@ -4633,18 +4750,18 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                     let _e2064 = local_4.member_2;
                                     let _e2068 = (((((_e2036 * _e2038) + (_e2041 * _e2043)) * f64(2.01f)) + (((_e2049 * _e2034) * (_e2052 * _e2034)) * (1.1102230246251565e-16lf * _e2034))) + ((2.2250738585072014e-308lf * f64(256f)) * ((_e2033 + _e2061) * (_e2033 + _e2064))));
                                     if (_e2032 < 0.0lf) {
-                                        phi_6318_ = -(_e2032);
+                                        phi_6361_ = -(_e2032);
                                     } else {
-                                        phi_6318_ = _e2032;
+                                        phi_6361_ = _e2032;
                                     }
-                                    let _e2072 = phi_6318_;
+                                    let _e2072 = phi_6361_;
                                     if (_e2072 > _e2068) {
                                         if (_e2032 < f64(0f)) {
-                                            phi_6330_ = f64(-1f);
+                                            phi_6373_ = f64(-1f);
                                         } else {
-                                            phi_6330_ = f64(1f);
+                                            phi_6373_ = f64(1f);
                                         }
-                                        let _e2079 = phi_6330_;
+                                        let _e2079 = phi_6373_;
                                         let _e2082 = local_2.member[_e2017];
                                         let _e2085 = local_4.member[_e2015];
                                         let _e2089 = local_2.member[_e2015];
@@ -4679,23 +4796,23 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         let _e2183 = (((_e2082 * _e2085) - (_e2089 * _e2092)) * _e2079);
                                         let _e2184 = (((_e2133 * _e2136) - (_e2140 * _e2143)) * _e2079);
                                         if (_e2182 < 0.0lf) {
-                                            phi_6473_ = -(_e2182);
+                                            phi_6516_ = -(_e2182);
                                         } else {
-                                            phi_6473_ = _e2182;
+                                            phi_6516_ = _e2182;
                                         }
-                                        let _e2188 = phi_6473_;
+                                        let _e2188 = phi_6516_;
                                         if (_e2183 < 0.0lf) {
-                                            phi_6479_ = -(_e2183);
+                                            phi_6522_ = -(_e2183);
                                         } else {
-                                            phi_6479_ = _e2183;
+                                            phi_6522_ = _e2183;
                                         }
-                                        let _e2192 = phi_6479_;
+                                        let _e2192 = phi_6522_;
                                         if (_e2184 < 0.0lf) {
-                                            phi_6486_ = -(_e2184);
+                                            phi_6529_ = -(_e2184);
                                         } else {
-                                            phi_6486_ = _e2184;
+                                            phi_6529_ = _e2184;
                                         }
-                                        let _e2197 = phi_6486_;
+                                        let _e2197 = phi_6529_;
                                         let _e2203 = ((_e2182 - _e2183) - _e2184);
                                         let _e2206 = (((_e2068 + _e2130) + _e2181) + (((_e2188 + _e2192) + _e2197) * (1.1102230246251565e-16lf * f64(4f))));
                                         local_5[0u].member = _e2183;
@@ -4706,118 +4823,118 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                         local_5[2u].member_1 = _e2206;
                                         local_5[3u].member = _e2203;
                                         local_5[3u].member_1 = _e2206;
-                                        phi_6530_ = type_9(0u, 4u);
-                                        phi_6533_ = true;
+                                        phi_6573_ = type_9(0u, 4u);
+                                        phi_6576_ = true;
                                         loop {
-                                            let _e2221 = phi_6530_;
-                                            let _e2223 = phi_6533_;
+                                            let _e2221 = phi_6573_;
+                                            let _e2223 = phi_6576_;
                                             local_17 = _e2223;
                                             if (_e2221.member < _e2221.member_1) {
-                                                phi_6531_ = type_9((_e2221.member + 1u), _e2221.member_1);
-                                                phi_6556_ = type_9(1u, _e2221.member);
+                                                phi_6574_ = type_9((_e2221.member + 1u), _e2221.member_1);
+                                                phi_6599_ = type_9(1u, _e2221.member);
                                             } else {
-                                                phi_6531_ = _e2221;
-                                                phi_6556_ = type_9(0u, type_9().member_1);
+                                                phi_6574_ = _e2221;
+                                                phi_6599_ = type_9(0u, type_9().member_1);
                                             }
-                                            let _e2235 = phi_6531_;
-                                            let _e2237 = phi_6556_;
+                                            let _e2235 = phi_6574_;
+                                            let _e2237 = phi_6599_;
                                             if (bitcast<i32>(_e2237.member) != 0i) {
                                                 let _e2244 = local_5[_e2237.member_1].member;
                                                 let _e2247 = local_5[_e2237.member_1].member_1;
                                                 let _e2249 = (_e2244 < -(_e2247));
                                                 if _e2249 {
-                                                    phi_6583_ = bool();
-                                                    phi_6584_ = false;
+                                                    phi_6626_ = bool();
+                                                    phi_6627_ = false;
                                                 } else {
-                                                    phi_6583_ = (_e2223 && (_e2244 > _e2247));
-                                                    phi_6584_ = true;
+                                                    phi_6626_ = (_e2223 && (_e2244 > _e2247));
+                                                    phi_6627_ = true;
                                                 }
-                                                let _e2253 = phi_6583_;
-                                                let _e2255 = phi_6584_;
-                                                phi_6534_ = _e2253;
-                                                phi_6585_ = _e2255;
-                                                phi_6586_ = _e2249;
+                                                let _e2253 = phi_6626_;
+                                                let _e2255 = phi_6627_;
+                                                phi_6577_ = _e2253;
+                                                phi_6628_ = _e2255;
+                                                phi_6629_ = _e2249;
                                             } else {
-                                                phi_6534_ = bool();
-                                                phi_6585_ = false;
-                                                phi_6586_ = false;
+                                                phi_6577_ = bool();
+                                                phi_6628_ = false;
+                                                phi_6629_ = false;
                                             }
-                                            let _e2257 = phi_6534_;
-                                            let _e2259 = phi_6585_;
-                                            let _e2261 = phi_6586_;
+                                            let _e2257 = phi_6577_;
+                                            let _e2259 = phi_6628_;
+                                            let _e2261 = phi_6629_;
                                             local_16 = _e2261;
                                             continue;
                                             continuing {
-                                                phi_6530_ = _e2235;
-                                                phi_6533_ = _e2257;
+                                                phi_6573_ = _e2235;
+                                                phi_6576_ = _e2257;
                                                 break if !(_e2259);
                                             }
                                         }
                                         let _e2264 = local_16;
                                         if _e2264 {
-                                            phi_6590_ = false;
+                                            phi_6633_ = false;
                                         } else {
-                                            phi_6590_ = true;
+                                            phi_6633_ = true;
                                         }
-                                        let _e2266 = phi_6590_;
+                                        let _e2266 = phi_6633_;
                                         if _e2266 {
                                             let _e2268 = local_17;
                                             if _e2268 {
-                                                phi_6597_ = 1u;
+                                                phi_6640_ = 1u;
                                             } else {
-                                                phi_6597_ = 2u;
+                                                phi_6640_ = 2u;
                                             }
-                                            let _e2270 = phi_6597_;
-                                            phi_6598_ = _e2270;
-                                            phi_6599_ = false;
+                                            let _e2270 = phi_6640_;
+                                            phi_6641_ = _e2270;
+                                            phi_6642_ = false;
                                         } else {
-                                            phi_6598_ = u32();
-                                            phi_6599_ = true;
+                                            phi_6641_ = u32();
+                                            phi_6642_ = true;
                                         }
-                                        let _e2272 = phi_6598_;
-                                        let _e2274 = phi_6599_;
-                                        phi_6600_ = _e2272;
-                                        phi_6601_ = 0u;
-                                        phi_6602_ = _e2274;
+                                        let _e2272 = phi_6641_;
+                                        let _e2274 = phi_6642_;
+                                        phi_6643_ = _e2272;
+                                        phi_6644_ = 0u;
+                                        phi_6645_ = _e2274;
                                     } else {
-                                        phi_6600_ = u32();
-                                        phi_6601_ = 2u;
-                                        phi_6602_ = true;
+                                        phi_6643_ = u32();
+                                        phi_6644_ = 2u;
+                                        phi_6645_ = true;
                                     }
-                                    let _e2276 = phi_6600_;
-                                    let _e2278 = phi_6601_;
-                                    let _e2280 = phi_6602_;
+                                    let _e2276 = phi_6643_;
+                                    let _e2278 = phi_6644_;
+                                    let _e2280 = phi_6645_;
                                     if _e2280 {
-                                        phi_6606_ = _e2278;
+                                        phi_6649_ = _e2278;
                                     } else {
-                                        phi_6606_ = _e2276;
+                                        phi_6649_ = _e2276;
                                     }
-                                    let _e2282 = phi_6606_;
+                                    let _e2282 = phi_6649_;
                                     let _e2283 = (_e2282 == 0u);
                                     if _e2283 {
-                                        phi_8775_ = f64();
-                                        phi_8776_ = false;
-                                        phi_8777_ = false;
-                                        phi_8778_ = false;
+                                        phi_8861_ = f64();
+                                        phi_8862_ = false;
+                                        phi_8863_ = false;
+                                        phi_8864_ = false;
                                     } else {
                                         if (_e2282 == 1u) {
                                             if _e1551.member_2 {
                                                 if ((_e1551.member_1 - _e1551.member) <= f64(0.0000005f)) {
-                                                    phi_6627_ = false;
+                                                    phi_6670_ = false;
                                                 } else {
-                                                    phi_6627_ = true;
+                                                    phi_6670_ = true;
                                                 }
-                                                let _e2292 = phi_6627_;
-                                                phi_6628_ = _e2292;
+                                                let _e2292 = phi_6670_;
+                                                phi_6671_ = _e2292;
                                             } else {
-                                                phi_6628_ = true;
+                                                phi_6671_ = true;
                                             }
-                                            let _e2294 = phi_6628_;
-                                            phi_6629_ = _e2294;
+                                            let _e2294 = phi_6671_;
+                                            phi_6672_ = _e2294;
                                         } else {
-                                            phi_6629_ = true;
+                                            phi_6672_ = true;
                                         }
-                                        let _e2296 = phi_6629_;
+                                        let _e2296 = phi_6672_;
                                         if _e2296 {
                                             let _e2302 = local_12.member[0u];
                                             let _e2308 = local_12.member_1[0u];
@@ -4827,1395 +4944,1472 @@ fn function_4(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
                                             let _e2338 = local_12.member_2[1u];
                                             let _e2350 = local_12.member[0u];
                                             if (_e2350[0] < 0.0lf) {
-                                                phi_6778_ = -(_e2350[0]);
+                                                phi_6821_ = -(_e2350[0]);
                                             } else {
-                                                phi_6778_ = _e2350[0];
+                                                phi_6821_ = _e2350[0];
                                             }
-                                            let _e2357 = phi_6778_;
+                                            let _e2357 = phi_6821_;
                                             if (_e2350[1] < 0.0lf) {
-                                                phi_6785_ = -(_e2350[1]);
+                                                phi_6828_ = -(_e2350[1]);
                                             } else {
-                                                phi_6785_ = _e2350[1];
+                                                phi_6828_ = _e2350[1];
                                             }
-                                            let _e2361 = phi_6785_;
+                                            let _e2361 = phi_6828_;
                                             if (_e2357 > _e2361) {
-                                                phi_6790_ = _e2357;
+                                                phi_6833_ = _e2357;
                                             } else {
-                                                phi_6790_ = _e2361;
+                                                phi_6833_ = _e2361;
                                             }
-                                            let _e2364 = phi_6790_;
+                                            let _e2364 = phi_6833_;
                                             if (_e2350[2] < 0.0lf) {
-                                                phi_6797_ = -(_e2350[2]);
+                                                phi_6840_ = -(_e2350[2]);
                                             } else {
-                                                phi_6797_ = _e2350[2];
+                                                phi_6840_ = _e2350[2];
                                             }
-                                            let _e2368 = phi_6797_;
+                                            let _e2368 = phi_6840_;
                                             if (_e2364 > _e2368) {
-                                                phi_6802_ = _e2364;
+                                                phi_6845_ = _e2364;
                                             } else {
-                                                phi_6802_ = _e2368;
+                                                phi_6845_ = _e2368;
                                             }
-                                            let _e2371 = phi_6802_;
+                                            let _e2371 = phi_6845_;
                                             let _e2374 = local_12.member[1u];
                                             if (_e2374[0] < 0.0lf) {
-                                                phi_6815_ = -(_e2374[0]);
+                                                phi_6858_ = -(_e2374[0]);
                                             } else {
-                                                phi_6815_ = _e2374[0];
+                                                phi_6858_ = _e2374[0];
                                             }
-                                            let _e2381 = phi_6815_;
+                                            let _e2381 = phi_6858_;
                                             if (_e2374[1] < 0.0lf) {
-                                                phi_6822_ = -(_e2374[1]);
+                                                phi_6865_ = -(_e2374[1]);
                                             } else {
-                                                phi_6822_ = _e2374[1];
+                                                phi_6865_ = _e2374[1];
                                             }
-                                            let _e2385 = phi_6822_;
+                                            let _e2385 = phi_6865_;
                                             if (_e2381 > _e2385) {
-                                                phi_6827_ = _e2381;
+                                                phi_6870_ = _e2381;
                                             } else {
-                                                phi_6827_ = _e2385;
+                                                phi_6870_ = _e2385;
                                             }
-                                            let _e2388 = phi_6827_;
+                                            let _e2388 = phi_6870_;
                                             if (_e2374[2] < 0.0lf) {
-                                                phi_6834_ = -(_e2374[2]);
+                                                phi_6877_ = -(_e2374[2]);
                                             } else {
-                                                phi_6834_ = _e2374[2];
+                                                phi_6877_ = _e2374[2];
                                             }
-                                            let _e2392 = phi_6834_;
+                                            let _e2392 = phi_6877_;
                                             if (_e2388 > _e2392) {
-                                                phi_6839_ = _e2388;
+                                                phi_6882_ = _e2388;
                                             } else {
-                                                phi_6839_ = _e2392;
+                                                phi_6882_ = _e2392;
                                             }
-                                            let _e2395 = phi_6839_;
+                                            let _e2395 = phi_6882_;
                                             if (_e2371 > _e2395) {
-                                                phi_6844_ = _e2371;
+                                                phi_6887_ = _e2371;
                                             } else {
-                                                phi_6844_ = _e2395;
+                                                phi_6887_ = _e2395;
                                             }
-                                            let _e2398 = phi_6844_;
+                                            let _e2398 = phi_6887_;
                                             let _e2400 = local_12.member_3;
                                             let _e2404 = local_12.member_1[0u];
                                             if (_e2404[0] < 0.0lf) {
-                                                phi_6861_ = -(_e2404[0]);
+                                                phi_6904_ = -(_e2404[0]);
                                             } else {
-                                                phi_6861_ = _e2404[0];
+                                                phi_6904_ = _e2404[0];
                                             }
-                                            let _e2411 = phi_6861_;
+                                            let _e2411 = phi_6904_;
                                             if (_e2404[1] < 0.0lf) {
-                                                phi_6868_ = -(_e2404[1]);
+                                                phi_6911_ = -(_e2404[1]);
                                             } else {
-                                                phi_6868_ = _e2404[1];
+                                                phi_6911_ = _e2404[1];
                                             }
-                                            let _e2415 = phi_6868_;
+                                            let _e2415 = phi_6911_;
                                             if (_e2411 > _e2415) {
-                                                phi_6873_ = _e2411;
+                                                phi_6916_ = _e2411;
                                             } else {
-                                                phi_6873_ = _e2415;
+                                                phi_6916_ = _e2415;
                                             }
-                                            let _e2418 = phi_6873_;
+                                            let _e2418 = phi_6916_;
                                             if (_e2404[2] < 0.0lf) {
-                                                phi_6880_ = -(_e2404[2]);
+                                                phi_6923_ = -(_e2404[2]);
                                             } else {
-                                                phi_6880_ = _e2404[2];
+                                                phi_6923_ = _e2404[2];
                                             }
-                                            let _e2422 = phi_6880_;
+                                            let _e2422 = phi_6923_;
                                             if (_e2418 > _e2422) {
-                                                phi_6885_ = _e2418;
+                                                phi_6928_ = _e2418;
                                             } else {
-                                                phi_6885_ = _e2422;
+                                                phi_6928_ = _e2422;
                                             }
-                                            let _e2425 = phi_6885_;
+                                            let _e2425 = phi_6928_;
                                             let _e2428 = local_12.member_1[1u];
                                             if (_e2428[0] < 0.0lf) {
-                                                phi_6899_ = -(_e2428[0]);
+                                                phi_6942_ = -(_e2428[0]);
                                             } else {
-                                                phi_6899_ = _e2428[0];
+                                                phi_6942_ = _e2428[0];
                                             }
-                                            let _e2435 = phi_6899_;
+                                            let _e2435 = phi_6942_;
                                             if (_e2428[1] < 0.0lf) {
-                                                phi_6906_ = -(_e2428[1]);
+                                                phi_6949_ = -(_e2428[1]);
                                             } else {
-                                                phi_6906_ = _e2428[1];
+                                                phi_6949_ = _e2428[1];
                                             }
-                                            let _e2439 = phi_6906_;
+                                            let _e2439 = phi_6949_;
                                             if (_e2435 > _e2439) {
-                                                phi_6911_ = _e2435;
+                                                phi_6954_ = _e2435;
                                             } else {
-                                                phi_6911_ = _e2439;
+                                                phi_6954_ = _e2439;
                                             }
-                                            let _e2442 = phi_6911_;
+                                            let _e2442 = phi_6954_;
                                             if (_e2428[2] < 0.0lf) {
-                                                phi_6918_ = -(_e2428[2]);
+                                                phi_6961_ = -(_e2428[2]);
                                             } else {
-                                                phi_6918_ = _e2428[2];
+                                                phi_6961_ = _e2428[2];
                                             }
-                                            let _e2446 = phi_6918_;
+                                            let _e2446 = phi_6961_;
                                             if (_e2442 > _e2446) {
-                                                phi_6923_ = _e2442;
+                                                phi_6966_ = _e2442;
                                             } else {
-                                                phi_6923_ = _e2446;
+                                                phi_6966_ = _e2446;
                                             }
-                                            let _e2449 = phi_6923_;
+                                            let _e2449 = phi_6966_;
                                             if (_e2425 > _e2449) {
-                                                phi_6928_ = _e2425;
+                                                phi_6971_ = _e2425;
                                             } else {
-                                                phi_6928_ = _e2449;
+                                                phi_6971_ = _e2449;
                                             }
-                                            let _e2452 = phi_6928_;
+                                            let _e2452 = phi_6971_;
                                             let _e2454 = local_12.member_3;
                                             let _e2458 = local_12.member_2[0u];
                                             if (_e2458[0] < 0.0lf) {
-                                                phi_6945_ = -(_e2458[0]);
+                                                phi_6988_ = -(_e2458[0]);
                                             } else {
-                                                phi_6945_ = _e2458[0];
+                                                phi_6988_ = _e2458[0];
                                             }
-                                            let _e2465 = phi_6945_;
+                                            let _e2465 = phi_6988_;
                                             if (_e2458[1] < 0.0lf) {
-                                                phi_6952_ = -(_e2458[1]);
+                                                phi_6995_ = -(_e2458[1]);
                                             } else {
-                                                phi_6952_ = _e2458[1];
+                                                phi_6995_ = _e2458[1];
                                             }
-                                            let _e2469 = phi_6952_;
+                                            let _e2469 = phi_6995_;
                                             if (_e2465 > _e2469) {
-                                                phi_6957_ = _e2465;
+                                                phi_7000_ = _e2465;
                                             } else {
-                                                phi_6957_ = _e2469;
+                                                phi_7000_ = _e2469;
                                             }
-                                            let _e2472 = phi_6957_;
+                                            let _e2472 = phi_7000_;
                                             if (_e2458[2] < 0.0lf) {
-                                                phi_6964_ = -(_e2458[2]);
+                                                phi_7007_ = -(_e2458[2]);
                                             } else {
-                                                phi_6964_ = _e2458[2];
+                                                phi_7007_ = _e2458[2];
                                             }
-                                            let _e2476 = phi_6964_;
+                                            let _e2476 = phi_7007_;
                                             if (_e2472 > _e2476) {
-                                                phi_6969_ = _e2472;
+                                                phi_7012_ = _e2472;
                                             } else {
-                                                phi_6969_ = _e2476;
+                                                phi_7012_ = _e2476;
                                             }
-                                            let _e2479 = phi_6969_;
+                                            let _e2479 = phi_7012_;
                                             let _e2482 = local_12.member_2[1u];
                                             if (_e2482[0] < 0.0lf) {
-                                                phi_6983_ = -(_e2482[0]);
+                                                phi_7026_ = -(_e2482[0]);
                                             } else {
-                                                phi_6983_ = _e2482[0];
+                                                phi_7026_ = _e2482[0];
                                             }
-                                            let _e2489 = phi_6983_;
+                                            let _e2489 = phi_7026_;
                                             if (_e2482[1] < 0.0lf) {
-                                                phi_6990_ = -(_e2482[1]);
+                                                phi_7033_ = -(_e2482[1]);
                                             } else {
-                                                phi_6990_ = _e2482[1];
+                                                phi_7033_ = _e2482[1];
                                             }
-                                            let _e2493 = phi_6990_;
+                                            let _e2493 = phi_7033_;
                                             if (_e2489 > _e2493) {
-                                                phi_6995_ = _e2489;
+                                                phi_7038_ = _e2489;
                                             } else {
-                                                phi_6995_ = _e2493;
+                                                phi_7038_ = _e2493;
                                             }
-                                            let _e2496 = phi_6995_;
+                                            let _e2496 = phi_7038_;
                                             if (_e2482[2] < 0.0lf) {
-                                                phi_7002_ = -(_e2482[2]);
+                                                phi_7045_ = -(_e2482[2]);
                                             } else {
-                                                phi_7002_ = _e2482[2];
+                                                phi_7045_ = _e2482[2];
                                             }
-                                            let _e2500 = phi_7002_;
+                                            let _e2500 = phi_7045_;
                                             if (_e2496 > _e2500) {
-                                                phi_7007_ = _e2496;
+                                                phi_7050_ = _e2496;
                                             } else {
-                                                phi_7007_ = _e2500;
+                                                phi_7050_ = _e2500;
                                             }
-                                            let _e2503 = phi_7007_;
+                                            let _e2503 = phi_7050_;
                                             if (_e2479 > _e2503) {
-                                                phi_7012_ = _e2479;
+                                                phi_7055_ = _e2479;
                                             } else {
-                                                phi_7012_ = _e2503;
+                                                phi_7055_ = _e2503;
                                             }
-                                            let _e2506 = phi_7012_;
+                                            let _e2506 = phi_7055_;
                                             let _e2508 = local_12.member_3;
                                             let _e2516 = local_12.member_3;
                                             let _e2523 = f64(0f);
                                             let _e2524 = f64(1f);
                                             local = type_34(array<f64, 4>(_e2523, _e2523, _e2523, _e2523), array<f64, 4>(_e2523, _e2523, _e2523, _e2523), array<f64, 4>(_e2524, _e2524, _e2524, _e2524));
-                                            phi_7056_ = type_9(0u, 96u);
-                                            phi_7059_ = _e1551.member;
-                                            phi_7061_ = _e1551.member;
-                                            phi_7063_ = _e1551.member;
+                                            phi_7099_ = type_9(0u, 96u);
+                                            phi_7102_ = _e1551.member;
+                                            phi_7104_ = _e1551.member;
+                                            phi_7106_ = _e1551.member;
+                                            phi_7108_ = false;
+                                            phi_7110_ = 0u;
                                             loop {
-                                                let _e2530 = phi_7056_;
-                                                let _e2532 = phi_7059_;
-                                                let _e2534 = phi_7061_;
-                                                let _e2536 = phi_7063_;
+                                                let _e2530 = phi_7099_;
+                                                let _e2532 = phi_7102_;
+                                                let _e2534 = phi_7104_;
+                                                let _e2536 = phi_7106_;
+                                                let _e2538 = phi_7108_;
+                                                let _e2540 = phi_7110_;
                                                 local_36 = _e2534;
                                                 local_20 = _e2532;
                                                 if (_e2530.member < _e2530.member_1) {
-                                                    phi_7057_ = type_9((_e2530.member + 1u), _e2530.member_1);
-                                                    phi_7086_ = type_9(1u, _e2530.member);
+                                                    phi_7100_ = type_9((_e2530.member + 1u), _e2530.member_1);
+                                                    phi_7133_ = type_9(1u, _e2530.member);
                                                 } else {
-                                                    phi_7057_ = _e2530;
-                                                    phi_7086_ = type_9(0u, type_9().member_1);
+                                                    phi_7100_ = _e2530;
+                                                    phi_7133_ = type_9(0u, type_9().member_1);
                                                 }
-                                                let _e2548 = phi_7057_;
-                                                let _e2550 = phi_7086_;
-                                                if (bitcast<i32>(_e2550.member) != 0i) {
-                                                    let _e2557 = local_12.member[0u];
-                                                    let _e2563 = local_12.member[1u];
-                                                    let _e2579 = local_12.member_1[0u];
-                                                    let _e2585 = local_12.member_1[1u];
-                                                    let _e2601 = local_12.member_2[0u];
-                                                    let _e2607 = local_12.member_2[1u];
-                                                    let _e2621 = function_2(array<f64, 3>((_e2557[0] + ((_e2563[0] - _e2557[0]) * _e2532)), (_e2557[1] + ((_e2563[1] - _e2557[1]) * _e2532)), (_e2557[2] + ((_e2563[2] - _e2557[2]) * _e2532))), array<f64, 3>((_e2579[0] + ((_e2585[0] - _e2579[0]) * _e2532)), (_e2579[1] + ((_e2585[1] - _e2579[1]) * _e2532)), (_e2579[2] + ((_e2585[2] - _e2579[2]) * _e2532))), array<f64, 3>((_e2601[0] + ((_e2607[0] - _e2601[0]) * _e2532)), (_e2601[1] + ((_e2607[1] - _e2601[1]) * _e2532)), (_e2601[2] + ((_e2607[2] - _e2601[2]) * _e2532))), 0u);
-                                                    if (_e2621[0] < 0.0lf) {
-                                                        phi_7198_ = -(_e2621[0]);
+                                                let _e2552 = phi_7100_;
+                                                let _e2554 = phi_7133_;
+                                                if (bitcast<i32>(_e2554.member) != 0i) {
+                                                    let _e2560 = local_12.member[0u];
+                                                    let _e2566 = local_12.member[1u];
+                                                    let _e2582 = local_12.member_1[0u];
+                                                    let _e2588 = local_12.member_1[1u];
+                                                    let _e2604 = local_12.member_2[0u];
+                                                    let _e2610 = local_12.member_2[1u];
+                                                    let _e2624 = function_2(array<f64, 3>((_e2560[0] + ((_e2566[0] - _e2560[0]) * _e2532)), (_e2560[1] + ((_e2566[1] - _e2560[1]) * _e2532)), (_e2560[2] + ((_e2566[2] - _e2560[2]) * _e2532))), array<f64, 3>((_e2582[0] + ((_e2588[0] - _e2582[0]) * _e2532)), (_e2582[1] + ((_e2588[1] - _e2582[1]) * _e2532)), (_e2582[2] + ((_e2588[2] - _e2582[2]) * _e2532))), array<f64, 3>((_e2604[0] + ((_e2610[0] - _e2604[0]) * _e2532)), (_e2604[1] + ((_e2610[1] - _e2604[1]) * _e2532)), (_e2604[2] + ((_e2610[2] - _e2604[2]) * _e2532))), 0u);
+                                                    if (_e2540 == 0u) {
+                                                        phi_7262_ = _e2624;
                                                     } else {
-                                                        phi_7198_ = _e2621[0];
+                                                        let _e2626 = f64(0f);
+                                                        if (_e2540 == 1u) {
+                                                            phi_7248_ = _e2624[0];
+                                                        } else {
+                                                            phi_7248_ = _e2626;
+                                                        }
+                                                        let _e2630 = phi_7248_;
+                                                        if (_e2540 == 2u) {
+                                                            phi_7254_ = _e2624[1];
+                                                        } else {
+                                                            phi_7254_ = _e2626;
+                                                        }
+                                                        let _e2634 = phi_7254_;
+                                                        if (_e2540 == 3u) {
+                                                            phi_7260_ = _e2624[2];
+                                                        } else {
+                                                            phi_7260_ = _e2626;
+                                                        }
+                                                        let _e2638 = phi_7260_;
+                                                        phi_7262_ = array<f64, 3>(_e2630, _e2634, _e2638);
                                                     }
-                                                    let _e2626 = phi_7198_;
-                                                    if (_e2621[1] < 0.0lf) {
-                                                        phi_7205_ = -(_e2621[1]);
+                                                    let _e2641 = phi_7262_;
+                                                    if (_e2641[0] < 0.0lf) {
+                                                        phi_7269_ = -(_e2641[0]);
                                                     } else {
-                                                        phi_7205_ = _e2621[1];
+                                                        phi_7269_ = _e2641[0];
                                                     }
-                                                    let _e2631 = phi_7205_;
-                                                    if (_e2621[2] < 0.0lf) {
-                                                        phi_7213_ = -(_e2621[2]);
+                                                    let _e2646 = phi_7269_;
+                                                    if (_e2641[1] < 0.0lf) {
+                                                        phi_7276_ = -(_e2641[1]);
                                                     } else {
-                                                        phi_7213_ = _e2621[2];
+                                                        phi_7276_ = _e2641[1];
                                                     }
-                                                    let _e2637 = phi_7213_;
-                                                    let _e2638 = ((_e2626 + _e2631) + _e2637);
-                                                    if (_e2638 > f64(0f)) {
-                                                        if ((bitcast<u64>(_e2638) & 9218868437227405312lu) != 9218868437227405312lu) {
-                                                            let _e2645 = (f64(1f) / _e2638);
-                                                            let _e2647 = (_e2621[0] * _e2645);
-                                                            let _e2649 = (_e2621[1] * _e2645);
-                                                            let _e2651 = (_e2621[2] * _e2645);
-                                                            let _e2656 = (((_e2647 * _e2647) + (_e2649 * _e2649)) + (_e2651 * _e2651));
-                                                            if (_e2656 <= 2.2250738585072014e-308lf) {
-                                                                if (_e2656 > 0.0lf) {
-                                                                    phi_7252_ = (1.464336215552873e-154lf * 2.0lf);
+                                                    let _e2651 = phi_7276_;
+                                                    if (_e2641[2] < 0.0lf) {
+                                                        phi_7284_ = -(_e2641[2]);
+                                                    } else {
+                                                        phi_7284_ = _e2641[2];
+                                                    }
+                                                    let _e2657 = phi_7284_;
+                                                    let _e2658 = ((_e2646 + _e2651) + _e2657);
+                                                    if (_e2658 > f64(0f)) {
+                                                        if ((bitcast<u64>(_e2658) & 9218868437227405312lu) != 9218868437227405312lu) {
+                                                            let _e2665 = (f64(1f) / _e2658);
+                                                            let _e2667 = (_e2641[0] * _e2665);
+                                                            let _e2669 = (_e2641[1] * _e2665);
+                                                            let _e2671 = (_e2641[2] * _e2665);
+                                                            let _e2676 = (((_e2667 * _e2667) + (_e2669 * _e2669)) + (_e2671 * _e2671));
+                                                            if (_e2676 <= 2.2250738585072014e-308lf) {
+                                                                if (_e2676 > 0.0lf) {
+                                                                    phi_7323_ = (1.464336215552873e-154lf * 2.0lf);
                                                                 } else {
-                                                                    phi_7252_ = 0.0lf;
+                                                                    phi_7323_ = 0.0lf;
                                                                 }
-                                                                let _e2708 = phi_7252_;
-                                                                phi_7316_ = _e2708;
+                                                                let _e2728 = phi_7323_;
+                                                                phi_7387_ = _e2728;
                                                             } else {
-                                                                phi_7259_ = type_16(0i, 5i);
-                                                                phi_7262_ = bitcast<f64>(((bitcast<u64>(_e2656) / 2lu) + 2303426169912950784lu));
+                                                                phi_7330_ = type_16(0i, 5i);
+                                                                phi_7333_ = bitcast<f64>(((bitcast<u64>(_e2676) / 2lu) + 2303426169912950784lu));
                                                                 loop {
-                                                                    let _e2663 = phi_7259_;
-                                                                    let _e2665 = phi_7262_;
-                                                                    local_18 = _e2665;
-                                                                    if (_e2663.member < _e2663.member_1) {
-                                                                        let _e2672 = (_e2663.member + 1i);
-                                                                        if ((false == (_e2672 > _e2663.member)) != false) {
-                                                                            phi_7283_ = true;
+                                                                    let _e2683 = phi_7330_;
+                                                                    let _e2685 = phi_7333_;
+                                                                    local_18 = _e2685;
+                                                                    if (_e2683.member < _e2683.member_1) {
+                                                                        let _e2692 = (_e2683.member + 1i);
+                                                                        if ((false == (_e2692 > _e2683.member)) != false) {
+                                                                            phi_7354_ = true;
                                                                         } else {
-                                                                            phi_7283_ = false;
+                                                                            phi_7354_ = false;
                                                                         }
-                                                                        let _e2677 = phi_7283_;
-                                                                        if _e2677 {
-                                                                            phi_7289_ = type_17(0u, type_17().member_1);
+                                                                        let _e2697 = phi_7354_;
+                                                                        if _e2697 {
+                                                                            phi_7360_ = type_17(0u, type_17().member_1);
                                                                         } else {
-                                                                            phi_7289_ = type_17(1u, _e2672);
+                                                                            phi_7360_ = type_17(1u, _e2692);
                                                                         }
-                                                                        let _e2682 = phi_7289_;
-                                                                        phi_7260_ = type_16(_e2682.member_1, _e2663.member_1);
-                                                                        phi_7303_ = type_17(1u, _e2663.member);
+                                                                        let _e2702 = phi_7360_;
+                                                                        phi_7331_ = type_16(_e2702.member_1, _e2683.member_1);
+                                                                        phi_7374_ = type_17(1u, _e2683.member);
                                                                     } else {
-                                                                        phi_7260_ = _e2663;
-                                                                        phi_7303_ = type_17(0u, type_17().member_1);
+                                                                        phi_7331_ = _e2683;
+                                                                        phi_7374_ = type_17(0u, type_17().member_1);
                                                                     }
-                                                                    let _e2688 = phi_7260_;
-                                                                    let _e2690 = phi_7303_;
-                                                                    let _e2693 = (bitcast<i32>(_e2690.member) != 0i);
-                                                                    if _e2693 {
-                                                                        phi_7263_ = (0.5lf * (_e2665 + (_e2656 / _e2665)));
+                                                                    let _e2708 = phi_7331_;
+                                                                    let _e2710 = phi_7374_;
+                                                                    let _e2713 = (bitcast<i32>(_e2710.member) != 0i);
+                                                                    if _e2713 {
+                                                                        phi_7334_ = (0.5lf * (_e2685 + (_e2676 / _e2685)));
                                                                     } else {
-                                                                        phi_7263_ = f64();
+                                                                        phi_7334_ = f64();
                                                                     }
-                                                                    let _e2698 = phi_7263_;
+                                                                    let _e2718 = phi_7334_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_7259_ = _e2688;
-                                                                        phi_7262_ = _e2698;
-                                                                        break if !(_e2693);
+                                                                        phi_7330_ = _e2708;
+                                                                        phi_7333_ = _e2718;
+                                                                        break if !(_e2713);
                                                                     }
                                                                 }
-                                                                let _e2703 = local_18;
-                                                                phi_7316_ = (_e2703 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
+                                                                let _e2723 = local_18;
+                                                                phi_7387_ = (_e2723 * (1.0lf + (8.0lf * 1.1102230246251565e-16lf)));
                                                             }
-                                                            let _e2710 = phi_7316_;
-                                                            let _e2712 = (1.1102230246251565e-16lf * f64(12f));
-                                                            let _e2719 = ((((((((_e2398 + _e2400) + (_e2452 + _e2454)) + (_e2506 + _e2508)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2516 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2710) * (f64(1f) + _e2712)));
-                                                            let _e2724 = (((_e2647 * _e2302[0]) + (_e2649 * _e2302[1])) + (_e2651 * _e2302[2]));
-                                                            let _e2729 = (((_e2647 * (_e2302[0] - _e2308[0])) + (_e2649 * (_e2302[1] - _e2308[1]))) + (_e2651 * (_e2302[2] - _e2308[2])));
-                                                            let _e2734 = (((_e2647 * (_e2302[0] - _e2314[0])) + (_e2649 * (_e2302[1] - _e2314[1]))) + (_e2651 * (_e2302[2] - _e2314[2])));
-                                                            let _e2739 = (((_e2647 * _e2302[0]) + (_e2649 * _e2302[1])) + (_e2651 * _e2302[2]));
-                                                            let _e2745 = (((_e2647 * _e2326[0]) + (_e2649 * _e2326[1])) + (_e2651 * _e2326[2]));
-                                                            let _e2750 = (((_e2647 * (_e2326[0] - _e2332[0])) + (_e2649 * (_e2326[1] - _e2332[1]))) + (_e2651 * (_e2326[2] - _e2332[2])));
-                                                            let _e2755 = (((_e2647 * (_e2326[0] - _e2338[0])) + (_e2649 * (_e2326[1] - _e2338[1]))) + (_e2651 * (_e2326[2] - _e2338[2])));
-                                                            let _e2760 = (((_e2647 * _e2326[0]) + (_e2649 * _e2326[1])) + (_e2651 * _e2326[2]));
-                                                            if (_e2724 < 0.0lf) {
-                                                                phi_7385_ = -(_e2724);
+                                                            let _e2730 = phi_7387_;
+                                                            let _e2732 = (1.1102230246251565e-16lf * f64(12f));
+                                                            let _e2739 = ((((((((_e2398 + _e2400) + (_e2452 + _e2454)) + (_e2506 + _e2508)) * (1.1102230246251565e-16lf * f64(16f))) + (_e2516 * f64(3f))) + (2.2250738585072014e-308lf * f64(256f))) * f64(1.01f)) + ((f64(0f) * _e2730) * (f64(1f) + _e2732)));
+                                                            let _e2744 = (((_e2667 * _e2302[0]) + (_e2669 * _e2302[1])) + (_e2671 * _e2302[2]));
+                                                            let _e2749 = (((_e2667 * (_e2302[0] - _e2308[0])) + (_e2669 * (_e2302[1] - _e2308[1]))) + (_e2671 * (_e2302[2] - _e2308[2])));
+                                                            let _e2754 = (((_e2667 * (_e2302[0] - _e2314[0])) + (_e2669 * (_e2302[1] - _e2314[1]))) + (_e2671 * (_e2302[2] - _e2314[2])));
+                                                            let _e2759 = (((_e2667 * _e2302[0]) + (_e2669 * _e2302[1])) + (_e2671 * _e2302[2]));
+                                                            let _e2765 = (((_e2667 * _e2326[0]) + (_e2669 * _e2326[1])) + (_e2671 * _e2326[2]));
+                                                            let _e2770 = (((_e2667 * (_e2326[0] - _e2332[0])) + (_e2669 * (_e2326[1] - _e2332[1]))) + (_e2671 * (_e2326[2] - _e2332[2])));
+                                                            let _e2775 = (((_e2667 * (_e2326[0] - _e2338[0])) + (_e2669 * (_e2326[1] - _e2338[1]))) + (_e2671 * (_e2326[2] - _e2338[2])));
+                                                            let _e2780 = (((_e2667 * _e2326[0]) + (_e2669 * _e2326[1])) + (_e2671 * _e2326[2]));
+                                                            if (_e2744 < 0.0lf) {
+                                                                phi_7456_ = -(_e2744);
                                                             } else {
-                                                                phi_7385_ = _e2724;
+                                                                phi_7456_ = _e2744;
                                                             }
-                                                            let _e2765 = phi_7385_;
-                                                            if (_e2745 < 0.0lf) {
-                                                                phi_7391_ = -(_e2745);
+                                                            let _e2785 = phi_7456_;
+                                                            if (_e2765 < 0.0lf) {
+                                                                phi_7462_ = -(_e2765);
                                                             } else {
-                                                                phi_7391_ = _e2745;
+                                                                phi_7462_ = _e2765;
                                                             }
-                                                            let _e2769 = phi_7391_;
-                                                            if (_e2729 < 0.0lf) {
-                                                                phi_7400_ = -(_e2729);
+                                                            let _e2789 = phi_7462_;
+                                                            if (_e2749 < 0.0lf) {
+                                                                phi_7471_ = -(_e2749);
                                                             } else {
-                                                                phi_7400_ = _e2729;
+                                                                phi_7471_ = _e2749;
                                                             }
-                                                            let _e2776 = phi_7400_;
-                                                            if (_e2750 < 0.0lf) {
-                                                                phi_7406_ = -(_e2750);
+                                                            let _e2796 = phi_7471_;
+                                                            if (_e2770 < 0.0lf) {
+                                                                phi_7477_ = -(_e2770);
                                                             } else {
-                                                                phi_7406_ = _e2750;
+                                                                phi_7477_ = _e2770;
                                                             }
-                                                            let _e2780 = phi_7406_;
-                                                            if (_e2734 < 0.0lf) {
-                                                                phi_7415_ = -(_e2734);
+                                                            let _e2800 = phi_7477_;
+                                                            if (_e2754 < 0.0lf) {
+                                                                phi_7486_ = -(_e2754);
                                                             } else {
-                                                                phi_7415_ = _e2734;
+                                                                phi_7486_ = _e2754;
                                                             }
-                                                            let _e2787 = phi_7415_;
-                                                            if (_e2755 < 0.0lf) {
-                                                                phi_7421_ = -(_e2755);
+                                                            let _e2807 = phi_7486_;
+                                                            if (_e2775 < 0.0lf) {
+                                                                phi_7492_ = -(_e2775);
                                                             } else {
-                                                                phi_7421_ = _e2755;
+                                                                phi_7492_ = _e2775;
                                                             }
-                                                            let _e2791 = phi_7421_;
-                                                            if (_e2739 < 0.0lf) {
-                                                                phi_7430_ = -(_e2739);
+                                                            let _e2811 = phi_7492_;
+                                                            if (_e2759 < 0.0lf) {
+                                                                phi_7501_ = -(_e2759);
                                                             } else {
-                                                                phi_7430_ = _e2739;
+                                                                phi_7501_ = _e2759;
                                                             }
-                                                            let _e2798 = phi_7430_;
-                                                            if (_e2760 < 0.0lf) {
-                                                                phi_7436_ = -(_e2760);
+                                                            let _e2818 = phi_7501_;
+                                                            if (_e2780 < 0.0lf) {
+                                                                phi_7507_ = -(_e2780);
                                                             } else {
-                                                                phi_7436_ = _e2760;
+                                                                phi_7507_ = _e2780;
                                                             }
-                                                            let _e2802 = phi_7436_;
-                                                            phi_7442_ = type_34(array<f64, 4>(_e2724, _e2729, _e2734, _e2739), array<f64, 4>(_e2745, _e2750, _e2755, _e2760), array<f64, 4>((_e2719 + ((_e2765 + _e2769) * _e2712)), (_e2719 + ((_e2776 + _e2780) * _e2712)), (_e2719 + ((_e2787 + _e2791) * _e2712)), (_e2719 + ((_e2798 + _e2802) * _e2712))));
-                                                            phi_7443_ = false;
+                                                            let _e2822 = phi_7507_;
+                                                            phi_7513_ = type_34(array<f64, 4>(_e2744, _e2749, _e2754, _e2759), array<f64, 4>(_e2765, _e2770, _e2775, _e2780), array<f64, 4>((_e2739 + ((_e2785 + _e2789) * _e2732)), (_e2739 + ((_e2796 + _e2800) * _e2732)), (_e2739 + ((_e2807 + _e2811) * _e2732)), (_e2739 + ((_e2818 + _e2822) * _e2732))));
+                                                            phi_7514_ = false;
                                                         } else {
-                                                            phi_7442_ = type_34();
-                                                            phi_7443_ = true;
+                                                            phi_7513_ = type_34();
+                                                            phi_7514_ = true;
                                                         }
-                                                        let _e2809 = phi_7442_;
-                                                        let _e2811 = phi_7443_;
-                                                        phi_7444_ = _e2809;
-                                                        phi_7445_ = _e2811;
+                                                        let _e2829 = phi_7513_;
+                                                        let _e2831 = phi_7514_;
+                                                        phi_7515_ = _e2829;
+                                                        phi_7516_ = _e2831;
                                                     } else {
-                                                        phi_7444_ = type_34();
-                                                        phi_7445_ = true;
+                                                        phi_7515_ = type_34();
+                                                        phi_7516_ = true;
                                                     }
-                                                    let _e2813 = phi_7444_;
-                                                    let _e2815 = phi_7445_;
-                                                    if _e2815 {
-                                                        let _e2816 = f64(0f);
-                                                        let _e2817 = f64(1f);
-                                                        phi_7455_ = type_34(array<f64, 4>(_e2816, _e2816, _e2816, _e2816), array<f64, 4>(_e2816, _e2816, _e2816, _e2816), array<f64, 4>(_e2817, _e2817, _e2817, _e2817));
+                                                    let _e2833 = phi_7515_;
+                                                    let _e2835 = phi_7516_;
+                                                    if _e2835 {
+                                                        let _e2836 = f64(0f);
+                                                        let _e2837 = f64(1f);
+                                                        phi_7526_ = type_34(array<f64, 4>(_e2836, _e2836, _e2836, _e2836), array<f64, 4>(_e2836, _e2836, _e2836, _e2836), array<f64, 4>(_e2837, _e2837, _e2837, _e2837));
                                                     } else {
-                                                        phi_7455_ = _e2813;
+                                                        phi_7526_ = _e2833;
                                                     }
-                                                    let _e2823 = phi_7455_;
-                                                    local_1 = type_34(array<f64, 4>(_e2823.member[0], _e2823.member[1], _e2823.member[2], _e2823.member[3]), array<f64, 4>(_e2823.member_1[0], _e2823.member_1[1], _e2823.member_1[2], _e2823.member_1[3]), array<f64, 4>(_e2823.member_2[0], _e2823.member_2[1], _e2823.member_2[2], _e2823.member_2[3]));
-                                                    let _e2843 = (_e2532 - _e2536);
-                                                    let _e2844 = f64(0f);
-                                                    let _e2847 = local_1.member[0u];
-                                                    let _e2850 = local_1.member_1[0u];
-                                                    let _e2853 = local_1.member[0u];
-                                                    let _e2859 = local_1.member_2[0u];
-                                                    if (((_e2847 + ((_e2850 - _e2853) * _e2532)) - _e2859) > _e2844) {
-                                                        let _e2864 = local_1.member[1u];
-                                                        let _e2867 = local_1.member_1[1u];
-                                                        let _e2870 = local_1.member[1u];
-                                                        let _e2876 = local_1.member_2[1u];
-                                                        if (((_e2864 + ((_e2867 - _e2870) * _e2532)) - _e2876) > _e2844) {
-                                                            let _e2881 = local_1.member[2u];
-                                                            let _e2884 = local_1.member_1[2u];
-                                                            let _e2887 = local_1.member[2u];
-                                                            let _e2893 = local_1.member_2[2u];
-                                                            if (((_e2881 + ((_e2884 - _e2887) * _e2532)) - _e2893) > _e2844) {
-                                                                let _e2898 = local_1.member[3u];
-                                                                let _e2901 = local_1.member_1[3u];
-                                                                let _e2904 = local_1.member[3u];
-                                                                let _e2910 = local_1.member_2[3u];
-                                                                phi_7626_ = (((_e2898 + ((_e2901 - _e2904) * _e2532)) - _e2910) > _e2844);
-                                                                phi_7627_ = false;
+                                                    let _e2843 = phi_7526_;
+                                                    local_1 = type_34(array<f64, 4>(_e2843.member[0], _e2843.member[1], _e2843.member[2], _e2843.member[3]), array<f64, 4>(_e2843.member_1[0], _e2843.member_1[1], _e2843.member_1[2], _e2843.member_1[3]), array<f64, 4>(_e2843.member_2[0], _e2843.member_2[1], _e2843.member_2[2], _e2843.member_2[3]));
+                                                    let _e2863 = (_e2532 - _e2536);
+                                                    let _e2865 = f64(0f);
+                                                    let _e2868 = local_1.member[0u];
+                                                    let _e2871 = local_1.member_1[0u];
+                                                    let _e2874 = local_1.member[0u];
+                                                    let _e2880 = local_1.member_2[0u];
+                                                    if (((_e2868 + ((_e2871 - _e2874) * _e2532)) - _e2880) > _e2865) {
+                                                        let _e2885 = local_1.member[1u];
+                                                        let _e2888 = local_1.member_1[1u];
+                                                        let _e2891 = local_1.member[1u];
+                                                        let _e2897 = local_1.member_2[1u];
+                                                        if (((_e2885 + ((_e2888 - _e2891) * _e2532)) - _e2897) > _e2865) {
+                                                            let _e2902 = local_1.member[2u];
+                                                            let _e2905 = local_1.member_1[2u];
+                                                            let _e2908 = local_1.member[2u];
+                                                            let _e2914 = local_1.member_2[2u];
+                                                            if (((_e2902 + ((_e2905 - _e2908) * _e2532)) - _e2914) > _e2865) {
+                                                                let _e2919 = local_1.member[3u];
+                                                                let _e2922 = local_1.member_1[3u];
+                                                                let _e2925 = local_1.member[3u];
+                                                                let _e2931 = local_1.member_2[3u];
+                                                                phi_7698_ = (((_e2919 + ((_e2922 - _e2925) * _e2532)) - _e2931) > _e2865);
+                                                                phi_7699_ = false;
                                                             } else {
-                                                                phi_7626_ = bool();
-                                                                phi_7627_ = true;
+                                                                phi_7698_ = bool();
+                                                                phi_7699_ = true;
                                                             }
-                                                            let _e2914 = phi_7626_;
-                                                            let _e2916 = phi_7627_;
-                                                            phi_7628_ = _e2914;
-                                                            phi_7629_ = _e2916;
+                                                            let _e2935 = phi_7698_;
+                                                            let _e2937 = phi_7699_;
+                                                            phi_7700_ = _e2935;
+                                                            phi_7701_ = _e2937;
                                                         } else {
-                                                            phi_7628_ = bool();
-                                                            phi_7629_ = true;
+                                                            phi_7700_ = bool();
+                                                            phi_7701_ = true;
                                                         }
-                                                        let _e2918 = phi_7628_;
-                                                        let _e2920 = phi_7629_;
-                                                        phi_7630_ = _e2918;
-                                                        phi_7631_ = _e2920;
+                                                        let _e2939 = phi_7700_;
+                                                        let _e2941 = phi_7701_;
+                                                        phi_7702_ = _e2939;
+                                                        phi_7703_ = _e2941;
                                                     } else {
-                                                        phi_7630_ = bool();
-                                                        phi_7631_ = true;
+                                                        phi_7702_ = bool();
+                                                        phi_7703_ = true;
                                                     }
-                                                    let _e2922 = phi_7630_;
-                                                    let _e2924 = phi_7631_;
-                                                    if _e2924 {
-                                                        phi_7635_ = false;
+                                                    let _e2943 = phi_7702_;
+                                                    let _e2945 = phi_7703_;
+                                                    if _e2945 {
+                                                        phi_7707_ = false;
                                                     } else {
-                                                        phi_7635_ = _e2922;
+                                                        phi_7707_ = _e2943;
                                                     }
-                                                    let _e2926 = phi_7635_;
-                                                    if _e2926 {
+                                                    let _e2947 = phi_7707_;
+                                                    if _e2947 {
                                                         if (_e2532 <= _e2534) {
-                                                            phi_7946_ = true;
+                                                            phi_8018_ = true;
                                                         } else {
-                                                            let _e2928 = f64(0f);
-                                                            let _e2931 = local.member[0u];
-                                                            let _e2934 = local.member_1[0u];
-                                                            let _e2937 = local.member[0u];
-                                                            let _e2943 = local.member_2[0u];
-                                                            let _e2947 = local_1.member[0u];
-                                                            let _e2950 = local_1.member_1[0u];
-                                                            let _e2953 = local_1.member[0u];
-                                                            let _e2959 = local_1.member_2[0u];
-                                                            if ((((_e2931 + ((_e2934 - _e2937) * _e2532)) - _e2943) + ((_e2947 + ((_e2950 - _e2953) * _e2536)) - _e2959)) > _e2928) {
-                                                                let _e2965 = local.member[1u];
-                                                                let _e2968 = local.member_1[1u];
-                                                                let _e2971 = local.member[1u];
-                                                                let _e2977 = local.member_2[1u];
-                                                                let _e2981 = local_1.member[1u];
-                                                                let _e2984 = local_1.member_1[1u];
-                                                                let _e2987 = local_1.member[1u];
-                                                                let _e2993 = local_1.member_2[1u];
-                                                                if ((((_e2965 + ((_e2968 - _e2971) * _e2532)) - _e2977) + ((_e2981 + ((_e2984 - _e2987) * _e2536)) - _e2993)) > _e2928) {
-                                                                    let _e2999 = local.member[2u];
-                                                                    let _e3002 = local.member_1[2u];
-                                                                    let _e3005 = local.member[2u];
-                                                                    let _e3011 = local.member_2[2u];
-                                                                    let _e3015 = local_1.member[2u];
-                                                                    let _e3018 = local_1.member_1[2u];
-                                                                    let _e3021 = local_1.member[2u];
-                                                                    let _e3027 = local_1.member_2[2u];
-                                                                    if ((((_e2999 + ((_e3002 - _e3005) * _e2532)) - _e3011) + ((_e3015 + ((_e3018 - _e3021) * _e2536)) - _e3027)) > _e2928) {
-                                                                        let _e3033 = local.member[3u];
-                                                                        let _e3036 = local.member_1[3u];
-                                                                        let _e3039 = local.member[3u];
-                                                                        let _e3045 = local.member_2[3u];
-                                                                        let _e3049 = local_1.member[3u];
-                                                                        let _e3052 = local_1.member_1[3u];
-                                                                        let _e3055 = local_1.member[3u];
-                                                                        let _e3061 = local_1.member_2[3u];
-                                                                        phi_7933_ = ((((_e3033 + ((_e3036 - _e3039) * _e2532)) - _e3045) + ((_e3049 + ((_e3052 - _e3055) * _e2536)) - _e3061)) > _e2928);
-                                                                        phi_7934_ = false;
+                                                            let _e2949 = f64(0f);
+                                                            let _e2952 = local.member[0u];
+                                                            let _e2955 = local.member_1[0u];
+                                                            let _e2958 = local.member[0u];
+                                                            let _e2964 = local.member_2[0u];
+                                                            let _e2968 = local_1.member[0u];
+                                                            let _e2971 = local_1.member_1[0u];
+                                                            let _e2974 = local_1.member[0u];
+                                                            let _e2980 = local_1.member_2[0u];
+                                                            if ((((_e2952 + ((_e2955 - _e2958) * _e2532)) - _e2964) + ((_e2968 + ((_e2971 - _e2974) * _e2536)) - _e2980)) > _e2949) {
+                                                                let _e2986 = local.member[1u];
+                                                                let _e2989 = local.member_1[1u];
+                                                                let _e2992 = local.member[1u];
+                                                                let _e2998 = local.member_2[1u];
+                                                                let _e3002 = local_1.member[1u];
+                                                                let _e3005 = local_1.member_1[1u];
+                                                                let _e3008 = local_1.member[1u];
+                                                                let _e3014 = local_1.member_2[1u];
+                                                                if ((((_e2986 + ((_e2989 - _e2992) * _e2532)) - _e2998) + ((_e3002 + ((_e3005 - _e3008) * _e2536)) - _e3014)) > _e2949) {
+                                                                    let _e3020 = local.member[2u];
+                                                                    let _e3023 = local.member_1[2u];
+                                                                    let _e3026 = local.member[2u];
+                                                                    let _e3032 = local.member_2[2u];
+                                                                    let _e3036 = local_1.member[2u];
+                                                                    let _e3039 = local_1.member_1[2u];
+                                                                    let _e3042 = local_1.member[2u];
+                                                                    let _e3048 = local_1.member_2[2u];
+                                                                    if ((((_e3020 + ((_e3023 - _e3026) * _e2532)) - _e3032) + ((_e3036 + ((_e3039 - _e3042) * _e2536)) - _e3048)) > _e2949) {
+                                                                        let _e3054 = local.member[3u];
+                                                                        let _e3057 = local.member_1[3u];
+                                                                        let _e3060 = local.member[3u];
+                                                                        let _e3066 = local.member_2[3u];
+                                                                        let _e3070 = local_1.member[3u];
+                                                                        let _e3073 = local_1.member_1[3u];
+                                                                        let _e3076 = local_1.member[3u];
+                                                                        let _e3082 = local_1.member_2[3u];
+                                                                        phi_8005_ = ((((_e3054 + ((_e3057 - _e3060) * _e2532)) - _e3066) + ((_e3070 + ((_e3073 - _e3076) * _e2536)) - _e3082)) > _e2949);
+                                                                        phi_8006_ = false;
                                                                     } else {
-                                                                        phi_7933_ = bool();
-                                                                        phi_7934_ = true;
+                                                                        phi_8005_ = bool();
+                                                                        phi_8006_ = true;
                                                                     }
-                                                                    let _e3066 = phi_7933_;
-                                                                    let _e3068 = phi_7934_;
-                                                                    phi_7935_ = _e3066;
-                                                                    phi_7936_ = _e3068;
+                                                                    let _e3087 = phi_8005_;
+                                                                    let _e3089 = phi_8006_;
+                                                                    phi_8007_ = _e3087;
+                                                                    phi_8008_ = _e3089;
                                                                 } else {
-                                                                    phi_7935_ = bool();
-                                                                    phi_7936_ = true;
+                                                                    phi_8007_ = bool();
+                                                                    phi_8008_ = true;
                                                                 }
-                                                                let _e3070 = phi_7935_;
-                                                                let _e3072 = phi_7936_;
-                                                                phi_7937_ = _e3070;
-                                                                phi_7938_ = _e3072;
+                                                                let _e3091 = phi_8007_;
+                                                                let _e3093 = phi_8008_;
+                                                                phi_8009_ = _e3091;
+                                                                phi_8010_ = _e3093;
                                                             } else {
-                                                                phi_7937_ = bool();
-                                                                phi_7938_ = true;
+                                                                phi_8009_ = bool();
+                                                                phi_8010_ = true;
                                                             }
-                                                            let _e3074 = phi_7937_;
-                                                            let _e3076 = phi_7938_;
-                                                            if _e3076 {
-                                                                phi_7942_ = false;
+                                                            let _e3095 = phi_8009_;
+                                                            let _e3097 = phi_8010_;
+                                                            if _e3097 {
+                                                                phi_8014_ = false;
                                                             } else {
-                                                                phi_7942_ = _e3074;
+                                                                phi_8014_ = _e3095;
                                                             }
-                                                            let _e3078 = phi_7942_;
-                                                            phi_7946_ = _e3078;
+                                                            let _e3099 = phi_8014_;
+                                                            phi_8018_ = _e3099;
                                                         }
-                                                        let _e3080 = phi_7946_;
-                                                        if _e3080 {
-                                                            if (_e2550.member_1 > 0u) {
+                                                        let _e3101 = phi_8018_;
+                                                        if _e3101 {
+                                                            if _e2538 {
                                                                 if (_e2532 >= _e1551.member_1) {
-                                                                    phi_7958_ = false;
+                                                                    phi_8029_ = false;
                                                                 } else {
-                                                                    phi_7958_ = true;
+                                                                    phi_8029_ = true;
                                                                 }
-                                                                let _e3084 = phi_7958_;
-                                                                phi_7959_ = _e3084;
+                                                                let _e3104 = phi_8029_;
+                                                                phi_8030_ = _e3104;
                                                             } else {
-                                                                phi_7959_ = true;
+                                                                phi_8030_ = true;
                                                             }
-                                                            let _e3086 = phi_7959_;
-                                                            if _e3086 {
-                                                                local = type_34(array<f64, 4>(_e2823.member[0], _e2823.member[1], _e2823.member[2], _e2823.member[3]), array<f64, 4>(_e2823.member_1[0], _e2823.member_1[1], _e2823.member_1[2], _e2823.member_1[3]), array<f64, 4>(_e2823.member_2[0], _e2823.member_2[1], _e2823.member_2[2], _e2823.member_2[3]));
-                                                                let _e3108 = local.member[0u];
-                                                                let _e3111 = local.member_1[0u];
-                                                                let _e3114 = local.member_2[0u];
-                                                                if (_e3108 > _e3114) {
-                                                                    if (_e3111 > _e3114) {
-                                                                        phi_8033_ = false;
+                                                            let _e3106 = phi_8030_;
+                                                            if _e3106 {
+                                                                local = type_34(array<f64, 4>(_e2843.member[0], _e2843.member[1], _e2843.member[2], _e2843.member[3]), array<f64, 4>(_e2843.member_1[0], _e2843.member_1[1], _e2843.member_1[2], _e2843.member_1[3]), array<f64, 4>(_e2843.member_2[0], _e2843.member_2[1], _e2843.member_2[2], _e2843.member_2[3]));
+                                                                let _e3128 = local.member[0u];
+                                                                let _e3131 = local.member_1[0u];
+                                                                let _e3134 = local.member_2[0u];
+                                                                if (_e3128 > _e3134) {
+                                                                    if (_e3131 > _e3134) {
+                                                                        phi_8104_ = false;
                                                                     } else {
-                                                                        phi_8033_ = true;
+                                                                        phi_8104_ = true;
                                                                     }
-                                                                    let _e3118 = phi_8033_;
-                                                                    phi_8034_ = _e3118;
+                                                                    let _e3138 = phi_8104_;
+                                                                    phi_8105_ = _e3138;
                                                                 } else {
-                                                                    phi_8034_ = true;
+                                                                    phi_8105_ = true;
                                                                 }
-                                                                let _e3120 = phi_8034_;
-                                                                if _e3120 {
-                                                                    let _e3121 = (_e3111 >= _e3108);
-                                                                    if _e3121 {
-                                                                        phi_8059_ = f64();
-                                                                        phi_8060_ = false;
+                                                                let _e3140 = phi_8105_;
+                                                                if _e3140 {
+                                                                    let _e3141 = (_e3131 >= _e3128);
+                                                                    if _e3141 {
+                                                                        phi_8130_ = f64();
+                                                                        phi_8131_ = false;
                                                                     } else {
-                                                                        if ((_e3108 - _e3111) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8057_ = (((_e3108 - _e3114) / (_e3108 - _e3111)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8058_ = false;
+                                                                        if ((_e3128 - _e3131) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8128_ = (((_e3128 - _e3134) / (_e3128 - _e3131)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8129_ = false;
                                                                         } else {
-                                                                            phi_8057_ = f64();
-                                                                            phi_8058_ = true;
+                                                                            phi_8128_ = f64();
+                                                                            phi_8129_ = true;
                                                                         }
-                                                                        let _e3135 = phi_8057_;
-                                                                        let _e3137 = phi_8058_;
-                                                                        phi_8059_ = _e3135;
-                                                                        phi_8060_ = _e3137;
+                                                                        let _e3155 = phi_8128_;
+                                                                        let _e3157 = phi_8129_;
+                                                                        phi_8130_ = _e3155;
+                                                                        phi_8131_ = _e3157;
                                                                     }
-                                                                    let _e3139 = phi_8059_;
-                                                                    let _e3141 = phi_8060_;
-                                                                    phi_8061_ = _e3139;
-                                                                    phi_8062_ = _e3121;
-                                                                    phi_8063_ = _e3141;
+                                                                    let _e3159 = phi_8130_;
+                                                                    let _e3161 = phi_8131_;
+                                                                    phi_8132_ = _e3159;
+                                                                    phi_8133_ = _e3141;
+                                                                    phi_8134_ = _e3161;
                                                                 } else {
-                                                                    phi_8061_ = f64();
-                                                                    phi_8062_ = true;
-                                                                    phi_8063_ = false;
+                                                                    phi_8132_ = f64();
+                                                                    phi_8133_ = true;
+                                                                    phi_8134_ = false;
                                                                 }
-                                                                let _e3143 = phi_8061_;
-                                                                let _e3145 = phi_8062_;
-                                                                let _e3147 = phi_8063_;
-                                                                if _e3145 {
-                                                                    phi_8068_ = f64(2f);
-                                                                    phi_8069_ = true;
+                                                                let _e3163 = phi_8132_;
+                                                                let _e3165 = phi_8133_;
+                                                                let _e3167 = phi_8134_;
+                                                                if _e3165 {
+                                                                    phi_8139_ = f64(2f);
+                                                                    phi_8140_ = true;
                                                                 } else {
-                                                                    phi_8068_ = _e2532;
-                                                                    phi_8069_ = _e3147;
+                                                                    phi_8139_ = _e2532;
+                                                                    phi_8140_ = _e3167;
                                                                 }
-                                                                let _e3150 = phi_8068_;
-                                                                let _e3152 = phi_8069_;
-                                                                if _e3152 {
-                                                                    phi_8073_ = _e3150;
+                                                                let _e3170 = phi_8139_;
+                                                                let _e3172 = phi_8140_;
+                                                                if _e3172 {
+                                                                    phi_8144_ = _e3170;
                                                                 } else {
-                                                                    phi_8073_ = _e3143;
+                                                                    phi_8144_ = _e3163;
                                                                 }
-                                                                let _e3154 = phi_8073_;
-                                                                let _e3157 = local.member[1u];
-                                                                let _e3160 = local.member_1[1u];
-                                                                let _e3163 = local.member_2[1u];
-                                                                if (_e3157 > _e3163) {
-                                                                    if (_e3160 > _e3163) {
-                                                                        phi_8105_ = false;
+                                                                let _e3174 = phi_8144_;
+                                                                let _e3177 = local.member[1u];
+                                                                let _e3180 = local.member_1[1u];
+                                                                let _e3183 = local.member_2[1u];
+                                                                if (_e3177 > _e3183) {
+                                                                    if (_e3180 > _e3183) {
+                                                                        phi_8176_ = false;
                                                                     } else {
-                                                                        phi_8105_ = true;
+                                                                        phi_8176_ = true;
                                                                     }
-                                                                    let _e3167 = phi_8105_;
-                                                                    phi_8106_ = _e3167;
+                                                                    let _e3187 = phi_8176_;
+                                                                    phi_8177_ = _e3187;
                                                                 } else {
-                                                                    phi_8106_ = true;
+                                                                    phi_8177_ = true;
                                                                 }
-                                                                let _e3169 = phi_8106_;
-                                                                if _e3169 {
-                                                                    let _e3170 = (_e3160 >= _e3157);
-                                                                    if _e3170 {
-                                                                        phi_8131_ = f64();
-                                                                        phi_8132_ = false;
+                                                                let _e3189 = phi_8177_;
+                                                                if _e3189 {
+                                                                    let _e3190 = (_e3180 >= _e3177);
+                                                                    if _e3190 {
+                                                                        phi_8202_ = f64();
+                                                                        phi_8203_ = false;
                                                                     } else {
-                                                                        if ((_e3157 - _e3160) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8129_ = (((_e3157 - _e3163) / (_e3157 - _e3160)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8130_ = false;
+                                                                        if ((_e3177 - _e3180) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8200_ = (((_e3177 - _e3183) / (_e3177 - _e3180)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8201_ = false;
                                                                         } else {
-                                                                            phi_8129_ = f64();
-                                                                            phi_8130_ = true;
+                                                                            phi_8200_ = f64();
+                                                                            phi_8201_ = true;
                                                                         }
-                                                                        let _e3184 = phi_8129_;
-                                                                        let _e3186 = phi_8130_;
-                                                                        phi_8131_ = _e3184;
-                                                                        phi_8132_ = _e3186;
+                                                                        let _e3204 = phi_8200_;
+                                                                        let _e3206 = phi_8201_;
+                                                                        phi_8202_ = _e3204;
+                                                                        phi_8203_ = _e3206;
                                                                     }
-                                                                    let _e3188 = phi_8131_;
-                                                                    let _e3190 = phi_8132_;
-                                                                    phi_8133_ = _e3188;
-                                                                    phi_8134_ = _e3170;
-                                                                    phi_8135_ = _e3190;
+                                                                    let _e3208 = phi_8202_;
+                                                                    let _e3210 = phi_8203_;
+                                                                    phi_8204_ = _e3208;
+                                                                    phi_8205_ = _e3190;
+                                                                    phi_8206_ = _e3210;
                                                                 } else {
-                                                                    phi_8133_ = f64();
-                                                                    phi_8134_ = true;
-                                                                    phi_8135_ = false;
+                                                                    phi_8204_ = f64();
+                                                                    phi_8205_ = true;
+                                                                    phi_8206_ = false;
                                                                 }
-                                                                let _e3192 = phi_8133_;
-                                                                let _e3194 = phi_8134_;
-                                                                let _e3196 = phi_8135_;
-                                                                if _e3194 {
-                                                                    phi_8140_ = f64(2f);
-                                                                    phi_8141_ = true;
+                                                                let _e3212 = phi_8204_;
+                                                                let _e3214 = phi_8205_;
+                                                                let _e3216 = phi_8206_;
+                                                                if _e3214 {
+                                                                    phi_8211_ = f64(2f);
+                                                                    phi_8212_ = true;
                                                                 } else {
-                                                                    phi_8140_ = _e2532;
-                                                                    phi_8141_ = _e3196;
+                                                                    phi_8211_ = _e2532;
+                                                                    phi_8212_ = _e3216;
                                                                 }
-                                                                let _e3199 = phi_8140_;
-                                                                let _e3201 = phi_8141_;
-                                                                if _e3201 {
-                                                                    phi_8145_ = _e3199;
-                                                                } else {
-                                                                    phi_8145_ = _e3192;
-                                                                }
-                                                                let _e3203 = phi_8145_;
-                                                                if (_e3154 < _e3203) {
-                                                                    phi_8150_ = _e3154;
-                                                                } else {
-                                                                    phi_8150_ = _e3203;
-                                                                }
-                                                                let _e3206 = phi_8150_;
-                                                                let _e3209 = local.member[2u];
-                                                                let _e3212 = local.member_1[2u];
-                                                                let _e3215 = local.member_2[2u];
-                                                                if (_e3209 > _e3215) {
-                                                                    if (_e3212 > _e3215) {
-                                                                        phi_8182_ = false;
-                                                                    } else {
-                                                                        phi_8182_ = true;
-                                                                    }
-                                                                    let _e3219 = phi_8182_;
-                                                                    phi_8183_ = _e3219;
-                                                                } else {
-                                                                    phi_8183_ = true;
-                                                                }
-                                                                let _e3221 = phi_8183_;
+                                                                let _e3219 = phi_8211_;
+                                                                let _e3221 = phi_8212_;
                                                                 if _e3221 {
-                                                                    let _e3222 = (_e3212 >= _e3209);
-                                                                    if _e3222 {
-                                                                        phi_8208_ = f64();
-                                                                        phi_8209_ = false;
+                                                                    phi_8216_ = _e3219;
+                                                                } else {
+                                                                    phi_8216_ = _e3212;
+                                                                }
+                                                                let _e3223 = phi_8216_;
+                                                                if (_e3174 < _e3223) {
+                                                                    phi_8221_ = _e3174;
+                                                                } else {
+                                                                    phi_8221_ = _e3223;
+                                                                }
+                                                                let _e3226 = phi_8221_;
+                                                                let _e3229 = local.member[2u];
+                                                                let _e3232 = local.member_1[2u];
+                                                                let _e3235 = local.member_2[2u];
+                                                                if (_e3229 > _e3235) {
+                                                                    if (_e3232 > _e3235) {
+                                                                        phi_8253_ = false;
                                                                     } else {
-                                                                        if ((_e3209 - _e3212) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8206_ = (((_e3209 - _e3215) / (_e3209 - _e3212)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8207_ = false;
+                                                                        phi_8253_ = true;
+                                                                    }
+                                                                    let _e3239 = phi_8253_;
+                                                                    phi_8254_ = _e3239;
+                                                                } else {
+                                                                    phi_8254_ = true;
+                                                                }
+                                                                let _e3241 = phi_8254_;
+                                                                if _e3241 {
+                                                                    let _e3242 = (_e3232 >= _e3229);
+                                                                    if _e3242 {
+                                                                        phi_8279_ = f64();
+                                                                        phi_8280_ = false;
+                                                                    } else {
+                                                                        if ((_e3229 - _e3232) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8277_ = (((_e3229 - _e3235) / (_e3229 - _e3232)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8278_ = false;
                                                                         } else {
-                                                                            phi_8206_ = f64();
-                                                                            phi_8207_ = true;
+                                                                            phi_8277_ = f64();
+                                                                            phi_8278_ = true;
                                                                         }
-                                                                        let _e3236 = phi_8206_;
-                                                                        let _e3238 = phi_8207_;
-                                                                        phi_8208_ = _e3236;
-                                                                        phi_8209_ = _e3238;
+                                                                        let _e3256 = phi_8277_;
+                                                                        let _e3258 = phi_8278_;
+                                                                        phi_8279_ = _e3256;
+                                                                        phi_8280_ = _e3258;
                                                                     }
-                                                                    let _e3240 = phi_8208_;
-                                                                    let _e3242 = phi_8209_;
-                                                                    phi_8210_ = _e3240;
-                                                                    phi_8211_ = _e3222;
-                                                                    phi_8212_ = _e3242;
+                                                                    let _e3260 = phi_8279_;
+                                                                    let _e3262 = phi_8280_;
+                                                                    phi_8281_ = _e3260;
+                                                                    phi_8282_ = _e3242;
+                                                                    phi_8283_ = _e3262;
                                                                 } else {
-                                                                    phi_8210_ = f64();
-                                                                    phi_8211_ = true;
-                                                                    phi_8212_ = false;
+                                                                    phi_8281_ = f64();
+                                                                    phi_8282_ = true;
+                                                                    phi_8283_ = false;
                                                                 }
-                                                                let _e3244 = phi_8210_;
-                                                                let _e3246 = phi_8211_;
-                                                                let _e3248 = phi_8212_;
-                                                                if _e3246 {
-                                                                    phi_8217_ = f64(2f);
-                                                                    phi_8218_ = true;
+                                                                let _e3264 = phi_8281_;
+                                                                let _e3266 = phi_8282_;
+                                                                let _e3268 = phi_8283_;
+                                                                if _e3266 {
+                                                                    phi_8288_ = f64(2f);
+                                                                    phi_8289_ = true;
                                                                 } else {
-                                                                    phi_8217_ = _e2532;
-                                                                    phi_8218_ = _e3248;
+                                                                    phi_8288_ = _e2532;
+                                                                    phi_8289_ = _e3268;
                                                                 }
-                                                                let _e3251 = phi_8217_;
-                                                                let _e3253 = phi_8218_;
-                                                                if _e3253 {
-                                                                    phi_8222_ = _e3251;
+                                                                let _e3271 = phi_8288_;
+                                                                let _e3273 = phi_8289_;
+                                                                if _e3273 {
+                                                                    phi_8293_ = _e3271;
                                                                 } else {
-                                                                    phi_8222_ = _e3244;
+                                                                    phi_8293_ = _e3264;
                                                                 }
-                                                                let _e3255 = phi_8222_;
-                                                                let _e3258 = local.member[3u];
-                                                                let _e3261 = local.member_1[3u];
-                                                                let _e3264 = local.member_2[3u];
-                                                                if (_e3258 > _e3264) {
-                                                                    if (_e3261 > _e3264) {
-                                                                        phi_8254_ = false;
+                                                                let _e3275 = phi_8293_;
+                                                                let _e3278 = local.member[3u];
+                                                                let _e3281 = local.member_1[3u];
+                                                                let _e3284 = local.member_2[3u];
+                                                                if (_e3278 > _e3284) {
+                                                                    if (_e3281 > _e3284) {
+                                                                        phi_8325_ = false;
                                                                     } else {
-                                                                        phi_8254_ = true;
+                                                                        phi_8325_ = true;
                                                                     }
-                                                                    let _e3268 = phi_8254_;
-                                                                    phi_8255_ = _e3268;
+                                                                    let _e3288 = phi_8325_;
+                                                                    phi_8326_ = _e3288;
                                                                 } else {
-                                                                    phi_8255_ = true;
+                                                                    phi_8326_ = true;
                                                                 }
-                                                                let _e3270 = phi_8255_;
-                                                                if _e3270 {
-                                                                    let _e3271 = (_e3261 >= _e3258);
-                                                                    if _e3271 {
-                                                                        phi_8280_ = f64();
-                                                                        phi_8281_ = false;
+                                                                let _e3290 = phi_8326_;
+                                                                if _e3290 {
+                                                                    let _e3291 = (_e3281 >= _e3278);
+                                                                    if _e3291 {
+                                                                        phi_8351_ = f64();
+                                                                        phi_8352_ = false;
                                                                     } else {
-                                                                        if ((_e3258 - _e3261) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
-                                                                            phi_8278_ = (((_e3258 - _e3264) / (_e3258 - _e3261)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
-                                                                            phi_8279_ = false;
+                                                                        if ((_e3278 - _e3281) <= (f64(0.25f) / 2.2250738585072014e-308lf)) {
+                                                                            phi_8349_ = (((_e3278 - _e3284) / (_e3278 - _e3281)) * (f64(1f) - (1.1102230246251565e-16lf * f64(16f))));
+                                                                            phi_8350_ = false;
                                                                         } else {
-                                                                            phi_8278_ = f64();
-                                                                            phi_8279_ = true;
+                                                                            phi_8349_ = f64();
+                                                                            phi_8350_ = true;
                                                                         }
-                                                                        let _e3285 = phi_8278_;
-                                                                        let _e3287 = phi_8279_;
-                                                                        phi_8280_ = _e3285;
-                                                                        phi_8281_ = _e3287;
+                                                                        let _e3305 = phi_8349_;
+                                                                        let _e3307 = phi_8350_;
+                                                                        phi_8351_ = _e3305;
+                                                                        phi_8352_ = _e3307;
                                                                     }
-                                                                    let _e3289 = phi_8280_;
-                                                                    let _e3291 = phi_8281_;
-                                                                    phi_8282_ = _e3289;
-                                                                    phi_8283_ = _e3271;
-                                                                    phi_8284_ = _e3291;
+                                                                    let _e3309 = phi_8351_;
+                                                                    let _e3311 = phi_8352_;
+                                                                    phi_8353_ = _e3309;
+                                                                    phi_8354_ = _e3291;
+                                                                    phi_8355_ = _e3311;
                                                                 } else {
-                                                                    phi_8282_ = f64();
-                                                                    phi_8283_ = true;
-                                                                    phi_8284_ = false;
+                                                                    phi_8353_ = f64();
+                                                                    phi_8354_ = true;
+                                                                    phi_8355_ = false;
                                                                 }
-                                                                let _e3293 = phi_8282_;
-                                                                let _e3295 = phi_8283_;
-                                                                let _e3297 = phi_8284_;
-                                                                if _e3295 {
-                                                                    phi_8289_ = f64(2f);
-                                                                    phi_8290_ = true;
+                                                                let _e3313 = phi_8353_;
+                                                                let _e3315 = phi_8354_;
+                                                                let _e3317 = phi_8355_;
+                                                                if _e3315 {
+                                                                    phi_8360_ = f64(2f);
+                                                                    phi_8361_ = true;
                                                                 } else {
-                                                                    phi_8289_ = _e2532;
-                                                                    phi_8290_ = _e3297;
+                                                                    phi_8360_ = _e2532;
+                                                                    phi_8361_ = _e3317;
                                                                 }
-                                                                let _e3300 = phi_8289_;
-                                                                let _e3302 = phi_8290_;
-                                                                if _e3302 {
-                                                                    phi_8294_ = _e3300;
+                                                                let _e3320 = phi_8360_;
+                                                                let _e3322 = phi_8361_;
+                                                                if _e3322 {
+                                                                    phi_8365_ = _e3320;
                                                                 } else {
-                                                                    phi_8294_ = _e3293;
+                                                                    phi_8365_ = _e3313;
                                                                 }
-                                                                let _e3304 = phi_8294_;
-                                                                if (_e3255 < _e3304) {
-                                                                    phi_8299_ = _e3255;
+                                                                let _e3324 = phi_8365_;
+                                                                if (_e3275 < _e3324) {
+                                                                    phi_8370_ = _e3275;
                                                                 } else {
-                                                                    phi_8299_ = _e3304;
+                                                                    phi_8370_ = _e3324;
                                                                 }
-                                                                let _e3307 = phi_8299_;
-                                                                if (_e3206 < _e3307) {
-                                                                    phi_8304_ = _e3206;
+                                                                let _e3327 = phi_8370_;
+                                                                if (_e3226 < _e3327) {
+                                                                    phi_8375_ = _e3226;
                                                                 } else {
-                                                                    phi_8304_ = _e3307;
+                                                                    phi_8375_ = _e3327;
                                                                 }
-                                                                let _e3310 = phi_8304_;
-                                                                if (_e3310 > _e2532) {
-                                                                    phi_8309_ = _e3310;
+                                                                let _e3330 = phi_8375_;
+                                                                if (_e3330 > _e2532) {
+                                                                    phi_8380_ = _e3330;
                                                                 } else {
-                                                                    phi_8309_ = _e2532;
+                                                                    phi_8380_ = _e2532;
                                                                 }
-                                                                let _e3313 = phi_8309_;
-                                                                let _e3314 = (_e3313 > _e1551.member_1);
-                                                                if _e3314 {
-                                                                    phi_8321_ = f64();
-                                                                    phi_8322_ = false;
+                                                                let _e3333 = phi_8380_;
+                                                                let _e3334 = (_e3333 > _e1551.member_1);
+                                                                if _e3334 {
+                                                                    phi_8391_ = f64();
+                                                                    phi_8392_ = false;
                                                                 } else {
-                                                                    if (_e2550.member_1 == 0u) {
-                                                                        phi_8320_ = (_e1551.member_1 - _e2532);
+                                                                    if _e2538 {
+                                                                        phi_8390_ = (_e2863 + _e2863);
                                                                     } else {
-                                                                        phi_8320_ = (_e2843 + _e2843);
+                                                                        phi_8390_ = (_e1551.member_1 - _e2532);
                                                                     }
-                                                                    let _e3319 = phi_8320_;
-                                                                    phi_8321_ = _e3319;
-                                                                    phi_8322_ = true;
+                                                                    let _e3338 = phi_8390_;
+                                                                    phi_8391_ = _e3338;
+                                                                    phi_8392_ = true;
                                                                 }
-                                                                let _e3321 = phi_8321_;
-                                                                let _e3323 = phi_8322_;
-                                                                phi_8323_ = _e3313;
-                                                                phi_8324_ = _e3321;
-                                                                phi_8325_ = _e3323;
-                                                                phi_8326_ = _e3314;
-                                                                phi_8327_ = false;
+                                                                let _e3340 = phi_8391_;
+                                                                let _e3342 = phi_8392_;
+                                                                phi_8393_ = _e3333;
+                                                                phi_8394_ = _e3340;
+                                                                phi_8395_ = _e3342;
+                                                                phi_8396_ = _e3334;
+                                                                phi_8397_ = false;
                                                             } else {
-                                                                phi_8323_ = f64();
-                                                                phi_8324_ = f64();
-                                                                phi_8325_ = false;
-                                                                phi_8326_ = false;
-                                                                phi_8327_ = true;
+                                                                phi_8393_ = f64();
+                                                                phi_8394_ = f64();
+                                                                phi_8395_ = false;
+                                                                phi_8396_ = false;
+                                                                phi_8397_ = true;
                                                             }
-                                                            let _e3325 = phi_8323_;
-                                                            let _e3327 = phi_8324_;
-                                                            let _e3329 = phi_8325_;
-                                                            let _e3331 = phi_8326_;
-                                                            let _e3333 = phi_8327_;
-                                                            phi_8328_ = _e3325;
-                                                            phi_8329_ = _e3327;
-                                                            phi_8330_ = false;
-                                                            phi_8331_ = _e3329;
-                                                            phi_8332_ = _e3331;
-                                                            phi_8333_ = _e3333;
+                                                            let _e3344 = phi_8393_;
+                                                            let _e3346 = phi_8394_;
+                                                            let _e3348 = phi_8395_;
+                                                            let _e3350 = phi_8396_;
+                                                            let _e3352 = phi_8397_;
+                                                            phi_8398_ = _e3344;
+                                                            phi_8399_ = _e3346;
+                                                            phi_8400_ = false;
+                                                            phi_8401_ = _e3348;
+                                                            phi_8402_ = _e3350;
+                                                            phi_8403_ = _e3352;
                                                         } else {
-                                                            phi_8328_ = f64();
-                                                            phi_8329_ = f64();
-                                                            phi_8330_ = true;
-                                                            phi_8331_ = false;
-                                                            phi_8332_ = false;
-                                                            phi_8333_ = false;
+                                                            phi_8398_ = f64();
+                                                            phi_8399_ = f64();
+                                                            phi_8400_ = true;
+                                                            phi_8401_ = false;
+                                                            phi_8402_ = false;
+                                                            phi_8403_ = false;
                                                         }
-                                                        let _e3335 = phi_8328_;
-                                                        let _e3337 = phi_8329_;
-                                                        let _e3339 = phi_8330_;
-                                                        let _e3341 = phi_8331_;
-                                                        let _e3343 = phi_8332_;
-                                                        let _e3345 = phi_8333_;
-                                                        phi_8334_ = _e3335;
-                                                        phi_8335_ = _e3337;
-                                                        phi_8336_ = _e3339;
-                                                        phi_8337_ = _e3341;
-                                                        phi_8338_ = _e3343;
-                                                        phi_8339_ = _e3345;
+                                                        let _e3354 = phi_8398_;
+                                                        let _e3356 = phi_8399_;
+                                                        let _e3358 = phi_8400_;
+                                                        let _e3360 = phi_8401_;
+                                                        let _e3362 = phi_8402_;
+                                                        let _e3364 = phi_8403_;
+                                                        phi_8404_ = _e3354;
+                                                        phi_8405_ = _e3356;
+                                                        phi_8406_ = _e3358;
+                                                        phi_8407_ = _e3360;
+                                                        phi_8408_ = _e3362;
+                                                        phi_8409_ = _e3364;
                                                     } else {
-                                                        phi_8334_ = f64();
-                                                        phi_8335_ = f64();
-                                                        phi_8336_ = true;
-                                                        phi_8337_ = false;
-                                                        phi_8338_ = false;
-                                                        phi_8339_ = false;
+                                                        phi_8404_ = f64();
+                                                        phi_8405_ = f64();
+                                                        phi_8406_ = true;
+                                                        phi_8407_ = false;
+                                                        phi_8408_ = false;
+                                                        phi_8409_ = false;
                                                     }
-                                                    let _e3347 = phi_8334_;
-                                                    let _e3349 = phi_8335_;
-                                                    let _e3351 = phi_8336_;
-                                                    let _e3353 = phi_8337_;
-                                                    let _e3355 = phi_8338_;
-                                                    let _e3357 = phi_8339_;
-                                                    if _e3351 {
-                                                        let _e3358 = (_e2532 <= _e2534);
-                                                        if _e3358 {
-                                                            phi_8673_ = f64();
-                                                            phi_8674_ = false;
-                                                        } else {
-                                                            let _e3361 = local.member[0u];
-                                                            let _e3364 = local.member_1[0u];
-                                                            let _e3367 = local.member[0u];
-                                                            let _e3373 = local.member_2[0u];
-                                                            let _e3374 = ((_e3361 + ((_e3364 - _e3367) * _e2536)) - _e3373);
-                                                            let _e3377 = local.member[1u];
-                                                            let _e3380 = local.member_1[1u];
-                                                            let _e3383 = local.member[1u];
-                                                            let _e3389 = local.member_2[1u];
-                                                            let _e3390 = ((_e3377 + ((_e3380 - _e3383) * _e2536)) - _e3389);
-                                                            if (_e3374 < _e3390) {
-                                                                phi_8419_ = _e3374;
+                                                    let _e3366 = phi_8404_;
+                                                    let _e3368 = phi_8405_;
+                                                    let _e3370 = phi_8406_;
+                                                    let _e3372 = phi_8407_;
+                                                    let _e3374 = phi_8408_;
+                                                    let _e3376 = phi_8409_;
+                                                    if _e3370 {
+                                                        if (_e2532 <= _e2534) {
+                                                            let _e3542 = (_e2540 + 1u);
+                                                            let _e3543 = (_e3542 > 3u);
+                                                            if _e3543 {
+                                                                phi_8422_ = false;
                                                             } else {
-                                                                phi_8419_ = _e3390;
+                                                                phi_8422_ = true;
                                                             }
-                                                            let _e3393 = phi_8419_;
-                                                            let _e3396 = local.member[2u];
-                                                            let _e3399 = local.member_1[2u];
-                                                            let _e3402 = local.member[2u];
-                                                            let _e3408 = local.member_2[2u];
+                                                            let _e3545 = phi_8422_;
+                                                            phi_8749_ = _e3542;
+                                                            phi_8750_ = f64();
+                                                            phi_8751_ = false;
+                                                            phi_8752_ = _e3545;
+                                                            phi_8753_ = _e3543;
+                                                        } else {
+                                                            let _e3380 = local.member[0u];
+                                                            let _e3383 = local.member_1[0u];
+                                                            let _e3386 = local.member[0u];
+                                                            let _e3392 = local.member_2[0u];
+                                                            let _e3393 = ((_e3380 + ((_e3383 - _e3386) * _e2536)) - _e3392);
+                                                            let _e3396 = local.member[1u];
+                                                            let _e3399 = local.member_1[1u];
+                                                            let _e3402 = local.member[1u];
+                                                            let _e3408 = local.member_2[1u];
                                                             let _e3409 = ((_e3396 + ((_e3399 - _e3402) * _e2536)) - _e3408);
-                                                            let _e3412 = local.member[3u];
-                                                            let _e3415 = local.member_1[3u];
-                                                            let _e3418 = local.member[3u];
-                                                            let _e3424 = local.member_2[3u];
-                                                            let _e3425 = ((_e3412 + ((_e3415 - _e3418) * _e2536)) - _e3424);
-                                                            if (_e3409 < _e3425) {
-                                                                phi_8492_ = _e3409;
+                                                            if (_e3393 < _e3409) {
+                                                                phi_8495_ = _e3393;
                                                             } else {
-                                                                phi_8492_ = _e3425;
+                                                                phi_8495_ = _e3409;
                                                             }
-                                                            let _e3428 = phi_8492_;
-                                                            if (_e3393 < _e3428) {
-                                                                phi_8497_ = _e3393;
+                                                            let _e3412 = phi_8495_;
+                                                            let _e3415 = local.member[2u];
+                                                            let _e3418 = local.member_1[2u];
+                                                            let _e3421 = local.member[2u];
+                                                            let _e3427 = local.member_2[2u];
+                                                            let _e3428 = ((_e3415 + ((_e3418 - _e3421) * _e2536)) - _e3427);
+                                                            let _e3431 = local.member[3u];
+                                                            let _e3434 = local.member_1[3u];
+                                                            let _e3437 = local.member[3u];
+                                                            let _e3443 = local.member_2[3u];
+                                                            let _e3444 = ((_e3431 + ((_e3434 - _e3437) * _e2536)) - _e3443);
+                                                            if (_e3428 < _e3444) {
+                                                                phi_8568_ = _e3428;
                                                             } else {
-                                                                phi_8497_ = _e3428;
+                                                                phi_8568_ = _e3444;
                                                             }
-                                                            let _e3431 = phi_8497_;
-                                                            let _e3434 = local_1.member[0u];
-                                                            let _e3437 = local_1.member_1[0u];
-                                                            let _e3440 = local_1.member[0u];
-                                                            let _e3446 = local_1.member_2[0u];
-                                                            let _e3447 = ((_e3434 + ((_e3437 - _e3440) * _e2532)) - _e3446);
-                                                            let _e3450 = local_1.member[1u];
-                                                            let _e3453 = local_1.member_1[1u];
-                                                            let _e3456 = local_1.member[1u];
-                                                            let _e3462 = local_1.member_2[1u];
-                                                            let _e3463 = ((_e3450 + ((_e3453 - _e3456) * _e2532)) - _e3462);
-                                                            if (_e3447 < _e3463) {
-                                                                phi_8570_ = _e3447;
+                                                            let _e3447 = phi_8568_;
+                                                            if (_e3412 < _e3447) {
+                                                                phi_8573_ = _e3412;
                                                             } else {
-                                                                phi_8570_ = _e3463;
+                                                                phi_8573_ = _e3447;
                                                             }
-                                                            let _e3466 = phi_8570_;
-                                                            let _e3469 = local_1.member[2u];
-                                                            let _e3472 = local_1.member_1[2u];
-                                                            let _e3475 = local_1.member[2u];
-                                                            let _e3481 = local_1.member_2[2u];
+                                                            let _e3450 = phi_8573_;
+                                                            let _e3453 = local_1.member[0u];
+                                                            let _e3456 = local_1.member_1[0u];
+                                                            let _e3459 = local_1.member[0u];
+                                                            let _e3465 = local_1.member_2[0u];
+                                                            let _e3466 = ((_e3453 + ((_e3456 - _e3459) * _e2532)) - _e3465);
+                                                            let _e3469 = local_1.member[1u];
+                                                            let _e3472 = local_1.member_1[1u];
+                                                            let _e3475 = local_1.member[1u];
+                                                            let _e3481 = local_1.member_2[1u];
                                                             let _e3482 = ((_e3469 + ((_e3472 - _e3475) * _e2532)) - _e3481);
-                                                            let _e3485 = local_1.member[3u];
-                                                            let _e3488 = local_1.member_1[3u];
-                                                            let _e3491 = local_1.member[3u];
-                                                            let _e3497 = local_1.member_2[3u];
-                                                            let _e3498 = ((_e3485 + ((_e3488 - _e3491) * _e2532)) - _e3497);
-                                                            if (_e3482 < _e3498) {
-                                                                phi_8643_ = _e3482;
+                                                            if (_e3466 < _e3482) {
+                                                                phi_8646_ = _e3466;
                                                             } else {
-                                                                phi_8643_ = _e3498;
+                                                                phi_8646_ = _e3482;
                                                             }
-                                                            let _e3501 = phi_8643_;
-                                                            if (_e3466 < _e3501) {
-                                                                phi_8648_ = _e3466;
+                                                            let _e3485 = phi_8646_;
+                                                            let _e3488 = local_1.member[2u];
+                                                            let _e3491 = local_1.member_1[2u];
+                                                            let _e3494 = local_1.member[2u];
+                                                            let _e3500 = local_1.member_2[2u];
+                                                            let _e3501 = ((_e3488 + ((_e3491 - _e3494) * _e2532)) - _e3500);
+                                                            let _e3504 = local_1.member[3u];
+                                                            let _e3507 = local_1.member_1[3u];
+                                                            let _e3510 = local_1.member[3u];
+                                                            let _e3516 = local_1.member_2[3u];
+                                                            let _e3517 = ((_e3504 + ((_e3507 - _e3510) * _e2532)) - _e3516);
+                                                            if (_e3501 < _e3517) {
+                                                                phi_8719_ = _e3501;
                                                             } else {
-                                                                phi_8648_ = _e3501;
+                                                                phi_8719_ = _e3517;
                                                             }
-                                                            let _e3504 = phi_8648_;
-                                                            let _e3505 = f64(0.0625f);
-                                                            let _e3507 = f64(0.9f);
-                                                            if (_e3504 > f64(0f)) {
-                                                                phi_8671_ = f64(0.5f);
+                                                            let _e3520 = phi_8719_;
+                                                            if (_e3485 < _e3520) {
+                                                                phi_8724_ = _e3485;
                                                             } else {
-                                                                let _e3513 = (f64(0.95f) * (_e3431 / (_e3431 - _e3504)));
-                                                                if (_e3513 > _e3505) {
-                                                                    if (_e3513 < _e3507) {
-                                                                        phi_8669_ = _e3513;
+                                                                phi_8724_ = _e3520;
+                                                            }
+                                                            let _e3523 = phi_8724_;
+                                                            let _e3524 = f64(0.0625f);
+                                                            let _e3526 = f64(0.9f);
+                                                            if (_e3523 > f64(0f)) {
+                                                                phi_8747_ = f64(0.5f);
+                                                            } else {
+                                                                let _e3532 = (f64(0.95f) * (_e3450 / (_e3450 - _e3523)));
+                                                                if (_e3532 > _e3524) {
+                                                                    if (_e3532 < _e3526) {
+                                                                        phi_8745_ = _e3532;
                                                                     } else {
-                                                                        phi_8669_ = _e3507;
+                                                                        phi_8745_ = _e3526;
                                                                     }
-                                                                    let _e3517 = phi_8669_;
-                                                                    phi_8670_ = _e3517;
+                                                                    let _e3536 = phi_8745_;
+                                                                    phi_8746_ = _e3536;
                                                                 } else {
-                                                                    phi_8670_ = _e3505;
+                                                                    phi_8746_ = _e3524;
                                                                 }
-                                                                let _e3519 = phi_8670_;
-                                                                phi_8671_ = _e3519;
+                                                                let _e3538 = phi_8746_;
+                                                                phi_8747_ = _e3538;
                                                             }
-                                                            let _e3521 = phi_8671_;
-                                                            phi_8673_ = (_e2843 * _e3521);
-                                                            phi_8674_ = true;
+                                                            let _e3540 = phi_8747_;
+                                                            phi_8749_ = u32();
+                                                            phi_8750_ = (_e2863 * _e3540);
+                                                            phi_8751_ = true;
+                                                            phi_8752_ = false;
+                                                            phi_8753_ = false;
                                                         }
-                                                        let _e3524 = phi_8673_;
-                                                        let _e3526 = phi_8674_;
-                                                        phi_8675_ = _e2534;
-                                                        phi_8676_ = _e3524;
-                                                        phi_8677_ = _e2536;
-                                                        phi_8678_ = _e3526;
-                                                        phi_8679_ = _e3358;
-                                                        phi_8680_ = false;
-                                                        phi_8681_ = false;
+                                                        let _e3547 = phi_8749_;
+                                                        let _e3549 = phi_8750_;
+                                                        let _e3551 = phi_8751_;
+                                                        let _e3553 = phi_8752_;
+                                                        let _e3555 = phi_8753_;
+                                                        phi_8754_ = _e3547;
+                                                        phi_8755_ = _e2534;
+                                                        phi_8756_ = _e3549;
+                                                        phi_8757_ = _e2536;
+                                                        phi_8758_ = _e2538;
+                                                        phi_8759_ = _e2540;
+                                                        phi_8760_ = _e3551;
+                                                        phi_8761_ = _e3553;
+                                                        phi_8762_ = _e3555;
+                                                        phi_8763_ = false;
+                                                        phi_8764_ = false;
                                                     } else {
-                                                        phi_8675_ = _e3347;
-                                                        phi_8676_ = _e3349;
-                                                        phi_8677_ = _e2532;
-                                                        phi_8678_ = _e3353;
-                                                        phi_8679_ = false;
-                                                        phi_8680_ = _e3355;
-                                                        phi_8681_ = _e3357;
+                                                        phi_8754_ = u32();
+                                                        phi_8755_ = _e3366;
+                                                        phi_8756_ = _e3368;
+                                                        phi_8757_ = _e2532;
+                                                        phi_8758_ = true;
+                                                        phi_8759_ = 0u;
+                                                        phi_8760_ = _e3372;
+                                                        phi_8761_ = false;
+                                                        phi_8762_ = false;
+                                                        phi_8763_ = _e3374;
+                                                        phi_8764_ = _e3376;
                                                     }
-                                                    let _e3528 = phi_8675_;
-                                                    let _e3530 = phi_8676_;
-                                                    let _e3532 = phi_8677_;
-                                                    let _e3534 = phi_8678_;
-                                                    let _e3536 = phi_8679_;
-                                                    let _e3538 = phi_8680_;
-                                                    let _e3540 = phi_8681_;
-                                                    if _e3534 {
-                                                        let _e3541 = (_e3532 + _e3530);
-                                                        if (_e3541 > _e3528) {
-                                                            phi_8690_ = _e3541;
+                                                    let _e3557 = phi_8754_;
+                                                    let _e3559 = phi_8755_;
+                                                    let _e3561 = phi_8756_;
+                                                    let _e3563 = phi_8757_;
+                                                    let _e3565 = phi_8758_;
+                                                    let _e3567 = phi_8759_;
+                                                    let _e3569 = phi_8760_;
+                                                    let _e3571 = phi_8761_;
+                                                    let _e3573 = phi_8762_;
+                                                    let _e3575 = phi_8763_;
+                                                    let _e3577 = phi_8764_;
+                                                    if _e3569 {
+                                                        let _e3578 = (_e3563 + _e3561);
+                                                        if (_e3578 > _e3559) {
+                                                            phi_8773_ = _e3578;
                                                         } else {
-                                                            phi_8690_ = _e3528;
+                                                            phi_8773_ = _e3559;
                                                         }
-                                                        let _e3544 = phi_8690_;
-                                                        if (_e3544 < _e1551.member_1) {
-                                                            phi_8695_ = _e3544;
+                                                        let _e3581 = phi_8773_;
+                                                        if (_e3581 < _e1551.member_1) {
+                                                            phi_8778_ = _e3581;
                                                         } else {
-                                                            phi_8695_ = _e1551.member_1;
+                                                            phi_8778_ = _e1551.member_1;
                                                         }
-                                                        let _e3547 = phi_8695_;
-                                                        if (_e2550.member_1 > 0u) {
-                                                            phi_8706_ = ((_e3547 - _e3532) > f64(0.0000000037252903f));
+                                                        let _e3584 = phi_8778_;
+                                                        if !(_e2538) {
+                                                            phi_8788_ = true;
                                                         } else {
-                                                            phi_8706_ = true;
+                                                            phi_8788_ = ((_e3584 - _e3563) > f64(0.0000000037252903f));
                                                         }
-                                                        let _e3553 = phi_8706_;
-                                                        if _e3553 {
-                                                            phi_8710_ = false;
+                                                        let _e3589 = phi_8788_;
+                                                        if _e3589 {
+                                                            phi_8792_ = false;
                                                         } else {
-                                                            phi_8710_ = true;
+                                                            phi_8792_ = true;
                                                         }
-                                                        let _e3555 = phi_8710_;
-                                                        phi_8711_ = _e3547;
-                                                        phi_8712_ = _e3553;
-                                                        phi_8713_ = _e3555;
-                                                        phi_8714_ = false;
-                                                        phi_8715_ = false;
-                                                        phi_8716_ = false;
+                                                        let _e3591 = phi_8792_;
+                                                        phi_8793_ = _e3584;
+                                                        phi_8794_ = _e3559;
+                                                        phi_8795_ = _e3563;
+                                                        phi_8796_ = _e3565;
+                                                        phi_8797_ = _e3567;
+                                                        phi_8798_ = _e3589;
+                                                        phi_8799_ = _e3591;
+                                                        phi_8800_ = false;
+                                                        phi_8801_ = false;
+                                                        phi_8802_ = false;
                                                     } else {
-                                                        phi_8711_ = f64();
-                                                        phi_8712_ = false;
-                                                        phi_8713_ = false;
-                                                        phi_8714_ = _e3536;
-                                                        phi_8715_ = _e3538;
-                                                        phi_8716_ = _e3540;
+                                                        phi_8793_ = _e2532;
+                                                        phi_8794_ = _e2534;
+                                                        phi_8795_ = _e2536;
+                                                        phi_8796_ = _e2538;
+                                                        phi_8797_ = _e3557;
+                                                        phi_8798_ = _e3571;
+                                                        phi_8799_ = false;
+                                                        phi_8800_ = _e3573;
+                                                        phi_8801_ = _e3575;
+                                                        phi_8802_ = _e3577;
                                                     }
-                                                    let _e3557 = phi_8711_;
-                                                    let _e3559 = phi_8712_;
-                                                    let _e3561 = phi_8713_;
-                                                    let _e3563 = phi_8714_;
-                                                    let _e3565 = phi_8715_;
-                                                    let _e3567 = phi_8716_;
-                                                    phi_7060_ = _e3557;
-                                                    phi_7062_ = _e3528;
-                                                    phi_7064_ = _e3532;
-                                                    phi_8717_ = _e3528;
-                                                    phi_8718_ = _e3559;
-                                                    phi_8719_ = _e3561;
-                                                    phi_8720_ = false;
-                                                    phi_8721_ = _e3563;
-                                                    phi_8722_ = _e3565;
-                                                    phi_8723_ = _e3567;
+                                                    let _e3593 = phi_8793_;
+                                                    let _e3595 = phi_8794_;
+                                                    let _e3597 = phi_8795_;
+                                                    let _e3599 = phi_8796_;
+                                                    let _e3601 = phi_8797_;
+                                                    let _e3603 = phi_8798_;
+                                                    let _e3605 = phi_8799_;
+                                                    let _e3607 = phi_8800_;
+                                                    let _e3609 = phi_8801_;
+                                                    let _e3611 = phi_8802_;
+                                                    phi_7103_ = _e3593;
+                                                    phi_7105_ = _e3595;
+                                                    phi_7107_ = _e3597;
+                                                    phi_7109_ = _e3599;
+                                                    phi_7111_ = _e3601;
+                                                    phi_8803_ = _e3559;
+                                                    phi_8804_ = _e3603;
+                                                    phi_8805_ = _e3605;
+                                                    phi_8806_ = false;
+                                                    phi_8807_ = _e3607;
+                                                    phi_8808_ = _e3609;
+                                                    phi_8809_ = _e3611;
                                                 } else {
-                                                    phi_7060_ = f64();
-                                                    phi_7062_ = f64();
-                                                    phi_7064_ = f64();
-                                                    phi_8717_ = f64();
-                                                    phi_8718_ = false;
-                                                    phi_8719_ = false;
-                                                    phi_8720_ = true;
-                                                    phi_8721_ = false;
-                                                    phi_8722_ = false;
-                                                    phi_8723_ = false;
+                                                    phi_7103_ = f64();
+                                                    phi_7105_ = f64();
+                                                    phi_7107_ = f64();
+                                                    phi_7109_ = bool();
+                                                    phi_7111_ = u32();
+                                                    phi_8803_ = f64();
+                                                    phi_8804_ = false;
+                                                    phi_8805_ = false;
+                                                    phi_8806_ = true;
+                                                    phi_8807_ = false;
+                                                    phi_8808_ = false;
+                                                    phi_8809_ = false;
                                                 }
-                                                let _e3569 = phi_7060_;
-                                                let _e3571 = phi_7062_;
-                                                let _e3573 = phi_7064_;
-                                                let _e3575 = phi_8717_;
-                                                let _e3577 = phi_8718_;
-                                                let _e3579 = phi_8719_;
-                                                let _e3581 = phi_8720_;
-                                                let _e3583 = phi_8721_;
-                                                let _e3585 = phi_8722_;
-                                                let _e3587 = phi_8723_;
-                                                local_19 = _e3579;
-                                                local_35 = _e3575;
-                                                local_37 = _e3581;
-                                                local_38 = _e3583;
-                                                local_39 = _e3585;
-                                                local_40 = _e3587;
+                                                let _e3613 = phi_7103_;
+                                                let _e3615 = phi_7105_;
+                                                let _e3617 = phi_7107_;
+                                                let _e3619 = phi_7109_;
+                                                let _e3621 = phi_7111_;
+                                                let _e3623 = phi_8803_;
+                                                let _e3625 = phi_8804_;
+                                                let _e3627 = phi_8805_;
+                                                let _e3629 = phi_8806_;
+                                                let _e3631 = phi_8807_;
+                                                let _e3633 = phi_8808_;
+                                                let _e3635 = phi_8809_;
+                                                local_19 = _e3627;
+                                                local_35 = _e3623;
+                                                local_37 = _e3629;
+                                                local_38 = _e3631;
+                                                local_39 = _e3633;
+                                                local_40 = _e3635;
                                                 continue;
                                                 continuing {
-                                                    phi_7056_ = _e2548;
-                                                    phi_7059_ = _e3569;
-                                                    phi_7061_ = _e3571;
-                                                    phi_7063_ = _e3573;
-                                                    break if !(_e3577);
+                                                    phi_7099_ = _e2552;
+                                                    phi_7102_ = _e3613;
+                                                    phi_7104_ = _e3615;
+                                                    phi_7106_ = _e3617;
+                                                    phi_7108_ = _e3619;
+                                                    phi_7110_ = _e3621;
+                                                    break if !(_e3625);
                                                 }
                                             }
-                                            let _e3590 = local_19;
-                                            if _e3590 {
-                                                let _e6027 = local_35;
-                                                phi_8727_ = _e6027;
-                                                phi_8728_ = true;
-                                                phi_8729_ = false;
-                                                phi_8730_ = false;
-                                                phi_8731_ = false;
+                                            let _e3638 = local_19;
+                                            if _e3638 {
+                                                let _e6143 = local_35;
+                                                phi_8813_ = _e6143;
+                                                phi_8814_ = true;
+                                                phi_8815_ = false;
+                                                phi_8816_ = false;
+                                                phi_8817_ = false;
                                             } else {
-                                                let _e6029 = local_36;
-                                                phi_8727_ = _e6029;
-                                                let _e6032 = local_37;
-                                                phi_8728_ = _e6032;
-                                                let _e6035 = local_38;
-                                                phi_8729_ = _e6035;
-                                                let _e6038 = local_39;
-                                                phi_8730_ = _e6038;
-                                                let _e6041 = local_40;
-                                                phi_8731_ = _e6041;
+                                                let _e6145 = local_36;
+                                                phi_8813_ = _e6145;
+                                                let _e6148 = local_37;
+                                                phi_8814_ = _e6148;
+                                                let _e6151 = local_38;
+                                                phi_8815_ = _e6151;
+                                                let _e6154 = local_39;
+                                                phi_8816_ = _e6154;
+                                                let _e6157 = local_40;
+                                                phi_8817_ = _e6157;
                                             }
-                                            let _e3592 = phi_8727_;
-                                            let _e3594 = phi_8728_;
-                                            let _e3596 = phi_8729_;
-                                            let _e3598 = phi_8730_;
-                                            let _e3600 = phi_8731_;
-                                            if _e3594 {
-                                                phi_8736_ = type_44(1u, _e3592);
-                                                phi_8737_ = false;
-                                                phi_8738_ = false;
-                                                phi_8739_ = false;
+                                            let _e3640 = phi_8813_;
+                                            let _e3642 = phi_8814_;
+                                            let _e3644 = phi_8815_;
+                                            let _e3646 = phi_8816_;
+                                            let _e3648 = phi_8817_;
+                                            if _e3642 {
+                                                phi_8822_ = type_44(1u, _e3640);
+                                                phi_8823_ = false;
+                                                phi_8824_ = false;
+                                                phi_8825_ = false;
                                             } else {
-                                                phi_8736_ = type_44();
-                                                phi_8737_ = _e3596;
-                                                phi_8738_ = _e3598;
-                                                phi_8739_ = _e3600;
+                                                phi_8822_ = type_44();
+                                                phi_8823_ = _e3644;
+                                                phi_8824_ = _e3646;
+                                                phi_8825_ = _e3648;
                                             }
-                                            let _e3603 = phi_8736_;
-                                            let _e3605 = phi_8737_;
-                                            let _e3607 = phi_8738_;
-                                            let _e3609 = phi_8739_;
-                                            if _e3605 {
-                                                let _e3611 = local_20;
-                                                phi_8744_ = type_44(1u, _e3611);
-                                                phi_8745_ = false;
-                                                phi_8746_ = false;
+                                            let _e3651 = phi_8822_;
+                                            let _e3653 = phi_8823_;
+                                            let _e3655 = phi_8824_;
+                                            let _e3657 = phi_8825_;
+                                            if _e3653 {
+                                                let _e3659 = local_20;
+                                                phi_8830_ = type_44(1u, _e3659);
+                                                phi_8831_ = false;
+                                                phi_8832_ = false;
                                             } else {
-                                                phi_8744_ = type_44();
-                                                phi_8745_ = _e3607;
-                                                phi_8746_ = _e3609;
+                                                phi_8830_ = type_44();
+                                                phi_8831_ = _e3655;
+                                                phi_8832_ = _e3657;
                                             }
-                                            let _e3614 = phi_8744_;
-                                            let _e3616 = phi_8745_;
-                                            let _e3618 = phi_8746_;
-                                            if _e3616 {
-                                                phi_8751_ = type_44(0u, type_44().member_1);
-                                                phi_8752_ = false;
-                                                phi_8753_ = true;
+                                            let _e3662 = phi_8830_;
+                                            let _e3664 = phi_8831_;
+                                            let _e3666 = phi_8832_;
+                                            if _e3664 {
+                                                phi_8837_ = type_44(0u, type_44().member_1);
+                                                phi_8838_ = false;
+                                                phi_8839_ = true;
                                             } else {
-                                                phi_8751_ = _e3614;
-                                                phi_8752_ = _e3618;
-                                                phi_8753_ = _e3605;
+                                                phi_8837_ = _e3662;
+                                                phi_8838_ = _e3666;
+                                                phi_8839_ = _e3653;
                                             }
-                                            let _e3622 = phi_8751_;
-                                            let _e3624 = phi_8752_;
-                                            let _e3626 = phi_8753_;
-                                            if _e3624 {
-                                                phi_8758_ = type_44(0u, type_44().member_1);
-                                                phi_8759_ = true;
+                                            let _e3670 = phi_8837_;
+                                            let _e3672 = phi_8838_;
+                                            let _e3674 = phi_8839_;
+                                            if _e3672 {
+                                                phi_8844_ = type_44(0u, type_44().member_1);
+                                                phi_8845_ = true;
                                             } else {
-                                                phi_8758_ = _e3622;
-                                                phi_8759_ = _e3626;
+                                                phi_8844_ = _e3670;
+                                                phi_8845_ = _e3674;
                                             }
-                                            let _e3630 = phi_8758_;
-                                            let _e3632 = phi_8759_;
-                                            if _e3632 {
-                                                phi_8763_ = _e3630;
+                                            let _e3678 = phi_8844_;
+                                            let _e3680 = phi_8845_;
+                                            if _e3680 {
+                                                phi_8849_ = _e3678;
                                             } else {
-                                                phi_8763_ = _e3603;
+                                                phi_8849_ = _e3651;
                                             }
-                                            let _e3634 = phi_8763_;
-                                            let _e3637 = (_e3634.member != 0u);
-                                            if _e3637 {
-                                                phi_8770_ = false;
+                                            let _e3682 = phi_8849_;
+                                            let _e3685 = (_e3682.member != 0u);
+                                            if _e3685 {
+                                                phi_8856_ = false;
                                             } else {
-                                                phi_8770_ = true;
+                                                phi_8856_ = true;
                                             }
-                                            let _e3639 = phi_8770_;
-                                            phi_8771_ = _e3634.member_1;
-                                            phi_8772_ = _e3639;
-                                            phi_8773_ = _e3637;
-                                            phi_8774_ = false;
+                                            let _e3687 = phi_8856_;
+                                            phi_8857_ = _e3682.member_1;
+                                            phi_8858_ = _e3687;
+                                            phi_8859_ = _e3685;
+                                            phi_8860_ = false;
                                         } else {
-                                            phi_8771_ = f64();
-                                            phi_8772_ = false;
-                                            phi_8773_ = false;
-                                            phi_8774_ = true;
+                                            phi_8857_ = f64();
+                                            phi_8858_ = false;
+                                            phi_8859_ = false;
+                                            phi_8860_ = true;
                                         }
-                                        let _e3641 = phi_8771_;
-                                        let _e3643 = phi_8772_;
-                                        let _e3645 = phi_8773_;
-                                        let _e3647 = phi_8774_;
-                                        phi_8775_ = _e3641;
-                                        phi_8776_ = _e3643;
-                                        phi_8777_ = _e3645;
-                                        phi_8778_ = _e3647;
+                                        let _e3689 = phi_8857_;
+                                        let _e3691 = phi_8858_;
+                                        let _e3693 = phi_8859_;
+                                        let _e3695 = phi_8860_;
+                                        phi_8861_ = _e3689;
+                                        phi_8862_ = _e3691;
+                                        phi_8863_ = _e3693;
+                                        phi_8864_ = _e3695;
                                     }
-                                    let _e3649 = phi_8775_;
-                                    let _e3651 = phi_8776_;
-                                    let _e3653 = phi_8777_;
-                                    let _e3655 = phi_8778_;
-                                    phi_8779_ = _e3649;
-                                    phi_8780_ = _e2283;
-                                    phi_8781_ = _e3651;
-                                    phi_8782_ = _e3653;
-                                    phi_8783_ = _e3655;
+                                    let _e3697 = phi_8861_;
+                                    let _e3699 = phi_8862_;
+                                    let _e3701 = phi_8863_;
+                                    let _e3703 = phi_8864_;
+                                    phi_8865_ = _e3697;
+                                    phi_8866_ = _e2283;
+                                    phi_8867_ = _e3699;
+                                    phi_8868_ = _e3701;
+                                    phi_8869_ = _e3703;
                                 }
-                                let _e3657 = phi_8779_;
-                                let _e3659 = phi_8780_;
-                                let _e3661 = phi_8781_;
-                                let _e3663 = phi_8782_;
-                                let _e3665 = phi_8783_;
-                                if _e3659 {
-                                    phi_8787_ = true;
-                                    phi_8788_ = false;
-                                    phi_8789_ = false;
+                                let _e3705 = phi_8865_;
+                                let _e3707 = phi_8866_;
+                                let _e3709 = phi_8867_;
+                                let _e3711 = phi_8868_;
+                                let _e3713 = phi_8869_;
+                                if _e3707 {
+                                    phi_8873_ = true;
+                                    phi_8874_ = false;
+                                    phi_8875_ = false;
                                 } else {
-                                    phi_8787_ = _e3661;
-                                    phi_8788_ = _e3663;
-                                    phi_8789_ = _e3665;
+                                    phi_8873_ = _e3709;
+                                    phi_8874_ = _e3711;
+                                    phi_8875_ = _e3713;
                                 }
-                                let _e3667 = phi_8787_;
-                                let _e3669 = phi_8788_;
-                                let _e3671 = phi_8789_;
-                                phi_8790_ = _e3657;
-                                phi_8791_ = _e1551;
-                                phi_8792_ = _e3667;
-                                phi_8793_ = false;
-                                phi_8794_ = _e3669;
-                                phi_8795_ = _e3671;
+                                let _e3715 = phi_8873_;
+                                let _e3717 = phi_8874_;
+                                let _e3719 = phi_8875_;
+                                phi_8876_ = _e3705;
+                                phi_8877_ = _e1551;
+                                phi_8878_ = _e3715;
+                                phi_8879_ = false;
+                                phi_8880_ = _e3717;
+                                phi_8881_ = _e3719;
                             } else {
-                                phi_8790_ = f64();
-                                phi_8791_ = type_45();
-                                phi_8792_ = false;
-                                phi_8793_ = true;
-                                phi_8794_ = false;
-                                phi_8795_ = false;
+                                phi_8876_ = f64();
+                                phi_8877_ = type_45();
+                                phi_8878_ = false;
+                                phi_8879_ = true;
+                                phi_8880_ = false;
+                                phi_8881_ = false;
                             }
-                            let _e3673 = phi_8790_;
-                            let _e3675 = phi_8791_;
-                            let _e3677 = phi_8792_;
-                            let _e3679 = phi_8793_;
-                            let _e3681 = phi_8794_;
-                            let _e3683 = phi_8795_;
-                            local_21 = _e3679;
-                            local_41 = _e3681;
-                            local_42 = _e3683;
-                            local_22 = _e3673;
-                            local_23 = _e3675;
+                            let _e3721 = phi_8876_;
+                            let _e3723 = phi_8877_;
+                            let _e3725 = phi_8878_;
+                            let _e3727 = phi_8879_;
+                            let _e3729 = phi_8880_;
+                            let _e3731 = phi_8881_;
+                            local_21 = _e3727;
+                            local_41 = _e3729;
+                            local_42 = _e3731;
+                            local_22 = _e3721;
+                            local_23 = _e3723;
                             continue;
                             continuing {
-                                phi_5145_ = _e1264;
-                                break if !(_e3677);
+                                phi_5188_ = _e1264;
+                                break if !(_e3725);
                             }
                         }
-                        let _e3686 = local_21;
-                        if _e3686 {
-                            phi_8800_ = type_44(0u, type_44().member_1);
-                            phi_8801_ = false;
-                            phi_8802_ = false;
+                        let _e3734 = local_21;
+                        if _e3734 {
+                            phi_8886_ = type_44(0u, type_44().member_1);
+                            phi_8887_ = false;
+                            phi_8888_ = false;
                         } else {
-                            phi_8800_ = type_44();
-                            let _e6083 = local_41;
-                            phi_8801_ = _e6083;
-                            let _e6086 = local_42;
-                            phi_8802_ = _e6086;
+                            phi_8886_ = type_44();
+                            let _e6199 = local_41;
+                            phi_8887_ = _e6199;
+                            let _e6202 = local_42;
+                            phi_8888_ = _e6202;
                         }
-                        let _e3690 = phi_8800_;
-                        let _e3692 = phi_8801_;
-                        let _e3694 = phi_8802_;
-                        if _e3692 {
-                            let _e3696 = local_22;
-                            phi_8807_ = type_44(2u, _e3696);
-                            phi_8808_ = false;
+                        let _e3738 = phi_8886_;
+                        let _e3740 = phi_8887_;
+                        let _e3742 = phi_8888_;
+                        if _e3740 {
+                            let _e3744 = local_22;
+                            phi_8893_ = type_44(2u, _e3744);
+                            phi_8894_ = false;
                         } else {
-                            phi_8807_ = type_44();
-                            phi_8808_ = _e3694;
+                            phi_8893_ = type_44();
+                            phi_8894_ = _e3742;
                         }
-                        let _e3699 = phi_8807_;
-                        let _e3701 = phi_8808_;
-                        if _e3701 {
-                            let _e3703 = local_23;
-                            phi_8814_ = type_44(1u, _e3703.member);
-                            phi_8815_ = true;
+                        let _e3747 = phi_8893_;
+                        let _e3749 = phi_8894_;
+                        if _e3749 {
+                            let _e3751 = local_23;
+                            phi_8900_ = type_44(1u, _e3751.member);
+                            phi_8901_ = true;
                         } else {
-                            phi_8814_ = _e3699;
-                            phi_8815_ = _e3692;
+                            phi_8900_ = _e3747;
+                            phi_8901_ = _e3740;
                         }
-                        let _e3707 = phi_8814_;
-                        let _e3709 = phi_8815_;
-                        if _e3709 {
-                            phi_8819_ = _e3707;
+                        let _e3755 = phi_8900_;
+                        let _e3757 = phi_8901_;
+                        if _e3757 {
+                            phi_8905_ = _e3755;
                         } else {
-                            phi_8819_ = _e3690;
+                            phi_8905_ = _e3738;
                         }
-                        let _e3711 = phi_8819_;
-                        phi_8823_ = _e3711;
+                        let _e3759 = phi_8905_;
+                        phi_8909_ = _e3759;
                     }
-                    let _e5430 = phi_8823_;
-                    phi_8824_ = _e5430;
+                    let _e5526 = phi_8909_;
+                    phi_8910_ = _e5526;
                 }
-                let _e5434 = phi_8824_;
-                switch bitcast<i32>(_e5434.member) {
+                let _e5530 = phi_8910_;
+                switch bitcast<i32>(_e5530.member) {
                     case 0: {
-                        phi_8837_ = type_32(0u, array<u32, 2>(0u, 0u), false);
+                        phi_8923_ = type_32(0u, array<u32, 2>(0u, 0u), false);
                         break;
                     }
                     case 1: {
-                        let _e5440 = function_3(_e5434.member_1);
-                        phi_8837_ = type_32(0u, _e5440, true);
+                        let _e5536 = function_3(_e5530.member_1);
+                        phi_8923_ = type_32(0u, _e5536, true);
                         break;
                     }
                     case 2: {
-                        let _e5438 = function_3(_e5434.member_1);
-                        phi_8837_ = type_32(1u, _e5438, true);
+                        let _e5534 = function_3(_e5530.member_1);
+                        phi_8923_ = type_32(1u, _e5534, true);
                         break;
                     }
                     default: {
-                        phi_8837_ = type_32();
+                        phi_8923_ = type_32();
                         break;
                     }
                 }
-                let _e5443 = phi_8837_;
-                if _e5443.member_2 {
-                    let _e5450 = (_e5443.member_1[1] >> bitcast<u32>(20i));
-                    if (_e5450 <= 896u) {
-                        phi_8860_ = 0u;
+                let _e5539 = phi_8923_;
+                if _e5539.member_2 {
+                    let _e5546 = (_e5539.member_1[1] >> bitcast<u32>(20i));
+                    if (_e5546 <= 896u) {
+                        phi_8946_ = 0u;
                     } else {
-                        phi_8860_ = ((((_e5450 - 896u) << bitcast<u32>(23i)) | ((_e5443.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5443.member_1[0] >> bitcast<u32>(29i)));
+                        phi_8946_ = ((((_e5546 - 896u) << bitcast<u32>(23i)) | ((_e5539.member_1[1] & 1048575u) << bitcast<u32>(3i))) | (_e5539.member_1[0] >> bitcast<u32>(29i)));
                     }
-                    let _e5465 = phi_8860_;
-                    let _e5467 = atomicMin((&earliest.member[0u]), _e5465);
+                    let _e5561 = phi_8946_;
+                    let _e5563 = atomicMin((&earliest.member[0u]), _e5561);
                 }
-                phi_8864_ = type_22(0u, _e5443.member, _e181, _e184, _e5443.member_1);
-                phi_8865_ = _e5443.member_2;
+                phi_8950_ = type_22(0u, _e5539.member, _e181, _e184, _e5539.member_1);
+                phi_8951_ = _e5539.member_2;
             } else {
-                phi_8864_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
-                phi_8865_ = false;
+                phi_8950_ = type_22(0u, 0u, 0u, 0u, array<u32, 2>(0u, 0u));
+                phi_8951_ = false;
             }
-            let _e5469 = phi_8864_;
-            let _e5471 = phi_8865_;
-            let _e5474 = params.member.member.member_1;
-            if ((_e5474 & 16u) != 0u) {
+            let _e5565 = phi_8950_;
+            let _e5567 = phi_8951_;
+            let _e5570 = params.member.member.member_1;
+            if ((_e5570 & 16u) != 0u) {
                 if (_e110 == 0u) {
                     atomicStore((&counters[0u]), 0u);
                 }
                 workgroupBarrier();
-                if _e5471 {
-                    let _e5480 = atomicAdd((&counters[0u]), 1u);
-                    phi_8884_ = _e5480;
+                if _e5567 {
+                    let _e5576 = atomicAdd((&counters[0u]), 1u);
+                    phi_8970_ = _e5576;
                 } else {
-                    phi_8884_ = 0u;
+                    phi_8970_ = 0u;
                 }
-                let _e5482 = phi_8884_;
+                let _e5578 = phi_8970_;
                 workgroupBarrier();
                 if (_e110 == 0u) {
-                    let _e5485 = atomicLoad((&counters[0u]));
-                    if (_e5485 > 0u) {
-                        let _e5488 = atomicAdd((&contacts.member[0u]), _e5485);
-                        atomicStore((&counters[1u]), _e5488);
+                    let _e5581 = atomicLoad((&counters[0u]));
+                    if (_e5581 > 0u) {
+                        let _e5584 = atomicAdd((&contacts.member[0u]), _e5581);
+                        atomicStore((&counters[1u]), _e5584);
                     }
                 }
                 workgroupBarrier();
-                let _e5491 = atomicLoad((&counters[1u]));
-                let _e5492 = (_e5491 + _e5482);
-                if _e5471 {
-                    let _e5495 = params.member.member_1.member_3;
-                    if (_e5492 < _e5495) {
-                        let _e5497 = (6u * _e5492);
-                        atomicStore((&contacts.member[(4u + _e5497)]), _e5469.member);
-                        atomicStore((&contacts.member[(_e5497 + 5u)]), _e5469.member_1);
-                        atomicStore((&contacts.member[(_e5497 + 6u)]), _e5469.member_2);
-                        atomicStore((&contacts.member[(_e5497 + 7u)]), _e5469.member_3);
-                        atomicStore((&contacts.member[(_e5497 + 8u)]), _e5469.member_4[0]);
-                        atomicStore((&contacts.member[(_e5497 + 9u)]), _e5469.member_4[1]);
+                let _e5587 = atomicLoad((&counters[1u]));
+                let _e5588 = (_e5587 + _e5578);
+                if _e5567 {
+                    let _e5591 = params.member.member_1.member_3;
+                    if (_e5588 < _e5591) {
+                        let _e5593 = (6u * _e5588);
+                        atomicStore((&contacts.member[(4u + _e5593)]), _e5565.member);
+                        atomicStore((&contacts.member[(_e5593 + 5u)]), _e5565.member_1);
+                        atomicStore((&contacts.member[(_e5593 + 6u)]), _e5565.member_2);
+                        atomicStore((&contacts.member[(_e5593 + 7u)]), _e5565.member_3);
+                        atomicStore((&contacts.member[(_e5593 + 8u)]), _e5565.member_4[0]);
+                        atomicStore((&contacts.member[(_e5593 + 9u)]), _e5565.member_4[1]);
                     }
                 }
             }

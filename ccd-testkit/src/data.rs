@@ -195,7 +195,7 @@ pub const QUERY_SETS: [(&str, [u64; 2]); 11] = [
     ("erleben-spike-crack", [0, 0]),
     ("erleben-spike-hole", [0, 0]),
     ("erleben-spike-wedge", [0, 18]),
-    ("erleben-spikes", [36, 72]),
+    ("erleben-spikes", [33, 72]),
     ("erleben-wedge-crack", [0, 0]),
     ("erleben-wedges", [4, 136]),
     ("unit-tests", [52, 52]),

@@ -15,8 +15,9 @@
 //!   order in the length of the interval, so that slow and grazing approaches end after some tens
 //!   of directions.
 //!
-//! Neither needs coplanarity, so degenerate and planar motions are not special. An inexact
-//! direction costs progress, never certainty.
+//! Where features are so near that the direction between them is little but noise, the axes are
+//! tried: what is exact needs no accuracy. Neither certificate needs coplanarity, so degenerate and
+//! planar motions are not special. An inexact direction costs progress, never certainty.
 //!
 //! # The bound
 //! Components of a direction add up to 1, so a scalar product with a corner errs by at most
@@ -64,29 +65,41 @@ pub fn advance<R: Real>(
     // Free of contact up to `reach >= t`; `now` separates at `t`.
     let (mut t, mut reach, mut goal) = (from, from, from);
     let mut now = Separation::nothing();
-    for k in 0..MAX_DIRECTIONS {
-        let then = field.towards(nearest(m, patch, goal));
+    // How many axes were tried instead of the direction at the time that is certified.
+    let mut axes = 0;
+    let mut started = false;
+    for _ in 0..MAX_DIRECTIONS {
+        let w = nearest(m, patch, goal);
+        let then = field.towards(if axes == 0 { w } else { along_axis(w, axes) });
         let step = goal - t;
+        let first = !started;
         let next;
         if then.clear_at(goal) && (goal <= reach || now.clear_with(&then, t, goal)) {
-            if k > 0 && goal >= until {
+            if started && goal >= until {
                 return Advance::Clear;
             }
             t = goal;
             now = then;
+            axes = 0;
             reach = now.reach(t);
             if reach > until {
                 return Advance::Clear;
             }
-            next = if k == 0 { until - t } else { step + step };
+            next = if started { step + step } else { until - t };
+            started = true;
         } else if goal <= reach {
-            // Certified until here, and no direction here.
-            return Advance::Stuck(goal);
+            // Certified until here, and no direction here. That of features that are very near is
+            // little but noise; an axis has none.
+            axes += 1;
+            if axes > 3 {
+                return Advance::Stuck(goal);
+            }
+            continue;
         } else {
             next = step * shorter(now.least_at(t), then.least_at(goal));
         }
         goal = (t + next).max(reach).min(until);
-        if k > 0 && !(goal - t > R::splat(MIN_STEP)) {
+        if !first && !(goal - t > R::splat(MIN_STEP)) {
             break;
         }
     }
@@ -97,6 +110,17 @@ pub fn advance<R: Real>(
 #[inline(always)]
 fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
     closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch)
+}
+
+/// The part of `w` along the first, second or third axis.
+#[inline(always)]
+fn along_axis<R: Real>(w: [R; 3], axis: u32) -> [R; 3] {
+    let zero = R::splat(0.0);
+    [
+        if axis == 1 { w[0] } else { zero },
+        if axis == 2 { w[1] } else { zero },
+        if axis == 3 { w[2] } else { zero },
+    ]
 }
 
 /// The part of a step to try after it failed, from how far separations exceed what is needed at its
