@@ -149,6 +149,9 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
         let ends_b = &self.edges.vertices[b];
         let b01 = [Row { simd, ids: &ends_b[0] }, Row { simd, ids: &ends_b[1] }];
         mask &= !share_vertex([a0, a1], b01).bits();
+        if mask == 0 {
+            return;
+        }
         if let Some(bodies) = self.scene.bodies {
             mask = keep(mask, |j| bodies.wants(a0, ends_b[0][j]));
         }
@@ -206,6 +209,9 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
         let [f0, f1, f2] = corners;
         let face = [Row { simd, ids: f0 }, Row { simd, ids: f1 }, Row { simd, ids: f2 }];
         mask &= !is_corner(vertex, face).bits();
+        if mask == 0 {
+            return;
+        }
         if let Some(bodies) = self.scene.bodies {
             mask = keep(mask, |j| bodies.wants(vertex, corners[0][j]));
         }
