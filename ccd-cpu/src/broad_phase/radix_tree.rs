@@ -82,17 +82,16 @@ impl PairSource for RadixSource {
         assert!(searched.set().searched, "there is no tree over this set");
         let tree = &self.trees[searched.set().index];
         self.hits.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
-        share(threads, a.len().div_ceil(CHUNK), part, sink, workers, &mut self.hits, &|k,
-                                                                                       worker,
-                                                                                       Own(
-            hits,
-        )| {
+        let after = |leaf: usize| if within { leaf as u32 } else { NONE };
+        let queries = |k: usize, worker: &mut K::Worker, Own(hits): &mut Own<Vec<u32>>| {
             for leaf in k * CHUNK..((k + 1) * CHUNK).min(a.len()) {
                 hits.clear();
-                tree.query(&a.get(leaf), if within { leaf as u32 } else { NONE }, hits);
+                tree.query(&a.get(leaf), after(leaf), hits);
                 crate::simd::run_rows!(Rows { leaf, hits, sink, worker });
             }
-        });
+        };
+        let n_tasks = a.len().div_ceil(CHUNK);
+        share(threads, n_tasks, part, sink, workers, &mut self.hits, &queries);
     }
 }
 

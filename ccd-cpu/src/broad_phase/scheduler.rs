@@ -10,7 +10,7 @@ use crate::threads::{Own, Threads};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks wanted: enough that the largest is a small part of the whole.
-pub const MIN_TASKS: usize = 1024;
+const MIN_TASKS: usize = 1024;
 
 /// The tasks of a traversal and the stack of each worker, kept between calls.
 #[derive(Debug, Default)]
@@ -34,19 +34,12 @@ impl<P: Copy + Send + Sync> Scheduler<P> {
         self.split(tree);
         self.stacks.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
         let tasks = &self.tasks;
-        share(
-            threads,
-            tasks.len(),
-            part,
-            sink,
-            workers,
-            &mut self.stacks,
-            &|k, worker, Own(stack)| {
-                stack.clear();
-                stack.push(tasks[k]);
-                crate::simd::run_rows!(Descent { tree, stack, sink, worker });
-            },
-        );
+        let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<P>>| {
+            stack.clear();
+            stack.push(tasks[k]);
+            crate::simd::run_rows!(Descent { tree, stack, sink, worker });
+        };
+        share(threads, tasks.len(), part, sink, workers, &mut self.stacks, &descend);
     }
 
     /// Cuts the traversal into tasks.
