@@ -57,7 +57,7 @@ fn boxes(c: &mut Criterion) {
             assert!(leaves > codes.len() as u64);
         })
     });
-    for (name, method) in [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)] {
+    for (name, method) in [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::TREE)] {
         let mut broad = BroadPhase::new(1, method).expect("one thread");
         c.bench_function(&format!("broad phase by {name}, 100,000 uniform boxes"), |b| {
             b.iter(|| assert_eq!(broad.self_pairs(black_box(&boxes)).map(|p| p.len()), Ok(320)))

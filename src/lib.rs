@@ -77,10 +77,13 @@ struct Readme;
 
 pub use ccd_core::layout::Pair;
 pub use ccd_core::model::bodies::Bodies;
+pub use ccd_core::model::catalogue::{Catalogued, Row, every};
 pub use ccd_core::model::contact::{Contact, Kind, PerKind, State};
 pub use ccd_core::model::digest::Digest;
 pub use ccd_core::model::mesh::Mesh;
-pub use ccd_core::model::method::{BroadPhaseMethod, METHODS, MethodRow};
+pub use ccd_core::model::method::{
+    BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
+};
 pub use ccd_core::model::options::Options;
 pub use ccd_core::model::report::{Report, Times};
 pub use ccd_core::{

@@ -1,7 +1,7 @@
 //! A warm session allocates nothing.
 #![deny(unsafe_code)]
 
-use ccd::{BroadPhaseMethod, METHODS, Options, Session};
+use ccd::{BroadPhaseMethod, Options, Session};
 use ccd_testkit::generate::crumpled_sheet;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -57,13 +57,13 @@ fn count(threads: usize, broad_phase: BroadPhaseMethod) -> Vec<usize> {
 
 #[test]
 fn warm_sessions_allocate_nothing() {
-    for row in METHODS.iter().filter(|row| row.backends.contains(&"cpu")) {
-        let alone = count(1, row.method);
-        assert!(alone.iter().all(|&n| n == 0), "{}, one thread: {alone:?}", row.name);
+    for method in ccd::every("cpu") {
+        let alone = count(1, method);
+        assert!(alone.iter().all(|&n| n == 0), "{method}, one thread: {alone:?}");
         // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and
         // each worker's own queue may grow once.
-        let shared = count(2, row.method);
-        assert!(shared.iter().sum::<usize>() <= 4, "{}, two threads: {shared:?}", row.name);
+        let shared = count(2, method);
+        assert!(shared.iter().sum::<usize>() <= 4, "{method}, two threads: {shared:?}");
     }
     // The counter counts.
     let before = CALLS.load(Ordering::Relaxed);

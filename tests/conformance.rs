@@ -13,7 +13,7 @@
 use ccd::any::{BroadPhase, Choice, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
-use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, METHODS, Mesh, Options, Pair, State};
+use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, Mesh, Options, Pair, State};
 use ccd_testkit::compare::{agree, recorded_step, step_text};
 use ccd_testkit::{brute, data};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -96,11 +96,10 @@ fn main() {
     for (scene, source) in GENERATED.into_iter().chain(real) {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
-            for row in METHODS.iter().filter(|row| row.backends.contains(backend)) {
-                let (loaded, name) =
-                    (loaded.clone(), format!("pairs/{scene}/{}/{place}", row.name));
+            for method in ccd::every(backend) {
+                let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{}/{place}", method));
                 trials.push(row_of(name, source, choice, move |choice| {
-                    check_pairs(&loaded, source, choice, row.method)
+                    check_pairs(&loaded, source, choice, method)
                 }));
             }
             if !matches!(source, Source::Boxes(_)) {

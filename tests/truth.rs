@@ -76,7 +76,7 @@ fn check_broad_phase(data: &Path, scene: &Scene) {
         (BroadPhaseMethod::Blocks, 1),
         (BroadPhaseMethod::Blocks, 2),
         (BroadPhaseMethod::Blocks, 8),
-        (BroadPhaseMethod::Tree, 2),
+        (BroadPhaseMethod::TREE, 2),
     ] {
         let mut broad = BroadPhase::new(threads, method).unwrap();
         let ee = Digest::of(1, broad.self_pairs(&exact[1]).unwrap().iter());

@@ -120,7 +120,7 @@ impl Session {
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), true);
+            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), true)?;
             let scene = prepared.scene(mesh, options, &x, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
@@ -237,7 +237,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x.whole());
+    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x.whole())?;
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())

@@ -4,9 +4,10 @@
 use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
 use ccd_core::model::bodies::Bodies;
+use ccd_core::model::catalogue::every;
 use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::method::{BroadPhaseMethod, METHODS};
+use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_cpu::Session;
 
@@ -137,7 +138,7 @@ fn run<T: Coordinate>(scene: &Scene, options: &Options) -> Vec<Found> {
 
 /// The methods that the table says are here.
 fn methods() -> impl Iterator<Item = BroadPhaseMethod> {
-    METHODS.iter().filter(|row| row.backends.contains(&"cpu")).map(|row| row.method)
+    every("cpu")
 }
 
 fn check_methods<T: Coordinate>(name: &str, scene: &Scene) {
@@ -213,7 +214,7 @@ fn comparisons_can_fail() {
     let scene = soup(60);
     let of =
         |method, bodies| Options { threads: 1, bodies, broad_phase: method, ..Options::default() };
-    let all = run::<f64>(&scene, &of(BroadPhaseMethod::Tree, None));
+    let all = run::<f64>(&scene, &of(BroadPhaseMethod::TREE, None));
     // Bodies that do not move take pairs away, by every method.
     for method in methods() {
         let fewer = run::<f64>(&scene, &of(method, Some(scene.bodies.clone())));
@@ -225,7 +226,7 @@ fn comparisons_can_fail() {
     // One vertex elsewhere in one frame.
     let mut other = soup(60);
     other.frames[2][17] = [0.3, -0.7, 11.0];
-    let moved = run::<f64>(&other, &of(BroadPhaseMethod::Tree, None));
+    let moved = run::<f64>(&other, &of(BroadPhaseMethod::TREE, None));
     assert!(
         moved[0] == all[0]
             && moved[1] != all[1]
@@ -237,5 +238,5 @@ fn comparisons_can_fail() {
         let mut session = Session::new(scene.mesh.clone(), of(method, None)).expect("a session");
         session.candidates(&scene.frames[0], &scene.frames[1]).expect("candidates").ee.to_vec()
     };
-    assert_ne!(order(BroadPhaseMethod::Blocks), order(BroadPhaseMethod::Tree));
+    assert_ne!(order(BroadPhaseMethod::Blocks), order(BroadPhaseMethod::TREE));
 }

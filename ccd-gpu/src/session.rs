@@ -9,6 +9,7 @@ use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, cpu_fallback};
 use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;

@@ -6,7 +6,7 @@ use super::{Failure, Outcome, output};
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::Timing;
 use ccd::scenes::{crumpled_sheet, uniform_boxes};
-use ccd::{BroadPhaseMethod, METHODS, Options, PerKind, TOI_TOLERANCE};
+use ccd::{BroadPhaseMethod, Catalogued, Options, PerKind, TOI_TOLERANCE};
 use clap::Args;
 use serde::Serialize;
 use std::time::Instant;
@@ -199,14 +199,14 @@ impl Bench {
         let want = match PAIRS.iter().find(|known| known.0 == n) {
             Some(known) => known.1,
             // Not known beforehand: another method says.
-            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::Tree)?
+            None => ccd::BroadPhase::new(self.threads, BroadPhaseMethod::TREE)?
                 .self_pairs(&boxes)?
                 .len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
-        for row in METHODS {
-            let what = row.name;
-            let mut broad = BroadPhase::new(choice, self.threads, row.method)?;
+        for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE] {
+            let what = method.row().name;
+            let mut broad = BroadPhase::new(choice, self.threads, method)?;
             let timed =
                 self.time(&mut broad, Some(want), |broad| match broad.self_pairs(&boxes)?.len() {
                     found if found == want => Ok(format!("{} pairs", output::thousands(found))),

@@ -3,7 +3,7 @@
 use super::backend::BackendOptions;
 use super::{Failure, Outcome, in_file, output};
 use ccd::any::{BroadPhase, Error, Pairs};
-use ccd::{Aabb, BroadPhaseMethod, METHODS};
+use ccd::{Aabb, BroadPhaseMethod, Catalogued, Row};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
@@ -21,7 +21,7 @@ pub struct Boxes {
     #[command(flatten)]
     backend: BackendOptions,
     /// How pairs are found; all ways find the same
-    #[arg(long, value_name = "METHOD", default_value = METHODS[0].name, value_parser = methods())]
+    #[arg(long, value_name = "METHOD", default_value = BroadPhaseMethod::default().row().name, value_parser = methods())]
     method: BroadPhaseMethod,
     /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -37,8 +37,8 @@ pub struct Boxes {
 
 /// The names of the library's table, each with its line.
 fn methods() -> impl TypedValueParser<Value = BroadPhaseMethod> {
-    let value = |row: &ccd::MethodRow| PossibleValue::new(row.name).help(row.about);
-    PossibleValuesParser::new(METHODS.iter().map(value))
+    let value = |row: &Row<BroadPhaseMethod>| PossibleValue::new(row.name).help(row.about);
+    PossibleValuesParser::new(BroadPhaseMethod::ROWS.iter().map(value))
         .try_map(|name| BroadPhaseMethod::named(&name).ok_or("not in the table of methods"))
 }
 

@@ -25,7 +25,7 @@ fn check_bench(backend: &str) {
     assert_eq!(answers[..2], want.map(|(what, answer)| (what.into(), answer.into())));
     assert_eq!(answers[2].0, "earliest");
     // Every method of the table, in its order.
-    let pairs = ccd::METHODS.iter().map(|row| (row.name.into(), "2 pairs".into()));
+    let pairs = ["blocks", "tree"].map(|name| (name.into(), "2 pairs".into())).into_iter();
     assert_eq!(answers[3..], pairs.collect::<Vec<(Value, Value)>>());
     assert!(rows.iter().all(|r| r["median_ms"].as_f64().unwrap() > 0.0));
 }

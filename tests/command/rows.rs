@@ -1,6 +1,7 @@
 //! Rows of numbers in files: queries, boxes.
 
 use crate::{ccd, check_refused, json};
+use ::ccd::{BroadPhaseMethod, Catalogued};
 
 pub fn queries_are_counted_against_their_answers() {
     let dir = tempfile::tempdir().unwrap();
@@ -46,7 +47,7 @@ pub fn boxes_are_paired() {
         ],
     );
     let b = write("b.bin", &[[0.5, 0.5, 0.5, 3.0, 0.75, 0.75]]);
-    for method in ccd::METHODS.iter().map(|row| row.name) {
+    for method in BroadPhaseMethod::ROWS.iter().map(|row| row.name) {
         let within = json(&ccd(&["boxes", &a, "--json", "--method", method]));
         assert_eq!((&within["pairs"], &within["boxes"]), (&1.into(), &serde_json::json!([3, 0])));
         let between = json(&ccd(&["boxes", &a, &b, "--json", "--method", method]));

@@ -22,7 +22,7 @@ pub const TESTS: crate::Tests = &[
     ("filters", check_filters),
     ("radix_tree", check_radix_tree),
     ("uniform_boxes_by_blocks", |device| check_uniform(device, BroadPhaseMethod::Blocks)),
-    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::Tree)),
+    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::TREE)),
 ];
 
 fn check_node_pairs(device: &Device) {

@@ -265,7 +265,7 @@ fn measure_boxes(device: &Device, runs: usize, text: &mut String) -> Result<(), 
     ] {
         let boxes = uniform_boxes(n);
         for (name, method) in
-            [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::Tree)]
+            [("blocks", BroadPhaseMethod::Blocks), ("tree", BroadPhaseMethod::TREE)]
         {
             let title = format!("{n}, {name}");
             let mut broad = BroadPhase::new(device, method)?;

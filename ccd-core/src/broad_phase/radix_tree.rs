@@ -9,7 +9,7 @@ use crate::kernel::memory::at;
 use crate::layout::Branch;
 
 /// Levels that a tree can have: 63 bits of code and 32 of index, each deciding at most once on a
-/// path, and a leaf. Stacks of traversals are this large, so they cannot overflow.
+/// path, and a leaf.
 pub const MAX_DEPTH: usize = 96;
 
 /// What boxes are sorted by, as far as a tree needs it.

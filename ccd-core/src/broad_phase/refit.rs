@@ -5,7 +5,6 @@
 //! the visit counter carries acquire and release. Where a device has no such order across
 //! workgroups, a host runs the levels one after the other instead.
 
-use super::radix_tree::MAX_DEPTH;
 use crate::kernel::Words;
 use crate::layout::Branch;
 use crate::math::aabb::Aabb;
@@ -49,7 +48,7 @@ pub fn refit(
     let n_internal = branches.len();
     let mut node = n_internal + i;
     store_box(boxes, node, leaf);
-    for _ in 0..MAX_DEPTH {
+    for _ in 0..n_internal + 1 {
         if node == 0 {
             return;
         }

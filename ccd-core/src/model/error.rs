@@ -83,6 +83,17 @@ pub enum Error {
         /// The backend.
         backend: &'static str,
     },
+    /// A setting of a method that is out of its range.
+    Setting {
+        /// Which.
+        name: &'static str,
+        /// The value given.
+        value: u64,
+        /// The least that it may be.
+        least: u64,
+        /// The greatest that it may be.
+        greatest: u64,
+    },
     /// A thread pool of the wanted size could not be started.
     Threads {
         /// Threads asked for.
@@ -139,6 +150,9 @@ impl core::fmt::Display for Error {
                 write!(f, "{element} {at} joins vertices of bodies {} and {}", bodies[0], bodies[1])
             }
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
+            Error::Setting { name, value, least, greatest } => {
+                write!(f, "{name}: {value}; it must be from {least} to {greatest}")
+            }
             Error::Threads { count } => write!(f, "cannot start {count} threads"),
         }
     }

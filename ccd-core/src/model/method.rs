@@ -1,80 +1,174 @@
-//! The ways to find overlapping boxes: an enum to select one, and a table that says what each is.
+//! The ways to find overlapping boxes, as choices: what each is is said in
+//! [`catalogue`](super::catalogue).
+
+use super::error::Error;
 
 /// How a broad phase finds overlapping boxes; all methods give the same set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BroadPhaseMethod {
+    /// Every box against every other: what all else is compared with.
+    BruteForce,
+    /// Boxes sorted along the axis of largest variance, each compared with those that begin before
+    /// it ends [Cohen 1995], [Karras 2012a].
+    SweepAndPrune,
+    /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
+    /// cells around it [Karras 2012a].
+    UniformGrid,
     /// Blocks of neighbouring boxes in Morton order, descended together: the fastest where boxes
     /// overlap many others.
     #[default]
     Blocks,
-    /// A binary radix tree [Karras 2012], one query per box with a stack: for boxes of which few
-    /// overlap, on a GPU.
-    Tree,
+    /// A binary tree.
+    Tree(TreeOptions),
 }
 
-/// What there is to say about a method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MethodRow {
-    /// The method, with the settings that it has by default.
-    pub method: BroadPhaseMethod,
-    /// Its name on a command line.
-    pub name: &'static str,
-    /// One line about it.
-    pub about: &'static str,
-    /// Where it is from: a key of docs/REFERENCES.md; `None`: this project.
-    pub source: Option<&'static str>,
-    /// Where it runs: `"cpu"`, `"gpu"`.
-    pub backends: &'static [&'static str],
+/// Which binary tree, and how it is traversed.
+///
+/// ```
+/// use ccd_core::model::method::{Builder, TreeOptions, Traversal};
+///
+/// let tree = TreeOptions::default().builder(Builder::Lbvh).traversal(Traversal::Half);
+/// assert_eq!(tree, TreeOptions::default());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct TreeOptions {
+    /// How it is built.
+    pub builder: Builder,
+    /// How pairs are found in it.
+    pub traversal: Traversal,
+    /// What bounds its nodes.
+    pub volume: Volume,
 }
 
-/// Every method, in the order of the enum.
-pub const METHODS: &[MethodRow] = &[
-    MethodRow {
-        method: BroadPhaseMethod::Blocks,
-        name: "blocks",
-        about: "Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU",
-        source: None,
-        backends: &["cpu", "gpu"],
+/// How a binary tree over boxes is built.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Builder {
+    /// From sorted Morton codes, every node by itself [Karras 2012].
+    #[default]
+    Lbvh,
+    /// From sorted Morton codes by lists of the levels at which neighbours split [Lauterbach 2009].
+    SplitLists,
+    /// Bottom up, every node with its nearest free neighbour [Tian and Wan]: takes a time that grows
+    /// with the square of the number of boxes.
+    NearestPair {
+        /// Most boxes that it is used for; more are refused.
+        limit: u32,
     },
-    MethodRow {
-        method: BroadPhaseMethod::Tree,
-        name: "tree",
-        about: "A binary radix tree; on a GPU faster where few boxes overlap",
-        source: Some("Karras 2012"),
-        backends: &["cpu", "gpu"],
+    /// Bottom up, every cluster with its nearest neighbour along the Morton curve [Meister 2018].
+    Ploc {
+        /// How many neighbours to either side are looked at, 1 to [`Builder::MAX_RADIUS`].
+        radius: u32,
     },
-];
+}
+
+impl Builder {
+    /// [`Builder::NearestPair`] up to the number of boxes that takes about a second.
+    pub const NEAREST_PAIR: Self = Self::NearestPair { limit: 20_000 };
+    /// [`Builder::Ploc`] with the radius that its authors recommend for speed.
+    pub const PLOC: Self = Self::Ploc { radius: 16 };
+    /// Greatest radius of [`Builder::Ploc`].
+    pub const MAX_RADIUS: u32 = 128;
+}
+
+/// How pairs are found in a binary tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Traversal {
+    /// A query per box, in the order of input, by a function that calls itself.
+    Recursive,
+    /// A query per box, in the order of input, with a stack [Karras 2012b].
+    Iterative,
+    /// The same in the order of leaves, so that neighbouring queries visit the same nodes.
+    LeafOrder,
+    /// The same, each looking only at leaves after its own, so that every pair is found once.
+    #[default]
+    Half,
+    /// Pairs of nodes from the root on, one after the other.
+    Simultaneous(Descent),
+    /// Pairs of nodes from all pairs of a cut through the tree on, in parallel.
+    Cut {
+        /// Nodes of the cut, 1 to [`Traversal::MAX_CUT`].
+        nodes: u32,
+        /// How a pair is expanded.
+        descent: Descent,
+    },
+}
+
+impl Traversal {
+    /// [`Traversal::Simultaneous`] as it is by default.
+    pub const SIMULTANEOUS: Self = Self::Simultaneous(Descent::Larger);
+    /// [`Traversal::Cut`] of 256 nodes, which are 32,896 pairs.
+    pub const CUT: Self = Self::Cut { nodes: 256, descent: Descent::Larger };
+    /// Most nodes of a cut: half a million pairs a tree.
+    pub const MAX_CUT: u32 = 1024;
+}
+
+/// How a pair of nodes that overlap is expanded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Descent {
+    /// The larger of the two into its children.
+    #[default]
+    Larger,
+    /// Both into theirs.
+    Both,
+}
+
+/// What bounds the nodes of a binary tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Volume {
+    /// Boxes along the axes.
+    #[default]
+    Aabb,
+    /// Boxes along axes of their own [Gottschalk 1996].
+    Obb,
+}
+
+impl TreeOptions {
+    /// The same with this builder.
+    pub const fn builder(self, builder: Builder) -> Self {
+        Self { builder, ..self }
+    }
+
+    /// The same with this traversal.
+    pub const fn traversal(self, traversal: Traversal) -> Self {
+        Self { traversal, ..self }
+    }
+
+    /// The same with these volumes.
+    pub const fn volume(self, volume: Volume) -> Self {
+        Self { volume, ..self }
+    }
+}
 
 impl BroadPhaseMethod {
-    /// What there is to say about it.
-    pub const fn row(self) -> &'static MethodRow {
-        match self {
-            Self::Blocks => &METHODS[0],
-            Self::Tree => &METHODS[1],
-        }
-    }
+    /// The tree that is fastest among the trees.
+    pub const TREE: Self = Self::Tree(TreeOptions {
+        builder: Builder::Lbvh,
+        traversal: Traversal::Half,
+        volume: Volume::Aabb,
+    });
 
-    /// The method of that name, with the settings that it has by default.
-    pub fn named(name: &str) -> Option<Self> {
-        METHODS.iter().find(|row| row.name == name).map(|row| row.method)
+    /// Checks settings that have a range.
+    pub fn check(self) -> Result<(), Error> {
+        let Self::Tree(tree) = self else { return Ok(()) };
+        if let Builder::Ploc { radius } = tree.builder {
+            check_setting("radius of PLOC", radius, Builder::MAX_RADIUS)?;
+        }
+        if let Traversal::Cut { nodes, .. } = tree.traversal {
+            check_setting("nodes of the cut", nodes, Traversal::MAX_CUT)?;
+        }
+        Ok(())
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_method_has_its_row() {
-        for row in METHODS {
-            assert_eq!(row.method.row(), row);
-            assert_eq!(BroadPhaseMethod::named(row.name), Some(row.method));
-            assert!(
-                !row.about.is_empty() && row.backends.iter().all(|b| ["cpu", "gpu"].contains(b))
-            );
-        }
-        assert_eq!(BroadPhaseMethod::named("by hand"), None);
-        assert_eq!(METHODS[0].method, BroadPhaseMethod::default());
+fn check_setting(name: &'static str, value: u32, greatest: u32) -> Result<(), Error> {
+    if (1..=greatest).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::Setting { name, value: value as u64, least: 1, greatest: greatest as u64 })
     }
 }

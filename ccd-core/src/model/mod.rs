@@ -2,6 +2,7 @@
 
 #[cfg(feature = "alloc")]
 pub mod bodies;
+pub mod catalogue;
 pub mod contact;
 pub mod digest;
 pub mod error;

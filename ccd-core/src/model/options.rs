@@ -25,6 +25,7 @@ impl Options {
     /// Checks the options for steps of `mesh`.
     pub fn check(&self, mesh: &Mesh) -> Result<(), Error> {
         check_min_distance(self.min_distance)?;
+        self.broad_phase.check()?;
         self.bodies.as_ref().map_or(Ok(()), |bodies| bodies.check(mesh))
     }
 }

@@ -4,7 +4,7 @@
 use crate::broad_phase::block_bvh::BlockBvh;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{Fixed, PairSink, PairSource};
+use crate::broad_phase::pair_source::{Fixed, Order, PairSink, PairSource, Sides};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::scheduler::Scheduler;
 use crate::simd::{Block, RowSimd, WIDTH};
@@ -36,7 +36,7 @@ impl BlockSource {
     }
 }
 
-impl PairSource for BlockSource {
+impl Order for BlockSource {
     fn sort(
         &mut self,
         threads: &Threads,
@@ -56,11 +56,17 @@ impl PairSource for BlockSource {
     fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         self.trees[leaves.set().index].fit(threads, leaves.blocks())
     }
+}
+
+impl PairSource for BlockSource {
+    fn order(&mut self) -> &mut dyn Order {
+        self
+    }
 
     fn find<K: PairSink>(
         &mut self,
         threads: &Threads,
-        (a, b): (&LeafBoxes, Option<&LeafBoxes>),
+        (a, b): Sides,
         part: usize,
         sink: &K,
         workers: &mut [K::Worker],

@@ -1,7 +1,7 @@
 //! The boxes of one set in the order of a method's leaves, eight side by side: what a source of
 //! pairs numbers its leaves by, and what a sink looks them up in.
 
-use crate::broad_phase::pair_source::{Fixed, PairSource};
+use crate::broad_phase::pair_source::{Fixed, Order};
 use crate::simd::{Block, EMPTY, WIDTH};
 use crate::threads::Threads;
 use ccd_core::Aabb;
@@ -76,7 +76,7 @@ impl LeafBoxes {
     pub fn build(
         &mut self,
         threads: &Threads,
-        source: &mut impl PairSource,
+        source: &mut dyn Order,
         boxes: &[Aabb<f32>],
         fixed: Option<Fixed>,
     ) {
@@ -86,13 +86,8 @@ impl LeafBoxes {
     }
 
     /// Keeps the order of the last build and takes new boxes, as many as then. Returns how much
-    /// looser the source has become since, see [`PairSource::fit`].
-    pub fn refit(
-        &mut self,
-        threads: &Threads,
-        source: &mut impl PairSource,
-        boxes: &[Aabb<f32>],
-    ) -> f64 {
+    /// looser the source has become since, see [`Order::fit`].
+    pub fn refit(&mut self, threads: &Threads, source: &mut dyn Order, boxes: &[Aabb<f32>]) -> f64 {
         assert_eq!(boxes.len(), self.len(), "refit with another number of boxes");
         self.place(threads, boxes);
         source.fit(threads, self)

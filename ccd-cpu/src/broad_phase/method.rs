@@ -1,67 +1,122 @@
 //! The chosen method: the one place where a choice becomes code.
 
 use crate::broad_phase::block_pairs::BlockSource;
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::pair_source::{Fixed, PairSink, PairSource};
-use crate::broad_phase::radix_tree::RadixSource;
-use crate::threads::Threads;
+use crate::broad_phase::brute_force::BruteForce;
+use crate::broad_phase::pair_source::{
+    Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
+};
+use crate::broad_phase::scheduler::share;
+use crate::broad_phase::tree::TreeSource;
+use crate::simd::{RowSimd, WIDTH, Work};
+use crate::threads::{Own, Threads};
+use ccd_core::Error;
+use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
-use ccd_core::{Aabb, Error};
 
 /// One of the sources of pairs that this backend has.
 #[derive(Debug)]
 pub enum Method {
-    /// [`BroadPhaseMethod::Blocks`].
+    /// The default, which is compiled into every sink.
     Blocks(BlockSource),
-    /// [`BroadPhaseMethod::Tree`].
-    Tree(RadixSource),
+    /// Any other.
+    Listed(Listed),
 }
 
 impl Method {
     /// The source of a choice, if there is one here.
     pub fn new(choice: BroadPhaseMethod) -> Result<Self, Error> {
-        match choice {
-            BroadPhaseMethod::Blocks => Ok(Self::Blocks(BlockSource::default())),
-            BroadPhaseMethod::Tree => Ok(Self::Tree(RadixSource::default())),
-            other => Err(Error::Method { name: other.row().name, backend: "cpu" }),
+        choice.check()?;
+        if let Some(name) = choice.lacking("cpu") {
+            return Err(Error::Method { name, backend: "cpu" });
         }
+        let source: Box<dyn RowSource> = match choice {
+            BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
+            BroadPhaseMethod::BruteForce => Box::new(BruteForce),
+            BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
+            other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+        };
+        Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }
-}
-
-/// Does the same with whichever source there is.
-macro_rules! each {
-    ($method:expr, $source:ident => $do:expr) => {
-        match $method {
-            Method::Blocks($source) => $do,
-            Method::Tree($source) => $do,
-        }
-    };
 }
 
 impl PairSource for Method {
-    fn sort(
-        &mut self,
-        threads: &Threads,
-        set: Set,
-        boxes: &[Aabb<f32>],
-        fixed: Option<Fixed>,
-        order: &mut Vec<u32>,
-    ) {
-        each!(self, source => source.sort(threads, set, boxes, fixed, order));
-    }
-
-    fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
-        each!(self, source => source.fit(threads, leaves))
+    fn order(&mut self) -> &mut dyn Order {
+        match self {
+            Self::Blocks(source) => source.order(),
+            Self::Listed(source) => source.order(),
+        }
     }
 
     fn find<K: PairSink>(
         &mut self,
         threads: &Threads,
-        sides: (&LeafBoxes, Option<&LeafBoxes>),
+        sides: Sides,
         part: usize,
         sink: &K,
         workers: &mut [K::Worker],
     ) {
-        each!(self, source => source.find(threads, sides, part, sink, workers));
+        match self {
+            Self::Blocks(source) => source.find(threads, sides, part, sink, workers),
+            Self::Listed(source) => source.find(threads, sides, part, sink, workers),
+        }
+    }
+}
+
+/// A source that lists rows, and what its threads keep between calls.
+#[derive(Debug)]
+pub struct Listed {
+    source: Box<dyn RowSource>,
+    buffers: Vec<Own<(Scratch, Vec<Row>)>>,
+}
+
+impl PairSource for Listed {
+    fn order(&mut self) -> &mut dyn Order {
+        &mut *self.source
+    }
+
+    fn find<K: PairSink>(
+        &mut self,
+        threads: &Threads,
+        sides: Sides,
+        part: usize,
+        sink: &K,
+        workers: &mut [K::Worker],
+    ) {
+        if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
+            return;
+        }
+        let n_tasks = self.source.begin(threads, sides);
+        let source = &*self.source;
+        self.buffers.resize_with(workers.len(), Own::default);
+        let n = workers.len().min(source.max_threads());
+        let (active, idle) = workers.split_at_mut(n);
+        let run = |k: usize, worker: &mut K::Worker, own: &mut Own<(Scratch, Vec<Row>)>| {
+            let Own((scratch, list)) = own;
+            let mut hand_on = |rows: &[Row]| crate::simd::run_rows!(HandOn { rows, sink, worker });
+            let mut rows = Rows::new(list, &mut hand_on);
+            source.task(k, sides, scratch, &mut rows);
+            rows.flush();
+        };
+        share(threads, n_tasks, part, sink, active, &mut self.buffers[..n], &run);
+        idle.iter_mut().for_each(|worker| sink.end(worker));
+    }
+}
+
+/// Listed rows on their way to the sink.
+struct HandOn<'a, K: PairSink> {
+    rows: &'a [Row],
+    sink: &'a K,
+    worker: &'a mut K::Worker,
+}
+
+impl<S: RowSimd, K: PairSink> Work<S> for HandOn<'_, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self, simd: S) {
+        for &Row { a, b, mask } in self.rows {
+            let a = a as usize;
+            self.sink.row(self.worker, simd, a / WIDTH, a % WIDTH, b as usize, mask);
+        }
     }
 }

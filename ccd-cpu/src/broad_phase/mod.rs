@@ -2,30 +2,31 @@
 //! has in common with it.
 //!
 //! A way to find pairs is a [`pair_source::PairSource`]: it orders boxes, keeps what it builds over
-//! them, and emits pairs of leaves into a [`pair_source::PairSink`]. The sinks are those of a list
+//! them, and emits rows of leaves into a [`pair_source::PairSink`]. The sinks are those of a list
 //! of boxes (here) and of a step (candidates, with or without the narrow phase behind them).
 //!
 //! One more method takes
 //! - a file here with its source of pairs. One that descends two hierarchies at once implements
 //!   [`pair_tree::PairTree`] and leaves the rest to a [`scheduler::Scheduler`]; one that makes
 //!   queries hands them out by [`scheduler::share`];
-//! - an arm of [`method::Method`], of its `new` and of its `each`;
-//! - a variant and a row in `ccd-core/src/model/method.rs`.
+//! - an arm of [`method::Method::new`];
+//! - a variant in `ccd-core/src/model/method.rs` and a row in `catalogue.rs` beside it.
 //!
 //! Sessions, the broad phase and the tests of all methods then have it.
 
 mod block_bvh;
 mod block_pairs;
+mod brute_force;
 pub mod leaf_boxes;
 pub mod method;
 mod morton_order;
 pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
-mod radix_tree;
 mod scheduler;
 #[cfg(test)]
 mod tests;
+mod tree;
 
 use crate::simd::RowSimd;
 use crate::threads::Threads;
@@ -111,12 +112,13 @@ impl BroadPhase {
         };
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            side.leaves.build(threads, method, &side.boxes, None);
+            method.order().survey(threads, &[&side.boxes])?;
+            side.leaves.build(threads, method.order(), &side.boxes, None);
             let slack = slack(&side.boxes, &side.boxes);
             let sink = Listing::<true> { a: &side.leaves, b: &side.leaves, slack, confirm };
             list(threads, method, &sink, workers, runs);
-        });
-        Ok(())
+            Ok(())
+        })
     }
 
     #[inline(never)]
@@ -132,13 +134,14 @@ impl BroadPhase {
         };
         let confirm: Option<Confirm> = if exact { None } else { Some(&overlap) };
         threads.enter(|| {
-            a.leaves.build(threads, method, &a.boxes, None);
-            b.leaves.build(threads, method, &b.boxes, None);
+            method.order().survey(threads, &[&a.boxes, &b.boxes])?;
+            a.leaves.build(threads, method.order(), &a.boxes, None);
+            b.leaves.build(threads, method.order(), &b.boxes, None);
             let slack = slack(&a.boxes, &b.boxes);
             let sink = Listing::<false> { a: &a.leaves, b: &b.leaves, slack, confirm };
             list(threads, method, &sink, workers, runs);
-        });
-        Ok(())
+            Ok(())
+        })
     }
 }
 

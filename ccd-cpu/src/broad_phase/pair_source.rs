@@ -2,18 +2,37 @@
 //!
 //! It says in which order boxes are leaves, and emits pairs of leaves, not of ids: what belongs to
 //! a leaf is laid out in that order, so that whatever takes the pairs serves every source.
+//!
+//! Sources come in two shapes. A [`PairSource`] hands rows to the sink at once, and is compiled for
+//! every sink: for the default method. A [`RowSource`] lists rows, some thousand at a time, and is
+//! compiled once: for all others.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::simd::RowSimd;
 use crate::threads::Threads;
-use ccd_core::Aabb;
+use ccd_core::{Aabb, Error};
+use std::fmt::Debug;
 
 /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
 pub type Fixed<'a> = &'a (dyn Fn(usize) -> bool + Sync);
 
-/// Finds overlapping boxes of a few sets, whose boxes and leaf order are in [`LeafBoxes`]; keeps
-/// its own buffers between calls.
-pub trait PairSource {
+/// What pairs are sought in: one set against another, or, without another, within one.
+pub type Sides<'a> = (&'a LeafBoxes, Option<&'a LeafBoxes>);
+
+/// Puts the boxes of a few sets in order, and keeps what it builds over them between calls.
+pub trait Order: Debug + Send + Sync {
+    /// Looks at the boxes of all sets that will be sorted, for what these must have in common: an
+    /// axis, the size of a cell. Refuses boxes for which the method is not made.
+    fn survey(&mut self, _threads: &Threads, _sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// Whether an order stays right when boxes move. If not, there is a survey and a sort whenever
+    /// they did.
+    fn outlasts_motion(&self) -> bool {
+        true
+    }
+
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
     fn sort(
         &mut self,
@@ -24,10 +43,18 @@ pub trait PairSource {
         order: &mut Vec<u32>,
     );
 
-    /// Takes the boxes of a set, the first time after [`PairSource::sort`] and whenever they moved.
+    /// Takes the boxes of a set, the first time after [`Order::sort`] and whenever they moved.
     /// Returns how much looser its volumes around several boxes are, relative to these, than the
     /// first time.
-    fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64;
+    fn fit(&mut self, _threads: &Threads, _leaves: &LeafBoxes) -> f64 {
+        1.0
+    }
+}
+
+/// Finds overlapping boxes, and hands rows of them to a sink.
+pub trait PairSource {
+    /// Its order of leaves.
+    fn order(&mut self) -> &mut dyn Order;
 
     /// Hands the sink all pairs of leaves whose boxes overlap: of `a` against `b`, or within `a`
     /// (each unordered pair once, none with itself) if `b` is `None`. `part`: only every so
@@ -37,7 +64,7 @@ pub trait PairSource {
     fn find<K: PairSink>(
         &mut self,
         threads: &Threads,
-        sides: (&LeafBoxes, Option<&LeafBoxes>),
+        sides: Sides,
         part: usize,
         sink: &K,
         workers: &mut [K::Worker],
@@ -63,4 +90,91 @@ pub trait PairSink: Sync {
     fn begin(&self, _worker: &mut Self::Worker, _task: usize) {}
     /// No further task comes.
     fn end(&self, _worker: &mut Self::Worker) {}
+}
+
+/// Finds overlapping boxes, and lists rows of them; same contract as [`PairSource::find`].
+pub trait RowSource: Order {
+    /// Prepares to find pairs; returns how many tasks there are.
+    fn begin(&mut self, threads: &Threads, sides: Sides) -> usize;
+
+    /// Does one task. Tasks are done in any order, by several threads at once.
+    fn task(&self, k: usize, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
+
+    /// Most threads that take tasks.
+    fn max_threads(&self) -> usize {
+        usize::MAX
+    }
+}
+
+/// Buffers that a thread keeps between tasks, for whatever a source needs.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    /// Leaves that a query found.
+    pub hits: Vec<u32>,
+    /// Pairs of nodes that are still to be visited.
+    pub pairs: Vec<[u32; 2]>,
+}
+
+/// A leaf that overlaps the lanes `mask` of block `b`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The leaf.
+    pub a: u32,
+    /// The block.
+    pub b: u32,
+    /// Its lanes, not 0.
+    pub mask: u32,
+}
+
+/// A list of rows that is handed on whenever it is full.
+pub struct Rows<'a> {
+    list: &'a mut Vec<Row>,
+    flush: &'a mut dyn FnMut(&[Row]),
+}
+
+impl<'a> Rows<'a> {
+    /// Rows that are listed before they are handed on: they fit the cache of a core.
+    pub const ROOM: usize = 1024;
+
+    /// An empty list.
+    pub fn new(list: &'a mut Vec<Row>, flush: &'a mut dyn FnMut(&[Row])) -> Self {
+        list.clear();
+        list.reserve(Self::ROOM);
+        Self { list, flush }
+    }
+
+    /// Adds a row, unless its mask is 0.
+    #[inline(always)]
+    pub fn push(&mut self, a: usize, b: usize, mask: u32) {
+        if mask != 0 {
+            self.list.push(Row { a: a as u32, b: b as u32, mask });
+            if self.list.len() == Self::ROOM {
+                self.flush();
+            }
+        }
+    }
+
+    /// Adds the pairs of leaf `a` with these leaves: those in one block that follow each other as
+    /// one row. (Sorting them first would make fewer rows, and takes longer than the rows that it
+    /// saves.)
+    pub fn push_leaves(&mut self, a: usize, leaves: &[u32]) {
+        use crate::simd::WIDTH;
+        let mut i = 0;
+        while i < leaves.len() {
+            let b = leaves[i] as usize / WIDTH;
+            let mut mask = 0;
+            while i < leaves.len() && leaves[i] as usize / WIDTH == b {
+                mask |= 1 << (leaves[i] as usize % WIDTH);
+                i += 1;
+            }
+            self.push(a, b, mask);
+        }
+    }
+
+    /// Hands on what there is.
+    #[inline(never)]
+    pub fn flush(&mut self) {
+        (self.flush)(self.list);
+        self.list.clear();
+    }
 }

@@ -3,7 +3,7 @@
 
 use crate::broad_phase::leaf_boxes::Set;
 use crate::broad_phase::method::Method;
-use crate::broad_phase::pair_source::Fixed;
+use crate::broad_phase::pair_source::{Fixed, PairSource};
 use crate::simd::WIDTH;
 use crate::step::candidates::{Given, Scene};
 use crate::step::leaves::Leaves;
@@ -95,12 +95,12 @@ impl<const N: usize> Feature<N> {
         fixed: Option<Fixed>,
         features: impl Fn(u32) -> [u32; N] + Sync,
     ) {
-        self.leaves.boxes.build(threads, method, &self.boxes, fixed);
+        self.leaves.boxes.build(threads, method.order(), &self.boxes, fixed);
         self.leaves.order(threads, features);
     }
 
     fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
-        self.leaves.boxes.refit(threads, method, &self.boxes)
+        self.leaves.boxes.refit(threads, method.order(), &self.boxes)
     }
 }
 
@@ -238,10 +238,10 @@ impl Prepared {
         mesh: &Mesh,
         bodies: Option<&Bodies>,
         whole: bool,
-    ) -> bool {
+    ) -> Result<bool, Error> {
         let Self { vertices, edges, faces, table, .. } = self;
-        let mut loose = !self.built;
-        if self.built {
+        let mut loose = !self.built || !method.order().outlasts_motion();
+        if !loose {
             let looseness = [
                 vertices.refit(threads, method),
                 edges.refit(threads, method),
@@ -250,6 +250,8 @@ impl Prepared {
             loose = whole && looseness.into_iter().fold(0.0, f64::max) > MAX_LOOSENESS;
         }
         if loose {
+            let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
+            method.order().survey(threads, &sets)?;
             self.built = true;
             let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
             let any = bodies.is_some_and(Bodies::any_fixed);
@@ -265,6 +267,6 @@ impl Prepared {
         vertices.leaves.place(threads, table);
         edges.leaves.place(threads, table);
         faces.leaves.place(threads, table);
-        loose
+        Ok(loose)
     }
 }

@@ -51,8 +51,9 @@ impl BroadPhase {
     /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by
     /// blocks.
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
-        if !matches!(method, BroadPhaseMethod::Blocks | BroadPhaseMethod::Tree) {
-            return Err(ccd_core::Error::Method { name: method.row().name, backend: "gpu" }.into());
+        method.check()?;
+        if let Some(name) = method.lacking("gpu") {
+            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
         Ok(Self {
             method,

@@ -1,126 +1,33 @@
-//! Binary radix trees as a source of pairs: one query per leaf, in leaf order, with a stack. Kernel
-//! bodies of `ccd-core`, which a GPU runs too, over rayon.
+//! A binary tree over boxes: nodes in the numbering of Karras, which every builder gives, so that
+//! one refit, one check and every traversal serve them all.
 //!
-//! Leaves of the nodes carry their place in the order, not the id of their box.
+//! Of `n` leaves, in the order in which a walk from left to right meets them, the nodes `0 .. n - 1`
+//! are internal, 0 is the root, and leaf `i` is node `n - 1 + i`. An internal node that is a left
+//! child has the number of its last leaf, one that is a right child that of its first: no two have
+//! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
+//! id of its box.
 
-use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
-use crate::broad_phase::morton_order::MortonOrder;
-use crate::broad_phase::pair_source::{Fixed, PairSink, PairSource};
-use crate::broad_phase::scheduler::share;
-use crate::simd::{RowSimd, WIDTH, Work};
-use crate::threads::{Own, Threads};
+use crate::broad_phase::leaf_boxes::LeafBoxes;
+use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::broad_phase::{morton_key, radix_tree, refit};
+use ccd_core::broad_phase::{radix_tree, refit};
 use ccd_core::kernel::Words;
 use ccd_core::layout::{Branch, Node};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A tree per set that is searched, and the hits of each worker's query.
+/// A tree over boxes and what its refit needs; fewer than two boxes give a tree without internal
+/// nodes.
 #[derive(Debug, Default)]
-pub struct RadixSource {
-    trees: Vec<RadixTree>,
-    morton: MortonOrder,
-    hits: Vec<Own<Vec<u32>>>,
-}
-
-/// A tree over boxes and what its construction needs; fewer than two boxes give a tree without
-/// internal nodes.
-#[derive(Debug, Default)]
-struct RadixTree {
-    codes: Vec<[u32; 2]>,
-    branches: Vec<Branch>,
+pub struct BinaryTree {
+    /// What its builder fills: children and ranges of the internal nodes.
+    pub branches: Vec<Branch>,
     parents: Vec<AtomicU32>,
     visits: Vec<AtomicU32>,
     boxes: Vec<AtomicU32>,
     nodes: Vec<Node>,
     extents: Vec<f64>,
     looseness_at_build: Option<f64>,
-}
-
-/// Queries a task: some thousand tasks where there are many.
-const CHUNK: usize = 128;
-
-impl PairSource for RadixSource {
-    /// Fixed boxes are not told apart: the tree needs codes in order, so that no subtrees of them
-    /// arise that could be left out; the sink's rule takes their pairs away.
-    fn sort(
-        &mut self,
-        threads: &Threads,
-        set: Set,
-        boxes: &[Aabb<f32>],
-        _fixed: Option<Fixed>,
-        order: &mut Vec<u32>,
-    ) {
-        if self.trees.len() <= set.index {
-            self.trees.resize_with(set.index + 1, RadixTree::default);
-        }
-        let grid = self.morton.sort(threads, boxes, None, order);
-        if set.searched {
-            let code = |i: usize| morton_key::morton(order[i] as usize, boxes, &grid);
-            self.trees[set.index].link(threads, boxes.len(), code);
-        }
-    }
-
-    fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
-        let set = leaves.set();
-        if set.searched { self.trees[set.index].fit(threads, leaves) } else { 1.0 }
-    }
-
-    fn find<K: PairSink>(
-        &mut self,
-        threads: &Threads,
-        (a, b): (&LeafBoxes, Option<&LeafBoxes>),
-        part: usize,
-        sink: &K,
-        workers: &mut [K::Worker],
-    ) {
-        let (within, searched) = (b.is_none(), b.unwrap_or(a));
-        if a.is_empty() || searched.is_empty() {
-            return;
-        }
-        assert!(searched.set().searched, "there is no tree over this set");
-        let tree = &self.trees[searched.set().index];
-        self.hits.resize_with(workers.len(), || Own(Vec::with_capacity(1024)));
-        let after = |leaf: usize| if within { leaf as u32 } else { NONE };
-        let queries = |k: usize, worker: &mut K::Worker, Own(hits): &mut Own<Vec<u32>>| {
-            for leaf in k * CHUNK..((k + 1) * CHUNK).min(a.len()) {
-                hits.clear();
-                tree.query(&a.get(leaf), after(leaf), hits);
-                crate::simd::run_rows!(Rows { leaf, hits, sink, worker });
-            }
-        };
-        let n_tasks = a.len().div_ceil(CHUNK);
-        share(threads, n_tasks, part, sink, workers, &mut self.hits, &queries);
-    }
-}
-
-/// The hits of one query as rows: those in one block that follow each other together. (Sorting them
-/// first would make fewer rows, and takes longer than the rows that it saves.)
-struct Rows<'a, K: PairSink> {
-    leaf: usize,
-    hits: &'a [u32],
-    sink: &'a K,
-    worker: &'a mut K::Worker,
-}
-
-impl<S: RowSimd, K: PairSink> Work<S> for Rows<'_, K> {
-    type Out = ();
-
-    #[inline(always)]
-    fn call(self, simd: S) {
-        let (a, lane) = (self.leaf / WIDTH, self.leaf % WIDTH);
-        let mut i = 0;
-        while i < self.hits.len() {
-            let b = self.hits[i] as usize / WIDTH;
-            let mut mask = 0;
-            while i < self.hits.len() && self.hits[i] as usize / WIDTH == b {
-                mask |= 1 << (self.hits[i] as usize % WIDTH);
-                i += 1;
-            }
-            self.sink.row(self.worker, simd, a, lane, b, mask);
-        }
-    }
 }
 
 /// Atomic words as kernels see them.
@@ -139,15 +46,17 @@ impl Words for Shared<'_> {
     }
 }
 
-impl RadixTree {
-    /// Builds the nodes over `n` leaves of these codes, without boxes.
-    fn link(&mut self, threads: &Threads, n: usize, code: impl Fn(usize) -> [u32; 2] + Sync) {
+impl BinaryTree {
+    /// All nodes, with the boxes of the last fit.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Takes the branches over `n` leaves that a builder has filled.
+    pub fn link(&mut self, threads: &Threads, n: usize) {
         let n_internal = n.saturating_sub(1);
+        assert_eq!(self.branches.len(), n_internal, "branches over {n} leaves");
         self.looseness_at_build = None;
-        self.codes.resize(n, [0; 2]);
-        threads.fill(&mut self.codes, code);
-        self.branches.resize(n_internal, Branch { left: 0, right: 0, first: 0, last: 0 });
-        threads.fill(&mut self.branches, |i| radix_tree::branch(i as u32, n as u32, &self.codes));
         for (words, len) in [
             (&mut self.parents, 2 * n),
             (&mut self.visits, n_internal),
@@ -161,8 +70,8 @@ impl RadixTree {
     }
 
     /// Boxes of all nodes, from those of the leaves. Returns how much looser inner nodes have
-    /// become since the first time after [`RadixTree::link`].
-    fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
+    /// become since the first time after [`BinaryTree::link`].
+    pub fn fit(&mut self, threads: &Threads, leaves: &LeafBoxes) -> f64 {
         let (n, n_internal) = (leaves.len(), self.branches.len());
         self.visits.iter_mut().for_each(|visit| *visit.get_mut() = 0);
         let (parents, visits, words) =
@@ -197,9 +106,9 @@ impl RadixTree {
         if leaves > 0.0 { inner / leaves } else { 1.0 }
     }
 
-    /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`: from left
-    /// to right, but that a right child which is a leaf comes before what is below its sibling.
-    fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) {
+    /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`: in an
+    /// order that depends on the tree alone.
+    pub fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) {
         if self.branches.is_empty() {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));
             return;
@@ -216,11 +125,14 @@ impl RadixTree {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::broad_phase::leaf_boxes::Set;
+    use crate::broad_phase::tree::TreeSource;
     use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
+    use ccd_core::model::method::TreeOptions;
 
     /// Children split the range of their parent, boxes are exactly those of the leaves below, every
     /// box is one leaf, no path is too long.
-    fn check_well_formed(tree: &RadixTree, order: &[u32], boxes: &[Aabb<f32>]) {
+    fn check_well_formed(tree: &BinaryTree, order: &[u32], boxes: &[Aabb<f32>]) {
         let n_internal = boxes.len() - 1;
         let mut seen = vec![false; boxes.len()];
         let range = |node: u32| match tree.branches.get(node as usize) {
@@ -271,14 +183,14 @@ mod tests {
             let equal = vec![Aabb::of_point([1.0; 3]); n];
             for mut boxes in [random, powers, equal] {
                 for threads in [1, 2] {
-                    let mut source = RadixSource::default();
+                    let mut source = TreeSource::new(TreeOptions::default()).unwrap();
                     let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
                     let threads = Threads::new(threads).unwrap();
                     threads.enter(|| leaves.build(&threads, &mut source, &boxes, None));
-                    check_well_formed(&source.trees[0], leaves.order(), &boxes);
+                    check_well_formed(source.tree(0), leaves.order(), &boxes);
                     boxes.iter_mut().for_each(|b| b.max[1] += unit());
                     threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
-                    check_well_formed(&source.trees[0], leaves.order(), &boxes);
+                    check_well_formed(source.tree(0), leaves.order(), &boxes);
                 }
             }
         }

@@ -1,0 +1,247 @@
+//! What there is to choose from: a row for every method, builder, traversal and volume.
+
+use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use core::mem::discriminant;
+
+/// What there is to say about a choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row<T> {
+    /// The choice, with the settings that it has by default.
+    pub value: T,
+    /// Its name on a command line.
+    pub name: &'static str,
+    /// One line about it.
+    pub about: &'static str,
+    /// Where it is from: a key of docs/REFERENCES.md; `None`: this project.
+    pub source: Option<&'static str>,
+    /// Where it runs: `"cpu"`, `"gpu"`.
+    pub backends: &'static [&'static str],
+}
+
+/// A choice that has a row for each of its values.
+pub trait Catalogued: Copy + PartialEq + 'static {
+    /// Every value, in the order of the enum.
+    const ROWS: &'static [Row<Self>];
+
+    /// What there is to say about a value, whatever its settings.
+    fn row(self) -> &'static Row<Self> {
+        let same = |row: &&Row<Self>| discriminant(&row.value) == discriminant(&self);
+        // A test sees that every value has its row.
+        Self::ROWS.iter().find(same).unwrap_or(&Self::ROWS[0])
+    }
+
+    /// The value of that name, with the settings that it has by default.
+    fn named(name: &str) -> Option<Self> {
+        Self::ROWS.iter().find(|row| row.name == name).map(|row| row.value)
+    }
+}
+
+const CPU: &[&str] = &["cpu"];
+const BOTH: &[&str] = &["cpu", "gpu"];
+
+impl Catalogued for BroadPhaseMethod {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::BruteForce,
+            name: "brute-force",
+            about: "Every box against every other; what all else is compared with",
+            source: None,
+            backends: CPU,
+        },
+        Row {
+            value: Self::SweepAndPrune,
+            name: "sweep-and-prune",
+            about: "Boxes sorted along one axis, each against those that begin before it ends",
+            source: Some("Karras 2012a"),
+            backends: &[],
+        },
+        Row {
+            value: Self::UniformGrid,
+            name: "uniform-grid",
+            about: "Boxes in the cells of a grid; for boxes of about the same size",
+            source: Some("Karras 2012a"),
+            backends: &[],
+        },
+        Row {
+            value: Self::Blocks,
+            name: "blocks",
+            about: "Blocks of neighbouring boxes, of 8 on the CPU and 32 on a GPU",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::TREE,
+            name: "tree",
+            about: "A binary tree; on a GPU faster where few boxes overlap",
+            source: Some("Karras 2012"),
+            backends: BOTH,
+        },
+    ];
+}
+
+impl Catalogued for Builder {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Lbvh,
+            name: "lbvh",
+            about: "From sorted Morton codes, every node by itself",
+            source: Some("Karras 2012"),
+            backends: BOTH,
+        },
+        Row {
+            value: Self::SplitLists,
+            name: "split-lists",
+            about: "From sorted Morton codes, by lists of where neighbours split",
+            source: Some("Lauterbach 2009"),
+            backends: &[],
+        },
+        Row {
+            value: Self::NEAREST_PAIR,
+            name: "nearest-pair",
+            about: "Bottom up, every node with its nearest free neighbour; slow",
+            source: Some("Tian and Wan"),
+            backends: &[],
+        },
+        Row {
+            value: Self::PLOC,
+            name: "ploc",
+            about: "Bottom up, every cluster with its nearest neighbour along the Morton curve",
+            source: Some("Meister 2018"),
+            backends: &[],
+        },
+    ];
+}
+
+impl Catalogued for Traversal {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Recursive,
+            name: "recursive",
+            about: "A query per box in the order of input, by recursion",
+            source: Some("Karras 2012b"),
+            backends: &[],
+        },
+        Row {
+            value: Self::Iterative,
+            name: "iterative",
+            about: "A query per box in the order of input, with a stack",
+            source: Some("Karras 2012b"),
+            backends: &[],
+        },
+        Row {
+            value: Self::LeafOrder,
+            name: "leaf-order",
+            about: "A query per box in the order of leaves",
+            source: Some("Karras 2012b"),
+            backends: &[],
+        },
+        Row {
+            value: Self::Half,
+            name: "half",
+            about: "In the order of leaves, each looking only at those after its own",
+            source: Some("Karras 2012b"),
+            backends: BOTH,
+        },
+        Row {
+            value: Self::SIMULTANEOUS,
+            name: "simultaneous",
+            about: "Pairs of nodes from the root on, by one thread",
+            source: Some("Karras 2012b"),
+            backends: &[],
+        },
+        Row {
+            value: Self::CUT,
+            name: "cut",
+            about: "Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel",
+            source: Some("Karras 2012b"),
+            backends: &[],
+        },
+    ];
+}
+
+impl Catalogued for Volume {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Aabb,
+            name: "aabb",
+            about: "Boxes along the axes",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::Obb,
+            name: "obb",
+            about: "Boxes along axes of their own",
+            source: Some("Gottschalk 1996"),
+            backends: &[],
+        },
+    ];
+}
+
+impl BroadPhaseMethod {
+    /// Whether a backend has the method with all its settings; if not, the name of what it lacks.
+    pub fn lacking(self, backend: &str) -> Option<&'static str> {
+        let lacks = |name, backends: &[&str]| (!backends.contains(&backend)).then_some(name);
+        let row = self.row();
+        let own = lacks(row.name, row.backends);
+        let Self::Tree(TreeOptions { builder, traversal, volume }) = self else { return own };
+        let (builder, traversal, volume) = (builder.row(), traversal.row(), volume.row());
+        own.or_else(|| lacks(builder.name, builder.backends))
+            .or_else(|| lacks(traversal.name, traversal.backends))
+            .or_else(|| lacks(volume.name, volume.backends))
+    }
+}
+
+/// Every method of a backend with its default settings, trees in every combination of theirs.
+pub fn every(backend: &str) -> impl Iterator<Item = BroadPhaseMethod> {
+    let plain = |row: &Row<BroadPhaseMethod>| !matches!(row.value, BroadPhaseMethod::Tree(_));
+    let methods = BroadPhaseMethod::ROWS.iter().filter(move |row| plain(row)).map(|row| row.value);
+    let trees = Builder::ROWS.iter().flat_map(|builder| {
+        Traversal::ROWS.iter().flat_map(move |traversal| {
+            Volume::ROWS.iter().map(move |volume| {
+                let (traversal, volume) = (traversal.value, volume.value);
+                BroadPhaseMethod::Tree(TreeOptions { builder: builder.value, traversal, volume })
+            })
+        })
+    });
+    methods.chain(trees).filter(move |method| method.lacking(backend).is_none())
+}
+
+/// The name on a command line; of a tree with its builder, its traversal and its volume.
+impl core::fmt::Display for BroadPhaseMethod {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.row().name)?;
+        let Self::Tree(TreeOptions { builder, traversal, volume }) = *self else { return Ok(()) };
+        write!(f, "-{}-{}-{}", builder.row().name, traversal.row().name, volume.row().name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check_rows<T: Catalogued + core::fmt::Debug + Default>() {
+        for row in T::ROWS {
+            assert_eq!(row.value.row().name, row.name, "every value has a row of its own");
+            assert_eq!(T::named(row.name), Some(row.value));
+            let known = row.backends.iter().all(|b| ["cpu", "gpu"].contains(b));
+            assert!(known && !row.about.is_empty(), "{}", row.name);
+        }
+        assert_eq!(T::named("by hand"), None);
+        assert!(T::ROWS.iter().any(|row| row.value == T::default()));
+    }
+
+    #[test]
+    fn every_choice_has_its_row() {
+        check_rows::<BroadPhaseMethod>();
+        check_rows::<Builder>();
+        check_rows::<Traversal>();
+        check_rows::<Volume>();
+    }
+
+    #[test]
+    fn a_method_is_there_if_all_its_parts_are() {
+        assert_eq!(BroadPhaseMethod::Blocks.lacking("cpu"), None);
+        assert_eq!(BroadPhaseMethod::BruteForce.lacking("abacus"), Some("brute-force"));
+    }
+}

@@ -1,0 +1,52 @@
+//! Traversals of binary trees: which nodes are visited, in which order, by whom.
+
+mod half;
+
+use super::binary_tree::BinaryTree;
+use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::threads::Threads;
+use ccd_core::Error;
+use ccd_core::model::catalogue::Catalogued;
+use ccd_core::model::method::Traversal;
+use std::fmt::Debug;
+
+/// The trees of both sides; the same if pairs are sought within one.
+#[derive(Clone, Copy, Debug)]
+pub struct Trees<'a> {
+    /// Over the first, where the traversal wants one.
+    pub a: Option<&'a BinaryTree>,
+    /// Over the second, or the only one.
+    pub b: &'a BinaryTree,
+}
+
+/// Finds pairs in trees, task by task; see [`crate::broad_phase::pair_source::RowSource`].
+pub trait Traverse: Debug + Send + Sync {
+    /// Whether the first of two sets needs a tree, too.
+    fn descends_both(&self) -> bool {
+        false
+    }
+
+    /// Prepares; returns the number of tasks.
+    fn begin(&mut self, threads: &Threads, trees: Trees, sides: Sides) -> usize;
+
+    /// Does one task.
+    fn task(&self, k: usize, trees: Trees, sides: Sides, scratch: &mut Scratch, rows: &mut Rows);
+
+    /// Most threads that take tasks.
+    fn max_threads(&self) -> usize {
+        usize::MAX
+    }
+}
+
+/// The traversal of a choice, if there is one here.
+pub fn new(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
+    Ok(match choice {
+        Traversal::Half => Box::new(half::Half),
+        other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
+    })
+}
+
+/// One that has no tasks.
+pub fn none() -> Box<dyn Traverse> {
+    Box::new(half::Half)
+}
