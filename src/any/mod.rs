@@ -135,6 +135,15 @@ impl Choice {
         Self { notice: Some(notice), ..self }
     }
 
+    /// The same, but the CPU at once if the choice was free and a GPU lacks this method.
+    fn for_method(&self, method: crate::BroadPhaseMethod) -> Self {
+        if self.free && method.lacking("gpu").is_some() {
+            Self { notice: self.notice, ..Self::default() }
+        } else {
+            self.clone()
+        }
+    }
+
     /// From now on an error of the GPU is an error.
     pub fn fixed(self) -> Self {
         Self { free: false, ..self }

@@ -13,7 +13,7 @@ use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
 use ccd::geometry::{Motion, Patch, closest};
 use ccd::scenes::{grid, sphere};
-use ccd::{Bodies, Contact, Kind, Mesh, Options};
+use ccd::{Bodies, BroadPhaseMethod, Contact, Kind, Mesh, Options};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;
@@ -60,7 +60,7 @@ pub struct Cloth {
 pub const N_CLOTH: usize = N * N;
 
 impl Cloth {
-    pub fn new(backend: &BackendOptions) -> Result<Self, Failure> {
+    pub fn new(backend: &BackendOptions, broad_phase: BroadPhaseMethod) -> Result<Self, Failure> {
         let mut x = Vec::new();
         let mut faces: Vec<[u32; 3]> = Vec::new();
         for i in 0..N * N {
@@ -81,7 +81,7 @@ impl Cloth {
             Session::new(
                 &choice,
                 mesh.clone(),
-                Options { min_distance, bodies, ..Options::default() },
+                Options { min_distance, bodies, broad_phase, ..Options::default() },
             )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);
