@@ -17,7 +17,7 @@ mod sort;
 mod step;
 mod threads;
 
-pub use broad_phase::BroadPhase;
+pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use broad_phase::pair_list::Pairs;
 pub use session::{Candidates, Session, earliest_toi, step};
 pub use step::prepare::MAX_LOOSENESS;

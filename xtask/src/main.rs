@@ -1,6 +1,8 @@
 //! `cargo xtask`: what the project does to itself.
 #![deny(unsafe_code)]
 
+#[cfg(feature = "algorithms")]
+mod algorithms;
 mod ci;
 mod compile_times;
 #[cfg(feature = "gpu-report")]
@@ -53,6 +55,10 @@ enum Task {
         /// Where the GPU's report goes
         #[arg(long, requires = "gpu", default_value = "benches/GPU.md")]
         out: std::path::PathBuf,
+        /// Measure every method beside every other instead, on the CPU and on the GPU if there is
+        /// one, and write the tables and plots of docs/ALGORITHMS.md (needs the data)
+        #[arg(long, conflicts_with = "gpu")]
+        algorithms: bool,
     },
     /// Measure how long compiling takes, beside bars; fails above twice a bar (takes long)
     CompileTimes {
@@ -69,7 +75,8 @@ fn main() -> ExitCode {
         Task::Tidy => tidy::run(root),
         Task::Mutants { name } => mutants::run(root, &name),
         Task::Shaders { check } => shaders_task(root, check),
-        Task::Report { runs, gpu: true, out } => gpu_task(root, runs, &root.join(out)),
+        Task::Report { runs, algorithms: true, .. } => algorithms_task(root, runs),
+        Task::Report { runs, gpu: true, out, .. } => gpu_task(root, runs, &root.join(out)),
         Task::Report { runs, .. } => report_task(root, runs),
         Task::CompileTimes { only } => compile_times::run(root, only),
     };
@@ -107,6 +114,19 @@ fn report_task(root: &Path, runs: usize) -> Result<(), String> {
             &runs,
         ],
     )
+}
+
+#[cfg(feature = "algorithms")]
+fn algorithms_task(root: &Path, runs: usize) -> Result<(), String> {
+    algorithms::run(root, runs)
+}
+
+/// Without what it measures: builds itself again with it.
+#[cfg(not(feature = "algorithms"))]
+fn algorithms_task(root: &Path, runs: usize) -> Result<(), String> {
+    let runs = runs.to_string();
+    let build = ["cargo", "run", "--release", "-p", "xtask", "--features", "algorithms", "--"];
+    ci::command(root, &[&build[..], &["report", "--algorithms", "--runs", &runs]].concat())
 }
 
 #[cfg(feature = "gpu-report")]

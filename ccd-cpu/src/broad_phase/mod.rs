@@ -40,6 +40,7 @@ use method::Method;
 use pair_list::{Lister, Pairs, Run, order_runs};
 use pair_source::{PairSink, PairSource};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::time::Instant;
 
 /// Finds overlapping boxes; keeps its buffers between calls.
 ///
@@ -56,6 +57,16 @@ pub struct BroadPhase {
     b: Side,
     workers: Vec<Lister>,
     runs: Vec<Run>,
+    times: BroadPhaseTimes,
+}
+
+/// Milliseconds of a search by the clock.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BroadPhaseTimes {
+    /// Boxes checked and put in order, and what is built over them.
+    pub build: f64,
+    /// Pairs found.
+    pub search: f64,
 }
 
 /// One set of boxes.
@@ -75,7 +86,13 @@ impl BroadPhase {
             b: Side::new(Set { index: 1, searched: true }),
             workers: Vec::new(),
             runs: Vec::new(),
+            times: BroadPhaseTimes::default(),
         })
+    }
+
+    /// How long the last search took.
+    pub fn times(&self) -> BroadPhaseTimes {
+        self.times
     }
 
     /// Number of threads in use.
@@ -109,7 +126,8 @@ impl BroadPhase {
 
     #[inline(never)]
     fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
-        let Self { threads, method, b: side, workers, runs, .. } = self;
+        let start = Instant::now();
+        let Self { threads, method, b: side, workers, runs, times, .. } = self;
         let exact = match boxes {
             Precision::F32([boxes]) => side.take(threads, boxes),
             Precision::F64([boxes]) => side.take(threads, boxes),
@@ -124,14 +142,17 @@ impl BroadPhase {
             side.leaves.build(threads, method.order(), &side.boxes, None);
             let slack = slack(&side.boxes, &side.boxes);
             let sink = Listing::<true> { a: &side.leaves, b: &side.leaves, slack, confirm };
+            times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
+            times.search = milliseconds(start) - times.build;
             Ok(())
         })
     }
 
     #[inline(never)]
     fn between(&mut self, boxes: Slices<Boxes, 2>) -> Result<(), Error> {
-        let Self { threads, method, a, b, workers, runs } = self;
+        let start = Instant::now();
+        let Self { threads, method, a, b, workers, runs, times } = self;
         let exact = match boxes {
             Precision::F32([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
             Precision::F64([x, y]) => a.take(threads, x)? & b.take(threads, y)?,
@@ -147,10 +168,16 @@ impl BroadPhase {
             b.leaves.build(threads, method.order(), &b.boxes, None);
             let slack = slack(&a.boxes, &b.boxes);
             let sink = Listing::<false> { a: &a.leaves, b: &b.leaves, slack, confirm };
+            times.build = milliseconds(start);
             list(threads, method, &sink, workers, runs);
+            times.search = milliseconds(start) - times.build;
             Ok(())
         })
     }
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
 }
 
 /// Whether two boxes overlap as they were given; asked where rounding may have made it so.
