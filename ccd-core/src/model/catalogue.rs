@@ -53,7 +53,7 @@ impl Catalogued for BroadPhaseMethod {
             name: "sweep-and-prune",
             about: "Boxes sorted along one axis, each against those that begin before it ends",
             source: Some("Karras 2012a"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::UniformGrid,

@@ -6,6 +6,7 @@ use crate::broad_phase::pair_source::{
     Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
 };
 use crate::broad_phase::scheduler::share;
+use crate::broad_phase::sweep_and_prune::SweepAndPrune;
 use crate::broad_phase::tree::TreeSource;
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
@@ -32,6 +33,7 @@ impl Method {
         let source: Box<dyn RowSource> = match choice {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
             BroadPhaseMethod::BruteForce => Box::new(BruteForce),
+            BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
             BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
             other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
         };

@@ -24,6 +24,7 @@ pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
 mod scheduler;
+mod sweep_and_prune;
 #[cfg(test)]
 mod tests;
 mod tree;
