@@ -10,3 +10,4 @@ pub mod refit;
 pub mod stack_traversal;
 pub mod sweep_and_prune;
 pub mod swept_box;
+pub mod uniform_grid;

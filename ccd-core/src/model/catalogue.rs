@@ -60,7 +60,7 @@ impl Catalogued for BroadPhaseMethod {
             name: "uniform-grid",
             about: "Boxes in the cells of a grid; for boxes of about the same size",
             source: Some("Karras 2012a"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::Blocks,

@@ -28,6 +28,7 @@ mod sweep_and_prune;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod uniform_grid;
 
 use crate::simd::RowSimd;
 use crate::threads::Threads;
