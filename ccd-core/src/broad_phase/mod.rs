@@ -9,6 +9,8 @@ pub mod placement;
 pub mod radix_tree;
 pub mod refit;
 pub mod stack_traversal;
+pub mod sweep_and_prune;
 pub mod swept_box;
 #[cfg(test)]
 mod test_trees;
+pub mod uniform_grid;
