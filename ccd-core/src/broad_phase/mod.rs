@@ -4,8 +4,12 @@
 pub mod block_bvh;
 pub mod candidate;
 pub mod morton_key;
+pub mod nearest_pair;
+pub mod node_numbering;
 pub mod placement;
+pub mod ploc;
 pub mod radix_tree;
 pub mod refit;
+pub mod split_lists;
 pub mod stack_traversal;
 pub mod swept_box;
