@@ -6,6 +6,10 @@
 
 mod binary_tree;
 mod builder;
+mod shared_words;
+mod statistics;
+#[cfg(test)]
+mod tests;
 mod traversal;
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};

@@ -1,0 +1,183 @@
+//! PLOC: clusters of boxes along the Morton curve join their nearest neighbours, all at once, round
+//! after round [Meister 2018].
+//!
+//! ```text
+//! along the curve   a b c d e f g        each looks `radius` to either side for the neighbour with
+//! nearest           b a b e d g f        which its common box has the least surface
+//! joined            ab  c  de  fg        who is each other's nearest is joined, and takes the place
+//! next round        ab  c  de  fg        of the first; the others wait
+//! ```
+//!
+//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some three to
+//! four times as many clusters in all rounds together as boxes. What is joined in a round, and how
+//! many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where one
+//! tree serves so many queries or refits that fewer visited nodes pay for the build, which takes
+//! several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
+
+use super::TreeBuilder;
+use super::bottom_up::{Joins, Subtree};
+use crate::broad_phase::morton_order::MortonOrder;
+use crate::broad_phase::tree::shared_words::Shared;
+use crate::threads::Threads;
+use ccd_core::Aabb;
+use ccd_core::broad_phase::ploc::{Fate, SLOW, fate, nearest, neighbour};
+use ccd_core::kernel::Words;
+use ccd_core::layout::Branch;
+use std::sync::atomic::AtomicU32;
+
+/// Clusters that a task counts and moves.
+const CHUNK: usize = 2048;
+
+/// Joins among so many neighbours to either side; buffers are kept.
+#[derive(Debug)]
+pub struct Ploc {
+    radius: u32,
+    morton: MortonOrder,
+    joins: Joins,
+    /// Ids along the curve.
+    along: Vec<u32>,
+    clusters: Clusters,
+    next: Clusters,
+    neighbours: Vec<u32>,
+    /// Of every chunk: how many clusters are left of it and how many of those join another; then
+    /// where those that are left go.
+    counts: Vec<[usize; 2]>,
+    /// From the clusters of the next round to those of this one.
+    sources: Vec<AtomicU32>,
+}
+
+/// The clusters of a round, in order.
+#[derive(Debug, Default)]
+struct Clusters {
+    boxes: Vec<Aabb<f32>>,
+    named: Vec<Named>,
+}
+
+/// A cluster as part of the tree, and the name that no other has.
+#[derive(Clone, Copy, Debug, Default)]
+struct Named {
+    subtree: Subtree,
+    name: u32,
+}
+
+impl Ploc {
+    /// With this radius, at least 1.
+    pub fn new(radius: u32) -> Self {
+        Self {
+            radius,
+            morton: MortonOrder::default(),
+            joins: Joins::default(),
+            along: Vec::new(),
+            clusters: Clusters::default(),
+            next: Clusters::default(),
+            neighbours: Vec::new(),
+            counts: Vec::new(),
+            sources: Vec::new(),
+        }
+    }
+
+    /// Decides who is joined with whom; returns how many clusters are left.
+    fn choose(&mut self, threads: &Threads) -> usize {
+        let (boxes, radius) = (&self.clusters.boxes, self.radius);
+        let n = boxes.len();
+        self.neighbours.resize(n, 0);
+        threads.fill(&mut self.neighbours, |i| nearest(i as u32, n as u32, radius, boxes));
+        let [left, joined] = self.count(threads);
+        if joined * SLOW as usize >= n {
+            return left;
+        }
+        threads.fill(&mut self.neighbours, |i| neighbour(i as u32, n as u32));
+        self.count(threads)[0]
+    }
+
+    /// How many clusters are left, and how many of those join another.
+    fn count(&mut self, threads: &Threads) -> [usize; 2] {
+        let Self { neighbours, counts, .. } = self;
+        let n = neighbours.len();
+        counts.resize(n.div_ceil(CHUNK), [0; 2]);
+        threads.each(counts, &|k, count| {
+            *count = [0; 2];
+            for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
+                let fate = fate(i as u32, neighbours);
+                count[0] += (fate != Fate::Ends) as usize;
+                count[1] += (fate == Fate::Joins) as usize;
+            }
+        });
+        counts.iter().fold([0; 2], |sum, count| [sum[0] + count[0], sum[1] + count[1]])
+    }
+
+    /// Joins, and moves those that are left together.
+    fn advance(&mut self, threads: &Threads, left: usize) {
+        let Self { joins, clusters, next, neighbours, counts, sources, .. } = self;
+        let n = neighbours.len();
+        let mut begin = 0;
+        for count in counts.iter_mut() {
+            begin += std::mem::replace(&mut count[0], begin);
+        }
+        sources.resize_with(left.max(sources.len()), AtomicU32::default);
+        let sources = Shared(sources);
+        threads.each(counts, &|k, count| {
+            let mut to = count[0];
+            for i in k * CHUNK..((k + 1) * CHUNK).min(n) {
+                if fate(i as u32, neighbours) != Fate::Ends {
+                    sources.store(to, i as u32);
+                    to += 1;
+                }
+            }
+        });
+        let of = |k: usize| {
+            let i = sources.load(k);
+            let joins = fate(i, neighbours) == Fate::Joins;
+            (i as usize, joins.then(|| neighbours[i as usize] as usize))
+        };
+        next.boxes.resize(left, Aabb::EMPTY);
+        threads.fill(&mut next.boxes, |k| match of(k) {
+            (i, Some(j)) => clusters.boxes[i].union(&clusters.boxes[j]),
+            (i, None) => clusters.boxes[i],
+        });
+        next.named.resize(left, Named::default());
+        threads.fill(&mut next.named, |k| match of(k) {
+            (i, Some(j)) => {
+                let (a, b) = (clusters.named[i], clusters.named[j]);
+                Named { subtree: joins.join(b.name - 1, a.subtree, b.subtree), name: a.name }
+            }
+            (i, None) => clusters.named[i],
+        });
+        std::mem::swap(clusters, next);
+    }
+}
+
+impl TreeBuilder for Ploc {
+    fn build(
+        &mut self,
+        threads: &Threads,
+        boxes: &[Aabb<f32>],
+        order: &mut Vec<u32>,
+        branches: &mut Vec<Branch>,
+    ) {
+        let n = boxes.len();
+        let grid = self.morton.sort(threads, boxes, None, &mut self.along);
+        self.joins.begin(n);
+        if n < 2 {
+            order.clone_from(&self.along);
+            branches.clear();
+            return;
+        }
+        let Self { clusters, joins, along, .. } = self;
+        clusters.boxes.resize(n, Aabb::EMPTY);
+        threads.fill(&mut clusters.boxes, |i| grid.in_cells(&boxes[along[i] as usize]));
+        clusters.named.resize(n, Named::default());
+        threads.fill(&mut clusters.named, |i| Named { subtree: joins.leaf(i), name: i as u32 });
+        while self.clusters.boxes.len() > 1 {
+            let left = self.choose(threads);
+            self.advance(threads, left);
+        }
+        let Self { clusters, joins, along, .. } = self;
+        let root = clusters.named[0].subtree.node;
+        joins.finish(threads, root, |i| along[i], order, branches);
+    }
+
+    fn sort(&mut self, threads: &Threads, boxes: &[Aabb<f32>], order: &mut Vec<u32>) {
+        self.morton.sort(threads, boxes, None, order);
+    }
+}
