@@ -8,4 +8,6 @@ pub mod placement;
 pub mod radix_tree;
 pub mod refit;
 pub mod stack_traversal;
+pub mod sweep_and_prune;
 pub mod swept_box;
+pub mod uniform_grid;

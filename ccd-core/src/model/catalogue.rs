@@ -53,14 +53,14 @@ impl Catalogued for BroadPhaseMethod {
             name: "sweep-and-prune",
             about: "Boxes sorted along one axis, each against those that begin before it ends",
             source: Some("Karras 2012a"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::UniformGrid,
             name: "uniform-grid",
             about: "Boxes in the cells of a grid; for boxes of about the same size",
             source: Some("Karras 2012a"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::Blocks,

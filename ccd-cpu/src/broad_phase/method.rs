@@ -6,7 +6,9 @@ use crate::broad_phase::pair_source::{
     Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
 };
 use crate::broad_phase::scheduler::share;
+use crate::broad_phase::sweep_and_prune::SweepAndPrune;
 use crate::broad_phase::tree::TreeSource;
+use crate::broad_phase::uniform_grid::UniformGrid;
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -32,7 +34,9 @@ impl Method {
         let source: Box<dyn RowSource> = match choice {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
             BroadPhaseMethod::BruteForce => Box::new(BruteForce),
+            BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
             BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
+            BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
             other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
         };
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))

@@ -24,9 +24,11 @@ pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
 mod scheduler;
+mod sweep_and_prune;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod uniform_grid;
 
 use crate::simd::RowSimd;
 use crate::threads::Threads;
