@@ -9,9 +9,10 @@ use crate::layout::{Branch, Node};
 use crate::math::aabb::Aabb;
 
 /// Nodes that a stack has room for. Of two children a traversal goes on with the one that has fewer
-/// leaves, so that with `h` nodes on the stack it is in a subtree of at most `n / 2^h` leaves; there
-/// are fewer than `2^31`, and a node that waits has at least two. This holds for any tree, however
-/// deep.
+/// leaves, at most half of those of both, so that with `h` nodes on the stack it is in a subtree of
+/// at most `n / 2^h` leaves: a node is taken from the stack at the height at which it was put there.
+/// The node that it is at is internal and has at least two leaves, hence `2^(h + 1) <= n < 2^31`,
+/// and `h` is 29 at most, for any tree, however deep.
 pub const MAX_HEIGHT: usize = 31;
 
 /// A traversal between two of its steps.
@@ -88,5 +89,84 @@ impl Walk {
 impl Default for Walk {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::test_trees::{Tree, boxes, shapes, splits};
+    use std::vec::Vec;
+
+    /// All that overlaps the query, in the order in which it is found; the greatest height of the
+    /// stack; the steps.
+    fn query(tree: &Tree, query: &Aabb<f32>, after: u32) -> (Vec<u32>, u32, usize) {
+        let (mut walk, mut found, mut greatest, mut steps) = (Walk::new(), Vec::new(), 0, 0);
+        while walk.goes_on {
+            let n_internal = tree.branches.len() as u32;
+            let step = walk.step(query, &tree.nodes, &tree.branches, n_internal, after);
+            found.extend(step.into_iter().filter(|&leaf| leaf != NONE));
+            greatest = greatest.max(walk.height);
+            steps += 1;
+        }
+        (found, greatest, steps)
+    }
+
+    /// Greatest number of nodes that wait if the left child is always visited first.
+    fn height_left_first(tree: &Tree) -> usize {
+        let (mut stack, mut greatest) = (Vec::from([0u32]), 0);
+        while let Some(node) = stack.pop() {
+            let branch = &tree.branches[node as usize];
+            let internal = [branch.right, branch.left];
+            stack.extend(internal.into_iter().filter(|&c| (c as usize) < tree.branches.len()));
+            greatest = greatest.max(stack.len().saturating_sub(1));
+        }
+        greatest
+    }
+
+    #[test]
+    fn queries_find_what_overlaps_in_trees_of_any_shape() {
+        for n in [2, 3, 4, 50] {
+            let all = boxes(n, 7);
+            for (name, tree) in shapes(n, &all) {
+                for (i, b) in all.iter().enumerate() {
+                    for after in [NONE, i as u32] {
+                        let (mut found, _, steps) = query(&tree, b, after);
+                        found.sort_unstable();
+                        let asked = |j: &u32| after == NONE || *j > after;
+                        let overlaps = |j: &u32| all[*j as usize].overlaps(b);
+                        let want: Vec<u32> = (0..n as u32).filter(asked).filter(overlaps).collect();
+                        assert_eq!(found, want, "{name}, box {i} after {after}, {all:?}");
+                        assert!(steps <= tree.branches.len(), "{name}: {steps} steps");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn stacks_are_no_higher_than_the_logarithm() {
+        let everything = Aabb { min: [-1.0; 3], max: [2.0; 3] };
+        // Trees of fewest levels are the ones whose stacks are highest: exactly the bound.
+        for levels in 1..18 {
+            let n = 1usize << levels;
+            let tree = Tree::new(&boxes(n, 3), |first, last| first + (last - first) / 2);
+            let (found, height, steps) = query(&tree, &everything, NONE);
+            assert_eq!((found.len(), height, steps), (n, levels - 1, n - 1));
+        }
+        // The deepest trees: chains of leaves and of pairs. Left first is what would overflow.
+        let n = 5000;
+        let mut deepest = 0;
+        for (name, split) in splits() {
+            let tree = Tree::new(&boxes(n, 3), split);
+            for after in [NONE, 0, 17, n as u32 / 2] {
+                let (found, height, _) = query(&tree, &everything, after);
+                let left_out = if after == NONE { 0 } else { after as usize + 1 };
+                assert_eq!(found.len(), n - left_out, "{name}, after {after}");
+                assert!(height < n.ilog2(), "{name}: {height} nodes wait");
+            }
+            deepest = deepest.max(height_left_first(&tree));
+        }
+        assert!(deepest > 1000, "left first: {deepest} nodes wait");
     }
 }

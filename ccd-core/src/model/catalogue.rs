@@ -119,21 +119,21 @@ impl Catalogued for Traversal {
             name: "recursive",
             about: "A query per box in the order of input, by recursion",
             source: Some("Karras 2012b"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::Iterative,
             name: "iterative",
             about: "A query per box in the order of input, with a stack",
             source: Some("Karras 2012b"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::LeafOrder,
             name: "leaf-order",
             about: "A query per box in the order of leaves",
             source: Some("Karras 2012b"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::Half,
@@ -147,14 +147,14 @@ impl Catalogued for Traversal {
             name: "simultaneous",
             about: "Pairs of nodes from the root on, by one thread",
             source: Some("Karras 2012b"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::CUT,
             name: "cut",
             about: "Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel",
             source: Some("Karras 2012b"),
-            backends: &[],
+            backends: CPU,
         },
     ];
 }

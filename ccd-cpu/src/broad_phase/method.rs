@@ -41,6 +41,14 @@ impl Method {
         };
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
     }
+
+    /// Nodes of binary trees, or pairs of them, that the last search visited.
+    pub fn steps(&self) -> u64 {
+        match self {
+            Self::Blocks(_) => 0,
+            Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.steps).sum(),
+        }
+    }
 }
 
 impl PairSource for Method {
@@ -86,6 +94,7 @@ impl PairSource for Listed {
         sink: &K,
         workers: &mut [K::Worker],
     ) {
+        self.buffers.iter_mut().for_each(|Own((scratch, _))| scratch.steps = 0);
         if sides.0.is_empty() || sides.1.is_some_and(|b| b.is_empty()) {
             return;
         }

@@ -101,6 +101,14 @@ impl BroadPhase {
         Ok(Pairs::new(&self.runs, &self.workers))
     }
 
+    /// How many steps the last search took, for comparisons of traversals: internal nodes of a
+    /// binary tree that queries visited, or pairs of nodes that were expanded, and of a cut the
+    /// pairs from which it began. The same on any number of threads; 0 by a method without a binary
+    /// tree.
+    pub fn steps(&self) -> u64 {
+        self.method.steps()
+    }
+
     #[inline(never)]
     fn within(&mut self, boxes: Slices<Boxes, 1>) -> Result<(), Error> {
         let Self { threads, method, b: side, workers, runs, .. } = self;

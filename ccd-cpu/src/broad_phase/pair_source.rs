@@ -12,6 +12,7 @@ use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::{Aabb, Error};
 use std::fmt::Debug;
+use std::marker::PhantomData;
 
 /// Whether box `i` stands still; pairs of two such boxes need not be emitted.
 pub type Fixed<'a> = &'a (dyn Fn(usize) -> bool + Sync);
@@ -113,6 +114,8 @@ pub struct Scratch {
     pub hits: Vec<u32>,
     /// Pairs of nodes that are still to be visited.
     pub pairs: Vec<[u32; 2]>,
+    /// Nodes, or pairs of nodes, that were visited since the search began.
+    pub steps: u64,
 }
 
 /// A leaf that overlaps the lanes `mask` of block `b`.
@@ -129,7 +132,7 @@ pub struct Row {
 /// A list of rows that is handed on whenever it is full.
 pub struct Rows<'a> {
     list: &'a mut Vec<Row>,
-    flush: &'a mut dyn FnMut(&[Row]),
+    flush: &'a mut (dyn FnMut(&[Row]) + Send),
 }
 
 impl<'a> Rows<'a> {
@@ -137,7 +140,7 @@ impl<'a> Rows<'a> {
     pub const ROOM: usize = 1024;
 
     /// An empty list.
-    pub fn new(list: &'a mut Vec<Row>, flush: &'a mut dyn FnMut(&[Row])) -> Self {
+    pub fn new(list: &'a mut Vec<Row>, flush: &'a mut (dyn FnMut(&[Row]) + Send)) -> Self {
         list.clear();
         list.reserve(Self::ROOM);
         Self { list, flush }
@@ -176,5 +179,26 @@ impl<'a> Rows<'a> {
     pub fn flush(&mut self) {
         (self.flush)(self.list);
         self.list.clear();
+    }
+}
+
+/// Has a tree of pairs list its rows: the sink by which what descends one is a [`RowSource`].
+#[derive(Debug, Default)]
+pub struct IntoRows<'a>(PhantomData<&'a ()>);
+
+impl<'a> PairSink for IntoRows<'a> {
+    type Worker = Rows<'a>;
+
+    #[inline(always)]
+    fn row<S: RowSimd>(
+        &self,
+        rows: &mut Rows<'a>,
+        _simd: S,
+        a: usize,
+        lane: usize,
+        b: usize,
+        mask: u32,
+    ) {
+        rows.push(a * crate::simd::WIDTH + lane, b, mask);
     }
 }

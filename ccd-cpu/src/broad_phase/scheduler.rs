@@ -37,7 +37,7 @@ impl<P: Copy + Send + Sync> Scheduler<P> {
         let descend = |k: usize, worker: &mut K::Worker, Own(stack): &mut Own<Vec<P>>| {
             stack.clear();
             stack.push(tasks[k]);
-            crate::simd::run_rows!(Descent { tree, stack, sink, worker });
+            crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
         };
         share(threads, tasks.len(), part, sink, workers, &mut self.stacks, &descend);
     }
@@ -102,26 +102,33 @@ impl<S: RowSimd, T: PairTree> Work<S> for Split<'_, T> {
     }
 }
 
-/// What is on the stack, down to the rows of leaves.
-struct Descent<'a, T: PairTree, K: PairSink> {
-    tree: T,
-    stack: &'a mut Vec<T::Pair>,
-    sink: &'a K,
-    worker: &'a mut K::Worker,
+/// What is on the stack, down to the rows of leaves. Returns the number of pairs that it expanded.
+pub struct DepthFirst<'a, T: PairTree, K: PairSink> {
+    /// What is descended.
+    pub tree: T,
+    /// Pairs that wait; empty afterwards.
+    pub stack: &'a mut Vec<T::Pair>,
+    /// Where rows go.
+    pub sink: &'a K,
+    /// What it gathers.
+    pub worker: &'a mut K::Worker,
 }
 
-impl<S: RowSimd, T: PairTree, K: PairSink> Work<S> for Descent<'_, T, K> {
-    type Out = ();
+impl<S: RowSimd, T: PairTree, K: PairSink> Work<S> for DepthFirst<'_, T, K> {
+    type Out = u64;
 
     #[inline(always)]
-    fn call(self, simd: S) {
-        let Descent { tree, stack, sink, worker } = self;
+    fn call(self, simd: S) -> u64 {
+        let Self { tree, stack, sink, worker } = self;
+        let mut n_expanded = 0;
         while let Some(pair) = stack.pop() {
             if tree.is_leaf(pair) {
                 tree.rows(simd, pair, sink, worker);
             } else {
+                n_expanded += 1;
                 tree.expand(simd, pair, stack);
             }
         }
+        n_expanded
     }
 }

@@ -3,6 +3,7 @@
 use super::*;
 use ccd_core::layout::Pair;
 use ccd_core::model::catalogue::{Catalogued, every};
+use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions};
 
 /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
 const BOUNDS: [f32; 13] = [
@@ -38,8 +39,33 @@ fn the_table_says_which_methods_are_here() {
     assert!(methods().count() >= 2);
 }
 
-/// Pairs by all methods are those of brute force, in the precision of the boxes.
+/// Those, and trees with settings that are not in the table.
+fn methods_and_settings() -> impl Iterator<Item = BroadPhaseMethod> {
+    let settings = [
+        Traversal::Simultaneous(Descent::Both),
+        Traversal::Cut { nodes: 1, descent: Descent::Larger },
+        Traversal::Cut { nodes: 7, descent: Descent::Both },
+        Traversal::Cut { nodes: Traversal::MAX_CUT, descent: Descent::Both },
+    ];
+    let has = |method: &BroadPhaseMethod| method.lacking("cpu").is_none();
+    let trees = Builder::ROWS.iter().flat_map(move |row| {
+        let tree = TreeOptions::default().builder(row.value);
+        settings.map(|traversal| BroadPhaseMethod::Tree(tree.traversal(traversal)))
+    });
+    methods().chain(trees.filter(has))
+}
+
+/// Pairs by all methods are those of brute force, of which there are some and not all; in the
+/// precision of the boxes.
 fn check_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) {
+    let n = a.len();
+    let n_within = check_any_pairs(a, b);
+    assert!(n_within > 0 && n_within < n * (n - 1) / 2, "all or none overlap");
+}
+
+/// Pairs by all methods are those of brute force, on one thread and on two; their number within
+/// `a`.
+fn check_any_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) -> usize {
     let all = |n: usize, m: usize| (0..n).flat_map(move |i| (0..m).map(move |j| (i, j)));
     let pair = |(i, j): (usize, usize)| Pair { a: i as u32, b: j as u32 };
     let n = a.len();
@@ -47,19 +73,90 @@ fn check_pairs<T: Coordinate>(a: &[Aabb<T>], b: &[Aabb<T>]) {
         all(n, n).filter(|&(i, j)| i < j && a[i].overlaps(&a[j])).map(pair).collect();
     let between: Vec<Pair> =
         all(n, b.len()).filter(|&(i, j)| a[i].overlaps(&b[j])).map(pair).collect();
-    assert!(!within.is_empty() && within.len() < n * (n - 1) / 2, "all or none overlap");
     let sorted = |pairs: Pairs| {
         let mut pairs = pairs.to_vec();
         pairs.sort_unstable_by_key(|p| (p.a, p.b));
         pairs
     };
-    for method in methods() {
-        let mut broad = BroadPhase::new(1, method).unwrap();
-        let got = sorted(broad.self_pairs(a).unwrap());
-        assert_eq!(got, within, "{method:?}, within {a:?}");
-        let got = sorted(broad.pairs(a, b).unwrap());
-        assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
+    for method in methods_and_settings() {
+        let steps = [1, 2].map(|threads| {
+            let mut broad = BroadPhase::new(threads, method).unwrap();
+            let got = sorted(broad.self_pairs(a).unwrap());
+            assert_eq!(got, within, "{method:?}, within {a:?}");
+            let steps = broad.steps();
+            let got = sorted(broad.pairs(a, b).unwrap());
+            assert_eq!(got, between, "{method:?}, {a:?} against {b:?}");
+            [steps, broad.steps()]
+        });
+        assert_eq!(steps[0], steps[1], "{method:?}: steps within {a:?} and against {b:?}");
+        let is_tree = matches!(method, BroadPhaseMethod::Tree(_));
+        assert!(n < 2 || (steps[0][0] > 0) == is_tree, "{method:?}: {steps:?} steps");
     }
+    within.len()
+}
+
+#[test]
+fn trees_of_any_depth_are_searched() {
+    let at = |min: f32, max: f32| Aabb { min: [min, 0.25, 0.25], max: [max, 0.5, 0.5] };
+    // One in another, and one behind another: each half as large as the one before, so that each
+    // bit of a code parts one from the rest; in the end many have one code.
+    let nested = |n: usize| Vec::from_iter((0..n as i32).map(|i| at(0.0, 0.5f32.powi(i % 140))));
+    let apart = |n: usize| {
+        let part = |i: i32| at(0.5f32.powi(i % 22 + 1) * 1.1, 0.5f32.powi(i % 22));
+        Vec::from_iter((0..n as i32).map(part))
+    };
+    let equal = |n: usize| vec![at(0.25, 0.75); n];
+    let mut n_pairs = 0;
+    for n in [0, 1, 2, 3, 9, 150] {
+        for m in [0, 1, 2, 3, 150] {
+            for a in [nested(n), apart(n), equal(n)] {
+                for b in [nested(m), apart(m), equal(m)] {
+                    n_pairs += check_any_pairs(&a, &b);
+                }
+            }
+        }
+    }
+    assert!(n_pairs > 10_000, "{n_pairs} pairs show nothing");
+}
+
+#[test]
+fn fewer_steps_find_the_same() {
+    let mut x = 5u32;
+    let mut unit = || {
+        x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        (x >> 8) as f32 / 16_777_216.0
+    };
+    let mut one = || {
+        let min = [unit(), unit(), unit()];
+        Aabb { min, max: min.map(|c| c + 0.1) }
+    };
+    let boxes: Vec<_> = (0..2000).map(|_| one()).collect();
+    let steps = |traversal: Traversal| {
+        let tree = TreeOptions::default().traversal(traversal);
+        let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
+        let n_pairs = broad.self_pairs(&boxes).unwrap().len();
+        (n_pairs, broad.steps())
+    };
+    let [recursive, iterative, in_order, half, simultaneous, cut] = [
+        Traversal::Recursive,
+        Traversal::Iterative,
+        Traversal::LeafOrder,
+        Traversal::Half,
+        Traversal::SIMULTANEOUS,
+        Traversal::CUT,
+    ]
+    .map(steps);
+    assert!(recursive == iterative && iterative == in_order, "{recursive:?} {iterative:?}");
+    assert!(half.1 < in_order.1 * 2 / 3, "{half:?} of {in_order:?}");
+    assert!(simultaneous.1 < half.1, "{simultaneous:?} of {half:?}");
+    let all: [(usize, u64); 3] = [half, simultaneous, cut];
+    assert!(all.iter().all(|of| of.0 == in_order.0), "{all:?}");
+    // A method without a tree takes none, and a search in nothing forgets those of the one before.
+    let mut broad = BroadPhase::new(1, BroadPhaseMethod::TREE).unwrap();
+    broad.self_pairs(&boxes).unwrap();
+    let before = broad.steps();
+    broad.self_pairs::<f32>(&[]).unwrap();
+    assert!(before > 0 && broad.steps() == 0);
 }
 
 #[test]

@@ -14,6 +14,7 @@ use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::broad_phase::{radix_tree, refit};
 use ccd_core::kernel::Words;
 use ccd_core::layout::{Branch, Node};
+use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A tree over boxes and what its refit needs; fewer than two boxes give a tree without internal
@@ -50,6 +51,18 @@ impl BinaryTree {
     /// All nodes, with the boxes of the last fit.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
+    }
+
+    /// The leaves below a node.
+    #[inline]
+    pub fn range(&self, node: u32) -> Range<u32> {
+        match self.branches.get(node as usize) {
+            Some(branch) => branch.first..branch.last + 1,
+            None => {
+                let leaf = node - self.branches.len() as u32;
+                leaf..leaf + 1
+            }
+        }
     }
 
     /// Takes the branches over `n` leaves that a builder has filled.
@@ -107,18 +120,20 @@ impl BinaryTree {
     }
 
     /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`: in an
-    /// order that depends on the tree alone.
-    pub fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) {
+    /// order that depends on the tree alone. Returns the number of internal nodes that were visited.
+    pub fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) -> u64 {
         if self.branches.is_empty() {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));
-            return;
+            return 0;
         }
-        let mut walk = Walk::new();
+        let (mut walk, mut steps) = (Walk::new(), 0);
         while walk.goes_on {
+            steps += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
             out.extend(found.into_iter().filter(|&leaf| leaf != NONE));
         }
+        steps
     }
 }
 
@@ -130,15 +145,12 @@ mod tests {
     use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
     use ccd_core::model::method::TreeOptions;
 
-    /// Children split the range of their parent, boxes are exactly those of the leaves below, every
-    /// box is one leaf, no path is too long.
+    /// Children split the range of their parent and have the numbers that traversals rely on, boxes
+    /// are exactly those of the leaves below, every box is one leaf, no path is too long.
     fn check_well_formed(tree: &BinaryTree, order: &[u32], boxes: &[Aabb<f32>]) {
-        let n_internal = boxes.len() - 1;
+        let n_internal = boxes.len() as u32 - 1;
         let mut seen = vec![false; boxes.len()];
-        let range = |node: u32| match tree.branches.get(node as usize) {
-            Some(branch) => (branch.first, branch.last),
-            None => (node - n_internal as u32, node - n_internal as u32),
-        };
+        let range = |node: u32| (tree.range(node).start, tree.range(node).end - 1);
         let mut stack = vec![(0u32, 1usize)];
         while let Some((node, depth)) = stack.pop() {
             assert!(depth <= MAX_DEPTH, "a path of {depth} nodes");
@@ -153,6 +165,13 @@ mod tests {
                         (left.0, left.1 + 1, right.1),
                         (first, right.0, last),
                         "children of node {node}"
+                    );
+                    let number = |child, leaf| {
+                        child == if child < n_internal { leaf } else { n_internal + leaf }
+                    };
+                    assert!(
+                        number(branch.left, left.1) && number(branch.right, right.0),
+                        "numbers of the children of node {node}"
                     );
                     stack.extend([(branch.left, depth + 1), (branch.right, depth + 1)]);
                 }

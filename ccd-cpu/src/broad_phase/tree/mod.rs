@@ -38,12 +38,6 @@ impl TreeSource {
         set.searched || self.traversal.descends_both()
     }
 
-    /// The trees of two sides.
-    fn trees(&self, (a, b): Sides) -> Trees<'_> {
-        let of = |leaves: &LeafBoxes| &self.trees[leaves.set().index];
-        Trees { a: self.has_tree(a.set()).then(|| of(a)), b: of(b.unwrap_or(a)) }
-    }
-
     /// The tree over a set.
     #[cfg(test)]
     pub fn tree(&self, set: usize) -> &BinaryTree {
@@ -88,18 +82,22 @@ impl RowSource for TreeSource {
     fn begin(&mut self, threads: &Threads, sides: Sides) -> usize {
         let (a, b) = sides;
         assert!(b.unwrap_or(a).set().searched, "there is no tree over this set");
-        // Taken out for the call, which reads the trees beside it.
-        let mut traversal = std::mem::replace(&mut self.traversal, traversal::none());
-        let n_tasks = traversal.begin(threads, self.trees(sides), sides);
-        self.traversal = traversal;
-        n_tasks
+        let trees = trees_of(&self.trees, self.has_tree(a.set()), sides);
+        self.traversal.begin(threads, trees, sides)
     }
 
     fn task(&self, k: usize, sides: Sides, scratch: &mut Scratch, rows: &mut Rows) {
-        self.traversal.task(k, self.trees(sides), sides, scratch, rows);
+        let trees = trees_of(&self.trees, self.has_tree(sides.0.set()), sides);
+        self.traversal.task(k, trees, sides, scratch, rows);
     }
 
     fn max_threads(&self) -> usize {
         self.traversal.max_threads()
     }
+}
+
+/// The trees of two sides; `a_has_one`: the first has a tree.
+fn trees_of<'a>(trees: &'a [BinaryTree], a_has_one: bool, (a, b): Sides) -> Trees<'a> {
+    let of = |leaves: &LeafBoxes| &trees[leaves.set().index];
+    Trees { a: a_has_one.then(|| of(a)), b: of(b.unwrap_or(a)) }
 }

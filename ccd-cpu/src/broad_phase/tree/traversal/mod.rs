@@ -1,6 +1,23 @@
 //! Traversals of binary trees: which nodes are visited, in which order, by whom.
+//!
+//! | a query per box | of pairs of nodes |
+//! |---|---|
+//! | [`recursive`]: in the order of input, by recursion | [`simultaneous`]: by one thread |
+//! | [`iterative`]: with a stack | [`cut`]: in parallel |
+//! | [`leaf_order`]: in the order of leaves | |
+//! | [`half`]: of leaves after its own | |
+//!
+//! Left is what [`queries`] has, right what [`binary_pairs`] has; down the table each changes one
+//! thing in the one above it.
 
+mod binary_pairs;
+mod cut;
 mod half;
+mod iterative;
+mod leaf_order;
+mod queries;
+mod recursive;
+mod simultaneous;
 
 use super::binary_tree::BinaryTree;
 use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
@@ -8,6 +25,13 @@ use crate::threads::Threads;
 use ccd_core::Error;
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::Traversal;
+use cut::Cut;
+use half::Half;
+use iterative::Iterative;
+use leaf_order::LeafOrder;
+use queries::Queries;
+use recursive::Recursive;
+use simultaneous::Simultaneous;
 use std::fmt::Debug;
 
 /// The trees of both sides; the same if pairs are sought within one.
@@ -41,12 +65,12 @@ pub trait Traverse: Debug + Send + Sync {
 /// The traversal of a choice, if there is one here.
 pub fn new(choice: Traversal) -> Result<Box<dyn Traverse>, Error> {
     Ok(match choice {
-        Traversal::Half => Box::new(half::Half),
+        Traversal::Recursive => Box::new(Queries::<Recursive>::new()),
+        Traversal::Iterative => Box::new(Queries::<Iterative>::new()),
+        Traversal::LeafOrder => Box::new(Queries::<LeafOrder>::new()),
+        Traversal::Half => Box::new(Queries::<Half>::new()),
+        Traversal::Simultaneous(descent) => Box::new(Simultaneous::new(descent)),
+        Traversal::Cut { nodes, descent } => Box::new(Cut::new(nodes as usize, descent)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })
-}
-
-/// One that has no tasks.
-pub fn none() -> Box<dyn Traverse> {
-    Box::new(half::Half)
 }

@@ -1,0 +1,183 @@
+//! Emit: overlapping pairs by simultaneous traversal of two trees, or of one with itself: a pair of
+//! nodes is expanded into the overlapping pairs of their children [da Silva 2013], algorithm 2.1.
+//!
+//! ```text
+//!      a           b            Larger, a being it:  (a0, b)  (a1, b)
+//!     / \         / \           Both:                (a0, b0) (a0, b1) (a1, b0) (a1, b1)
+//!   a0   a1     b0   b1         a with itself:       (a0, a0) (a0, a1) (a1, a1)
+//! ```
+//!
+//! What a group of near boxes has in common is descended once for all of them, so that there are
+//! fewer steps than by a query a box; but pairs have nothing in common with the pairs after them,
+//! so that threads side by side diverge [Karras 2012b].
+//!
+//! Changed here: a pair is tested before it is emitted rather than when it is visited; the two
+//! sides are never exchanged, so that of a pair within one tree the first comes first in the order
+//! of leaves.
+
+use crate::broad_phase::stack_traversal::NONE;
+use crate::kernel::memory::at;
+use crate::layout::Node;
+use crate::math::aabb::Aabb;
+use crate::model::method::Descent;
+
+/// A node of the first tree and one of the second, or two of one tree, of which the first is left of
+/// the second or the same.
+pub type NodePair = [u32; 2];
+
+/// No pair.
+pub const NO_PAIR: NodePair = [NONE; 2];
+
+/// Children of the pair `(i, j)`, which overlaps, and is no pair of leaves, as far as they overlap:
+/// two by [`Descent::Larger`], four at most by [`Descent::Both`], three of a node with itself;
+/// [`NO_PAIR`] in what is left. A pair of leaves has none.
+///
+/// `a`, `b`: nodes of the two trees; if pairs are sought `within` one, the same. A leaf makes no
+/// pair with itself. Each pair of leaves is below at most one of the children, so that every
+/// overlapping one is met once, from the pair of roots on. Which node is the larger decides nothing
+/// but the number of steps: volumes that are not finite do no harm.
+#[inline(always)]
+pub fn expand(
+    rule: Descent,
+    within: bool,
+    a: &[Node],
+    b: &[Node],
+    [i, j]: NodePair,
+) -> [NodePair; 4] {
+    let (x, y) = (at(a, i as usize), at(b, j as usize));
+    if within && i == j {
+        return of_one(a, &x);
+    }
+    let either = !x.is_leaf() && !y.is_leaf();
+    let both = either && matches!(rule, Descent::Both);
+    let splits_y = both || x.is_leaf() || (either && volume(&y.aabb()) > volume(&x.aabb()));
+    let splits_x = both || !splits_y;
+    let mut out = [NO_PAIR; 4];
+    if (splits_x && x.is_leaf()) || (splits_y && y.is_leaf()) {
+        return out;
+    }
+    if splits_x && splits_y {
+        let (x0, x1) = (at(a, x.left as usize).aabb(), at(a, x.right as usize).aabb());
+        let (y0, y1) = (at(b, y.left as usize).aabb(), at(b, y.right as usize).aabb());
+        out[0] = pair_if(x0.overlaps(&y0), x.left, y.left);
+        out[1] = pair_if(x0.overlaps(&y1), x.left, y.right);
+        out[2] = pair_if(x1.overlaps(&y0), x.right, y.left);
+        out[3] = pair_if(x1.overlaps(&y1), x.right, y.right);
+    } else if splits_x {
+        let (x0, x1) = (at(a, x.left as usize).aabb(), at(a, x.right as usize).aabb());
+        out[0] = pair_if(x0.overlaps(&y.aabb()), x.left, j);
+        out[1] = pair_if(x1.overlaps(&y.aabb()), x.right, j);
+    } else {
+        let (y0, y1) = (at(b, y.left as usize).aabb(), at(b, y.right as usize).aabb());
+        out[0] = pair_if(x.aabb().overlaps(&y0), i, y.left);
+        out[1] = pair_if(x.aabb().overlaps(&y1), i, y.right);
+    }
+    out
+}
+
+/// The pairs of a node with itself.
+#[inline(always)]
+fn of_one(nodes: &[Node], node: &Node) -> [NodePair; 4] {
+    if node.is_leaf() {
+        return [NO_PAIR; 4];
+    }
+    let (left, right) = (at(nodes, node.left as usize), at(nodes, node.right as usize));
+    [
+        pair_if(!left.is_leaf(), node.left, node.left),
+        pair_if(left.aabb().overlaps(&right.aabb()), node.left, node.right),
+        pair_if(!right.is_leaf(), node.right, node.right),
+        NO_PAIR,
+    ]
+}
+
+#[inline(always)]
+fn pair_if(emitted: bool, i: u32, j: u32) -> NodePair {
+    if emitted { [i, j] } else { NO_PAIR }
+}
+
+/// What says which of two nodes is the larger.
+#[inline(always)]
+fn volume(b: &Aabb<f32>) -> f32 {
+    (b.max[0] - b.min[0]) * (b.max[1] - b.min[1]) * (b.max[2] - b.min[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::test_trees::{Tree, boxes, shapes};
+    use std::vec::Vec;
+
+    /// All pairs of leaves below the roots, sorted, and the most children that a pair had.
+    fn pairs(rule: Descent, a: &Tree, b: Option<&Tree>) -> (Vec<NodePair>, usize) {
+        let (mut out, mut most) = (Vec::new(), 0);
+        let other = b.unwrap_or(a);
+        let mut stack = Vec::from([[0, 0]]);
+        stack.retain(|_| b.is_none() || a.nodes[0].aabb().overlaps(&other.nodes[0].aabb()));
+        while let Some([i, j]) = stack.pop() {
+            let (x, y) = (a.nodes[i as usize], other.nodes[j as usize]);
+            let children = expand(rule, b.is_none(), &a.nodes, &other.nodes, [i, j]);
+            let children = children.into_iter().filter(|&pair| pair != NO_PAIR);
+            if x.is_leaf() && y.is_leaf() {
+                assert_eq!(children.count(), 0, "children of leaves");
+                if b.is_some() || i != j {
+                    out.push([x.left, y.left]);
+                }
+            } else {
+                let before = stack.len();
+                stack.extend(children);
+                let bound = match rule {
+                    _ if b.is_none() && i == j => 3,
+                    Descent::Both => 4,
+                    Descent::Larger => 2,
+                };
+                assert!(stack.len() - before <= bound, "{rule:?}: children of {i}, {j}");
+                most = most.max(stack.len() - before);
+            }
+        }
+        out.sort_unstable();
+        (out, most)
+    }
+
+    #[test]
+    fn trees_of_any_shape_give_the_pairs_of_brute_force() {
+        for n in [1, 2, 3, 10, 60] {
+            for (_, tree) in shapes(n, &boxes(n, 1)) {
+                let box_of = |i: u32| tree.leaf(i).aabb();
+                for rule in [Descent::Larger, Descent::Both] {
+                    let all = (0..n as u32).flat_map(|i| (i + 1..n as u32).map(move |j| [i, j]));
+                    let want: Vec<_> =
+                        all.filter(|&[i, j]| box_of(i).overlaps(&box_of(j))).collect();
+                    let (found, most) = pairs(rule, &tree, None);
+                    assert_eq!(found, want, "{rule:?} within {tree:?}");
+                    assert!(n < 60 || (want.len() > 20 && most > 1), "{}, {most}", want.len());
+                    for (_, other) in shapes(7, &boxes(7, 2)) {
+                        let all = (0..n as u32).flat_map(|i| (0..7).map(move |j| [i, j]));
+                        let overlap =
+                            |&[i, j]: &[u32; 2]| box_of(i).overlaps(&other.leaf(j).aabb());
+                        let want: Vec<_> = all.filter(overlap).collect();
+                        let (found, _) = pairs(rule, &tree, Some(&other));
+                        assert_eq!(found, want, "{rule:?}, {tree:?} against {other:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_larger_is_split_and_a_leaf_never() {
+        let [unit, huge] = [1.0, 3.0e38].map(|x| Aabb { min: [-x; 3], max: [x; 3] });
+        let tree = |b: &Aabb| Tree::new(&[*b; 2], |first, _| first);
+        let (small, large) = (tree(&unit), tree(&huge));
+        let of = |a: &Tree, b: &Tree, pair| {
+            expand(Descent::Larger, false, &a.nodes, &b.nodes, pair)
+                .map(|pair| pair.map(|i| if i == NONE { 9 } else { i }))
+        };
+        let none = [9, 9];
+        assert_eq!(of(&small, &large, [0, 0]), [[0, 1], [0, 2], none, none]);
+        assert_eq!(of(&large, &small, [0, 0]), [[1, 0], [2, 0], none, none]);
+        assert_eq!(of(&small, &large, [0, 2]), [[1, 2], [2, 2], none, none]);
+        assert_eq!(of(&small, &large, [1, 0]), [[1, 1], [1, 2], none, none]);
+        // Volumes that are both infinite.
+        assert_eq!(of(&large, &large, [0, 0]), [[1, 0], [2, 0], none, none]);
+    }
+}

@@ -1,0 +1,90 @@
+//! Two binary trees, or one with itself, as a tree of pairs; what the traversals that descend both
+//! at once have in common. [`super::simultaneous`] and [`super::cut`] say in what they differ.
+
+use super::Trees;
+use crate::broad_phase::pair_source::{IntoRows, PairSink, Rows, Scratch};
+use crate::broad_phase::pair_tree::PairTree;
+use crate::broad_phase::scheduler::DepthFirst;
+use crate::simd::{RowSimd, WIDTH};
+use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
+use ccd_core::layout::Node;
+use ccd_core::model::method::Descent;
+
+/// The pair at which a traversal begins.
+pub const ROOTS: NodePair = [0, 0];
+
+/// The nodes of the trees that are descended, equal if pairs are sought `within` one.
+#[derive(Clone, Copy)]
+pub struct BinaryPairs<'a> {
+    a: &'a [Node],
+    b: &'a [Node],
+    within: bool,
+    descent: Descent,
+}
+
+impl<'a> BinaryPairs<'a> {
+    /// The trees of both sides, neither empty.
+    pub fn new(trees: Trees<'a>, within: bool, descent: Descent) -> Self {
+        let a = trees.a.unwrap_or(trees.b);
+        Self { a: a.nodes(), b: trees.b.nodes(), within, descent }
+    }
+
+    /// Whether there may be pairs of leaves below this pair: its boxes overlap; of a leaf with
+    /// itself there is none.
+    pub fn is_wanted(&self, [i, j]: NodePair) -> bool {
+        if self.within && i == j {
+            (i as usize) < n_internal(self.a)
+        } else {
+            self.a[i as usize].aabb().overlaps(&self.b[j as usize].aabb())
+        }
+    }
+
+    /// Adds all pairs of leaves below a wanted pair.
+    pub fn descend(self, from: NodePair, scratch: &mut Scratch, rows: &mut Rows) {
+        let Scratch { pairs: stack, steps, .. } = scratch;
+        stack.clear();
+        stack.push(from);
+        let (tree, sink, worker) = (self, &IntoRows::default(), &mut *rows);
+        *steps += crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });
+    }
+}
+
+/// Internal nodes among all nodes of a tree.
+#[inline(always)]
+fn n_internal(nodes: &[Node]) -> usize {
+    nodes.len() / 2
+}
+
+impl PairTree for BinaryPairs<'_> {
+    type Pair = NodePair;
+
+    fn roots(self, out: &mut Vec<NodePair>) {
+        out.extend(Some(ROOTS).filter(|&pair| self.is_wanted(pair)));
+    }
+
+    #[inline(always)]
+    fn is_leaf(self, [i, j]: NodePair) -> bool {
+        i as usize >= n_internal(self.a) && j as usize >= n_internal(self.b)
+    }
+
+    #[inline(always)]
+    fn expand<S: RowSimd>(self, _simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
+        for child in expand(self.descent, self.within, self.a, self.b, pair) {
+            if child != NO_PAIR {
+                out.push(child);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn rows<S: RowSimd, K: PairSink>(
+        self,
+        simd: S,
+        [i, j]: NodePair,
+        sink: &K,
+        worker: &mut K::Worker,
+    ) {
+        let (i, j) = (i as usize - n_internal(self.a), j as usize - n_internal(self.b));
+        sink.row(worker, simd, i / WIDTH, i % WIDTH, j / WIDTH, 1 << (j % WIDTH));
+    }
+}

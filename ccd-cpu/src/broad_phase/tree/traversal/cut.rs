@@ -1,0 +1,135 @@
+//! Simultaneous traversal in parallel: from all pairs of the nodes of a cut through the tree on
+//! [Karras 2012b].
+//!
+//! ```text
+//!             0                  a cut of 4 nodes, 2 5 6 9: every leaf is below exactly one
+//!         /       \              10 pairs: 2 with 2 5 6 9, 5 with 5 6 9, 6 with 6 9, 9 with 9
+//!       1           8
+//!     /   \       /   \
+//!   [2]    4    ..    [9]
+//! ```
+//!
+//! The cut begins with the root, and the node with most leaves is split until there are as many as
+//! are wanted: 256 by default, which have 32,896 pairs, a node with itself being one. Of two sets
+//! every node of one cut is paired with every node of the other. A task is one node of the first
+//! cut with all of its pairs.
+//!
+//! Cost: the steps of [`super::simultaneous`], less those above the cut, and a test of boxes for
+//! every pair of the cut. Choose it on a CPU with several threads for boxes that overlap many
+//! others. On a GPU neighbouring threads have nothing in common, and queries are faster.
+
+use super::binary_pairs::BinaryPairs;
+use super::{Traverse, Trees};
+use crate::broad_phase::pair_source::{Rows, Scratch, Sides};
+use crate::broad_phase::tree::binary_tree::BinaryTree;
+use crate::threads::Threads;
+use ccd_core::model::method::Descent;
+use std::collections::BinaryHeap;
+
+/// From the pairs of a cut, a task a node.
+#[derive(Debug)]
+pub struct Cut {
+    n_nodes: usize,
+    descent: Descent,
+    /// Nodes of the cuts of both sides in the order of leaves; within one set the second alone.
+    cuts: [Vec<u32>; 2],
+    /// Nodes that may be split further, with the numbers of their leaves.
+    heap: BinaryHeap<(usize, u32)>,
+}
+
+impl Cut {
+    /// By this rule of expansion, from a cut of so many nodes on, if there are so many leaves.
+    pub fn new(n_nodes: usize, descent: Descent) -> Self {
+        Self { n_nodes, descent, cuts: Default::default(), heap: BinaryHeap::new() }
+    }
+
+    /// Fills one of the cuts.
+    fn fill(&mut self, side: usize, tree: &BinaryTree) {
+        let (heap, cut) = (&mut self.heap, &mut self.cuts[side]);
+        heap.clear();
+        heap.push((tree.range(0).len(), 0));
+        while let Some(&(n_leaves, node)) = heap.peek() {
+            if n_leaves == 1 || heap.len() >= self.n_nodes {
+                break;
+            }
+            heap.pop();
+            let branch = &tree.branches[node as usize];
+            heap.extend([branch.left, branch.right].map(|child| (tree.range(child).len(), child)));
+        }
+        cut.clear();
+        cut.extend(heap.iter().map(|&(_, node)| node));
+        cut.sort_unstable_by_key(|&node| tree.range(node).start);
+    }
+}
+
+impl Traverse for Cut {
+    fn descends_both(&self) -> bool {
+        true
+    }
+
+    fn begin(&mut self, _threads: &Threads, trees: Trees, (_, b): Sides) -> usize {
+        self.fill(1, trees.b);
+        match (b, trees.a) {
+            (Some(_), Some(a)) => {
+                self.fill(0, a);
+                self.cuts[0].len()
+            }
+            _ => self.cuts[1].len(),
+        }
+    }
+
+    fn task(&self, k: usize, trees: Trees, (_, b): Sides, scratch: &mut Scratch, rows: &mut Rows) {
+        let within = b.is_none();
+        let pairs = BinaryPairs::new(trees, within, self.descent);
+        let [first, second] = &self.cuts;
+        let (i, against) = if within { (second[k], &second[k..]) } else { (first[k], &second[..]) };
+        for &j in against {
+            scratch.steps += 1;
+            if pairs.is_wanted([i, j]) {
+                pairs.descend([i, j], scratch, rows);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+    use crate::broad_phase::tree::TreeSource;
+    use ccd_core::Aabb;
+    use ccd_core::model::method::TreeOptions;
+
+    #[test]
+    fn every_leaf_is_below_one_node_of_the_cut() {
+        let threads = Threads::new(1).unwrap();
+        for n in [1usize, 2, 3, 100, 1000] {
+            let boxes: Vec<_> = (0..n).map(|i| Aabb::of_point([(i * i) as f32; 3])).collect();
+            let mut source = TreeSource::new(TreeOptions::default()).unwrap();
+            let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
+            leaves.build(&threads, &mut source, &boxes, None);
+            let tree = source.tree(0);
+            for n_nodes in [1, 2, 7, 256, 1024] {
+                let mut cut = Cut::new(n_nodes, Descent::Larger);
+                let n_tasks = cut.begin(&threads, Trees { a: None, b: tree }, (&leaves, None));
+                assert_eq!(n_tasks, n_nodes.min(n), "{n} leaves");
+                let below = cut.cuts[1].iter().flat_map(|&node| tree.range(node));
+                assert!(below.eq(0..n as u32), "{n_nodes} nodes over {n} leaves: {:?}", cut.cuts);
+                // None is larger than what was split for the smallest.
+                let sizes = || cut.cuts[1].iter().map(|&node| tree.range(node).len());
+                let parent = |node: u32| {
+                    let is_child = |b: &_| -> bool {
+                        let ccd_core::layout::Branch { left, right, .. } = *b;
+                        left == node || right == node
+                    };
+                    tree.branches
+                        .iter()
+                        .position(is_child)
+                        .map_or(n, |p| tree.range(p as u32).len())
+                };
+                let least_split = cut.cuts[1].iter().map(|&node| parent(node)).min();
+                assert!(sizes().max() <= least_split, "{n_nodes} nodes over {n} leaves");
+            }
+        }
+    }
+}
