@@ -102,11 +102,17 @@ fn main() {
                     check_pairs(&loaded, source, choice, method)
                 }));
             }
-            if !matches!(source, Source::Boxes(_)) {
+            // By every method in scenes that are made, by the default in real ones.
+            let methods: Vec<BroadPhaseMethod> = match source {
+                Source::Boxes(_) => Vec::new(),
+                Source::Step(_) => ccd::every(backend).collect(),
+                Source::Real(_) => vec![BroadPhaseMethod::default()],
+            };
+            for method in methods {
                 let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
-                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{place}"));
+                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{method}/{place}"));
                 trials.push(row_of(name, source, choice, move |choice| {
-                    check_contacts(&loaded, source, choice)
+                    check_contacts(&loaded, source, choice, method)
                 }));
             }
         }
@@ -269,10 +275,15 @@ fn load_motion(source: Source) -> Motion {
     }
 }
 
-fn check_contacts(loaded: &Loaded, source: Source, choice: &Choice) -> Result<(), String> {
+fn check_contacts(
+    loaded: &Loaded,
+    source: Source,
+    choice: &Choice,
+    broad_phase: BroadPhaseMethod,
+) -> Result<(), String> {
     let Motion { step, want, undecided } = loaded.motion.get_or_init(|| load_motion(source));
     let Step { mesh, x0, x1 } = step;
-    let options = Options { threads: 2, ..Options::default() };
+    let options = Options { threads: 2, broad_phase, ..Options::default() };
     let mut session = Session::new(choice, mesh.clone(), options).map_err(|e| e.to_string())?;
     let report = session.step(x0, x1).map_err(|e| e.to_string())?.clone();
     match want {
