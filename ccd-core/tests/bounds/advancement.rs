@@ -99,7 +99,8 @@ fn intervals_are_held_by_their_middle_and_width() {
             let (lo, hi) = (p.min(q), p.max(q));
             let (middle, half) = around(Adversarial(lo), Adversarial(hi));
             let (middle, half) = (middle.0, half.0);
-            1.0 + if end { hi - (middle + half) } else { (middle - half) - lo } / (4.0 * UNIT)
+            let beyond = if end { hi - (middle + half) } else { (middle - half) - lo };
+            1.0 + beyond / (4.0 * UNIT)
         };
         Ascent { n_inputs: 2, flush: false, ratio }.check(name, 6, [2, 200], documented);
     }
