@@ -1,10 +1,12 @@
 //! Bounds and verdicts of the core against exact arithmetic, adversaries and independent
 //! computation; no data needed.
 
+mod advancement;
 mod boxes;
 mod common;
 mod derived;
 mod distance;
+mod input;
 mod rounding;
 mod tangential;
 mod verdicts;
