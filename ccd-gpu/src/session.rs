@@ -67,6 +67,9 @@ impl Session {
             let name = options.broad_phase.row().name;
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
+        if let Some(name) = options.pipeline.lacking("gpu") {
+            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
+        }
         Ok(Self {
             frames: Frames::new(device, &mesh, &options)?,
             device: device.clone(),

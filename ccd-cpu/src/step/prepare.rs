@@ -7,11 +7,13 @@ use crate::broad_phase::pair_source::{Fixed, PairSource};
 use crate::simd::WIDTH;
 use crate::step::candidates::{Given, Scene};
 use crate::step::leaves::Leaves;
+use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::quantization::{Scan, Table};
 use ccd_core::{Aabb, Error, Real};
@@ -74,6 +76,8 @@ pub struct Prepared {
     pub vertices: Feature<1>,
     pub edges: Feature<2>,
     pub faces: Feature<3>,
+    /// If pairs of triangles are looked for.
+    pub triangles: Option<TriangleLeaves>,
 }
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
@@ -104,8 +108,13 @@ impl<const N: usize> Feature<N> {
     }
 }
 
-impl Default for Prepared {
-    fn default() -> Self {
+impl Prepared {
+    /// For steps of a mesh.
+    pub fn new(mesh: &Mesh, pipeline: Pipeline) -> Self {
+        let triangles = match pipeline {
+            Pipeline::Triangles(options) => Some(TriangleLeaves::new(mesh, options)),
+            _ => None,
+        };
         Self {
             built: false,
             scans: Vec::new(),
@@ -116,11 +125,10 @@ impl Default for Prepared {
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
             faces: Feature::new(2, true),
+            triangles,
         }
     }
-}
 
-impl Prepared {
     /// Checks coordinates, fills the table and sweeps all boxes.
     pub fn boxes(
         &mut self,
@@ -239,6 +247,11 @@ impl Prepared {
         bodies: Option<&Bodies>,
         whole: bool,
     ) -> Result<bool, Error> {
+        let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
+        let any = bodies.is_some_and(Bodies::any_fixed);
+        if self.triangles.is_some() {
+            return self.triangle_leaves(threads, method, any.then_some(&fixed), whole);
+        }
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
@@ -253,8 +266,6 @@ impl Prepared {
             let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
             method.order().survey(threads, &sets)?;
             self.built = true;
-            let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
-            let any = bodies.is_some_and(Bodies::any_fixed);
             let (of_vertex, of_edge, of_face) = (
                 |i: usize| fixed(i as u32),
                 |i: usize| fixed(mesh.edges()[i][0]),
@@ -268,5 +279,36 @@ impl Prepared {
         edges.leaves.place(threads, table);
         faces.leaves.place(threads, table);
         Ok(loose)
+    }
+
+    /// The same for triangles; `fixed`: whether a vertex stands still.
+    fn triangle_leaves(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
+        whole: bool,
+    ) -> Result<bool, Error> {
+        let Self { vertices, edges, faces, triangles, table, built, .. } = self;
+        let of =
+            FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
+        let Some(leaves) = triangles else { return Ok(false) };
+        leaves.sweep(threads, of.vertices);
+        let mut loose = !*built || !method.order().outlasts_motion();
+        if !loose {
+            loose = leaves.refit(threads, method) > MAX_LOOSENESS && whole;
+        }
+        if loose {
+            leaves.build(threads, method, fixed)?;
+            *built = true;
+        }
+        leaves.place(threads, of, table);
+        Ok(loose)
+    }
+
+    /// Swept boxes of all features.
+    pub fn feature_boxes(&self) -> FeatureBoxes<'_> {
+        let Self { vertices, edges, faces, .. } = self;
+        FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes }
     }
 }
