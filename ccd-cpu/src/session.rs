@@ -40,7 +40,7 @@ impl Session {
         }
         let threads = Threads::new(options.threads)?;
         Ok(Self {
-            prepared: Prepared::new(&mesh, options.pipeline),
+            prepared: Prepared::new(&mesh, &options),
             mesh,
             options,
             threads,
@@ -122,7 +122,7 @@ impl Session {
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), true)?;
+            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
             let scene = prepared.scene(mesh, options, &x, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
@@ -243,7 +243,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x.whole())?;
+    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())

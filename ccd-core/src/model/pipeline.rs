@@ -18,8 +18,8 @@ pub enum Pipeline {
 /// ```
 /// use ccd_core::model::pipeline::TriangleOptions;
 ///
-/// let all = TriangleOptions::default().orphans(false);
-/// assert!(!all.orphans);
+/// let few = TriangleOptions::default().orphans(true).cones(true);
+/// assert!(few.orphans && few.cones);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -28,6 +28,13 @@ pub struct TriangleOptions {
     /// per mesh [Tang 2008]. Where that list would be too long (see
     /// [`OrphanSets::new`](crate::triangle_pairs::orphans::OrphanSets::new)) they are not skipped.
     pub orphans: bool,
+    /// Skip pairs within regions of the mesh that certainly do not touch themselves during the step
+    /// [Volino 1994], see [`normal_cone`](crate::triangle_pairs::normal_cone). Their pairs of
+    /// features are no candidates. Without effect where a minimum distance is asked for.
+    ///
+    /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
+    /// is certified to be free in this way, is no contact.
+    pub cones: bool,
 }
 
 impl TriangleOptions {
@@ -35,15 +42,20 @@ impl TriangleOptions {
     pub const fn orphans(self, orphans: bool) -> Self {
         Self { orphans, ..self }
     }
+
+    /// The same with or without normal cones.
+    pub const fn cones(self, cones: bool) -> Self {
+        Self { cones, ..self }
+    }
 }
 
 impl Default for TriangleOptions {
     fn default() -> Self {
-        Self { orphans: true }
+        Self { orphans: true, cones: false }
     }
 }
 
 impl Pipeline {
     /// [`Pipeline::Triangles`] as it is by default.
-    pub const TRIANGLES: Self = Self::Triangles(TriangleOptions { orphans: true });
+    pub const TRIANGLES: Self = Self::Triangles(TriangleOptions { orphans: true, cones: false });
 }

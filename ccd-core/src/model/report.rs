@@ -27,6 +27,9 @@ pub struct TriangleCounts {
     pub pairs: u64,
     /// Those of them that were skipped because they share a vertex.
     pub adjacent: u64,
+    /// Those of the others that were skipped because both are in a region that certainly does not
+    /// touch itself.
+    pub free: u64,
     /// Tests of features that the others were expanded to: 15 a pair without representatives.
     pub represented: u64,
     /// Tests of features that only pairs with a common vertex have: orphans, listed once per mesh.
@@ -49,6 +52,7 @@ impl TriangleCounts {
         Self {
             pairs: self.pairs + other.pairs,
             adjacent: self.adjacent + other.adjacent,
+            free: self.free + other.free,
             represented: self.represented + other.represented,
             orphans: self.orphans + other.orphans,
         }

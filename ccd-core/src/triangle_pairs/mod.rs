@@ -2,7 +2,7 @@
 //!
 //! Two triangles are 15 elemental tests: each of six vertices against the other face, each of three
 //! edges against each of the other three. Neighbours have their vertices and edges in common, so
-//! that plain expansion repeats most tests. Three things make it free of duplicates and of most
+//! that plain expansion repeats most tests. What makes it free of duplicates and of most
 //! neighbours:
 //! - *Representatives* [Curtis 2008]: one triangle tests a vertex or an edge for all that have it
 //!   ([`representatives`]). A pair of features is tested by the pair of their representatives,
@@ -12,6 +12,8 @@
 //!   ([`orphans`]).
 //! - *Stand-ins* (ours): if the representatives of two features share a vertex, but others of their
 //!   triangles do not, the first such pair tests them.
+//! - *Normal cones* [Volino 1994]: pairs within a region that certainly does not touch itself are
+//!   skipped ([`normal_cone`], [`patches`]).
 //!
 //! ```text
 //!   a pair of triangles:   0       3      6 vertex-face: 0 1 2 against 345, 3 4 5 against 012
@@ -26,11 +28,17 @@
 //! triangles, or where a hierarchy of triangles is there anyway; features of their own
 //! ([`Features`](crate::model::pipeline::Pipeline::Features)) make smaller boxes.
 
+pub mod normal_cone;
+#[cfg(feature = "alloc")]
 pub mod orphans;
+#[cfg(feature = "alloc")]
+pub mod patches;
+#[cfg(feature = "alloc")]
 pub mod representatives;
 
-use crate::layout::Pair;
-use crate::model::contact::Kind;
+#[cfg(feature = "alloc")]
+use crate::{layout::Pair, model::contact::Kind};
+#[cfg(feature = "alloc")]
 use representatives::Triangles;
 
 /// Elemental tests of a pair of triangles.
@@ -77,6 +85,7 @@ impl Test {
     }
 
     /// The features that it tests for two triangles.
+    #[cfg(feature = "alloc")]
     pub fn features(self, triangles: &Triangles, first: u32, second: u32) -> (Kind, Pair) {
         let k = self.0 as usize;
         let corner = |of: u32, k: usize| triangles.corners(of)[k];

@@ -5,6 +5,7 @@ mod boxes;
 mod common;
 mod derived;
 mod distance;
+mod normal_cone;
 mod rounding;
 mod tangential;
 mod verdicts;

@@ -3,6 +3,7 @@
 
 pub mod candidates;
 pub mod find;
+pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;

@@ -110,9 +110,10 @@ impl<const N: usize> Feature<N> {
 
 impl Prepared {
     /// For steps of a mesh.
-    pub fn new(mesh: &Mesh, pipeline: Pipeline) -> Self {
-        let triangles = match pipeline {
-            Pipeline::Triangles(options) => Some(TriangleLeaves::new(mesh, options)),
+    pub fn new(mesh: &Mesh, options: &Options) -> Self {
+        let distance = options.min_distance;
+        let triangles = match options.pipeline {
+            Pipeline::Triangles(options) => Some(TriangleLeaves::new(mesh, options, distance)),
             _ => None,
         };
         Self {
@@ -237,7 +238,7 @@ impl Prepared {
     }
 
     /// Has the method take the boxes: in the order that it has, or in a new one if it has none yet
-    /// or has become too loose. Returns whether the order is new. Boxes of less than the `whole`
+    /// or has become too loose. Returns whether the order is new. Boxes of less than the whole
     /// step say nothing about looseness and never bring a new order.
     pub fn leaves(
         &mut self,
@@ -245,11 +246,16 @@ impl Prepared {
         method: &mut Method,
         mesh: &Mesh,
         bodies: Option<&Bodies>,
-        whole: bool,
+        x: &Positions,
     ) -> Result<bool, Error> {
+        let whole = x.whole();
         let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
         let any = bodies.is_some_and(Bodies::any_fixed);
-        if self.triangles.is_some() {
+        if let Some(triangles) = &mut self.triangles {
+            // What is free during the whole step is free during a shorter one.
+            if whole {
+                triangles.certify(threads, mesh, x.given);
+            }
             return self.triangle_leaves(threads, method, any.then_some(&fixed), whole);
         }
         let Self { vertices, edges, faces, table, .. } = self;

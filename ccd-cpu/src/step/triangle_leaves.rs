@@ -8,6 +8,8 @@ use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::{Fixed, PairSource};
 use crate::simd::{Block, EMPTY, WIDTH};
+use crate::step::candidates::Given;
+use crate::step::free_regions::FreeRegions;
 use crate::step::leaves::ends;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
@@ -23,6 +25,8 @@ pub struct TriangleLeaves {
     pub triangles: Triangles,
     /// `None`: neighbours are expanded like all others.
     pub orphans: Option<OrphanSets>,
+    /// Pairs in one of them are skipped.
+    pub regions: Option<FreeRegions>,
     swept: Vec<Aabb<f32>>,
     pub boxes: LeafBoxes,
     pub blocks: Vec<TriangleBlock>,
@@ -81,12 +85,15 @@ pub struct FeatureBoxes<'a> {
 
 impl TriangleLeaves {
     /// The triangles of a mesh, without boxes yet.
-    pub fn new(mesh: &Mesh, options: TriangleOptions) -> Self {
+    pub fn new(mesh: &Mesh, options: TriangleOptions, min_distance: f64) -> Self {
         let triangles = Triangles::new(mesh);
         let orphans = options.orphans.then(|| OrphanSets::new(mesh, &triangles)).flatten();
+        let cones = options.cones && min_distance == 0.0;
+        let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
         Self {
             triangles,
             orphans,
+            regions,
             swept: Vec::new(),
             boxes: LeafBoxes::new(Set { index: 0, searched: true }),
             blocks: Vec::new(),
@@ -125,8 +132,18 @@ impl TriangleLeaves {
         self.boxes.refit(threads, method.order(), &self.swept)
     }
 
-    /// Boxes of features, during the step and at its ends.
+    /// Certifies regions for a whole step.
+    pub fn certify(&mut self, threads: &Threads, mesh: &Mesh, given: Given) {
+        if let Some(regions) = &mut self.regions {
+            regions.certify(threads, mesh, given);
+        }
+    }
+
+    /// Boxes of features, during the step and at its ends, and regions.
     pub fn place(&mut self, threads: &Threads, of: FeatureBoxes, table: &[[f32; WIDTH]]) {
+        if let Some(regions) = &mut self.regions {
+            regions.place(threads, &self.boxes);
+        }
         let blocks = &self.blocks;
         self.features.resize(blocks.len(), [EMPTY; 6]);
         threads.fill(&mut self.features, |i| features(&blocks[i], of));

@@ -9,6 +9,7 @@ use crate::broad_phase::keep;
 use crate::broad_phase::pair_source::PairSink;
 use crate::simd::{Block, RowSimd, WIDTH};
 use crate::step::candidates::{Scene, Take, separated};
+use crate::step::free_regions::NONE;
 use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::candidate::{is_corner, share_vertex};
@@ -66,13 +67,21 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
         if self.leaves.orphans.is_some() {
             mask &= !near;
         }
-        let adjacent = n_pairs - mask.count_ones();
+        let n_apart = mask.count_ones();
+        if let Some(regions) = &self.leaves.regions {
+            let region = regions.of_leaf[a][lane];
+            if region != NONE {
+                mask &= !simd.equals(&regions.of_leaf[b], [region; 2]);
+            }
+        }
+        let counts = TriangleCounts {
+            pairs: n_pairs as u64,
+            adjacent: (n_pairs - n_apart) as u64,
+            free: (n_apart - mask.count_ones()) as u64,
+            ..TriangleCounts::default()
+        };
         if mask == 0 {
-            worker.count_triangles(TriangleCounts {
-                pairs: n_pairs as u64,
-                adjacent: adjacent as u64,
-                ..TriangleCounts::default()
-            });
+            worker.count_triangles(counts);
             return;
         }
         near &= mask;
@@ -132,12 +141,7 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 }
             }
         }
-        worker.count_triangles(TriangleCounts {
-            pairs: n_pairs as u64,
-            adjacent: adjacent as u64,
-            represented: represented as u64,
-            orphans: 0,
-        });
+        worker.count_triangles(TriangleCounts { represented: represented as u64, ..counts });
     }
 
     fn begin(&self, worker: &mut W, task: usize) {
@@ -279,7 +283,8 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
                 } else {
                     (Kind::EdgeEdge, sets.ee()[i - n_vf])
                 };
-                if self.wants(kind) && self.of_wanted_bodies(kind, pair) {
+                let skipped = self.in_free_region(kind, pair);
+                if self.wants(kind) && !skipped && self.of_wanted_bodies(kind, pair) {
                     orphans += 1;
                     self.test(worker, kind, pair);
                 }
@@ -287,6 +292,16 @@ impl<'a, W: Take> TrianglePairs<'a, W> {
             worker.count_triangles(TriangleCounts { orphans, ..TriangleCounts::default() });
             self.end(worker);
         });
+    }
+
+    fn in_free_region(&self, kind: Kind, pair: Pair) -> bool {
+        let Some(regions) = &self.leaves.regions else { return false };
+        let triangles = &self.leaves.triangles;
+        let (a, b) = match kind {
+            Kind::VertexFace => (triangles.of_vertex(pair.a)[0], pair.b),
+            Kind::EdgeEdge => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
+        };
+        regions.hold_both(a, b)
     }
 
     fn of_wanted_bodies(&self, kind: Kind, pair: Pair) -> bool {
