@@ -85,7 +85,8 @@ pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
 };
 pub use ccd_core::model::options::Options;
-pub use ccd_core::model::report::{Report, Times};
+pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+pub use ccd_core::model::report::{Report, Times, TriangleCounts};
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,

@@ -1,6 +1,7 @@
-//! What there is to choose from: a row for every method, builder, traversal and volume.
+//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline.
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use super::pipeline::Pipeline;
 use core::mem::discriminant;
 
 /// What there is to say about a choice.
@@ -178,6 +179,33 @@ impl Catalogued for Volume {
     ];
 }
 
+impl Catalogued for Pipeline {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Features,
+            name: "features",
+            about: "Vertices against faces and edges against edges, by their own boxes",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::TRIANGLES,
+            name: "triangles",
+            about: "Triangles against triangles, expanded to features that each one represents",
+            source: Some("Curtis 2008"),
+            backends: CPU,
+        },
+    ];
+}
+
+impl Pipeline {
+    /// The name of the pipeline if a backend does not have it.
+    pub fn lacking(self, backend: &str) -> Option<&'static str> {
+        let row = self.row();
+        (!row.backends.contains(&backend)).then_some(row.name)
+    }
+}
+
 impl BroadPhaseMethod {
     /// Whether a backend has the method with all its settings; if not, the name of what it lacks.
     pub fn lacking(self, backend: &str) -> Option<&'static str> {
@@ -237,6 +265,7 @@ mod tests {
         check_rows::<Builder>();
         check_rows::<Traversal>();
         check_rows::<Volume>();
+        check_rows::<Pipeline>();
     }
 
     #[test]

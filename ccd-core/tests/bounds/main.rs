@@ -7,6 +7,7 @@ mod common;
 mod derived;
 mod distance;
 mod input;
+mod normal_cone;
 mod rounding;
 mod tangential;
 mod verdicts;
