@@ -5,6 +5,7 @@ mod boxes;
 mod common;
 mod derived;
 mod distance;
+mod obb;
 mod rounding;
 mod tangential;
 mod verdicts;

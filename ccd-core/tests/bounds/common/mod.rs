@@ -6,6 +6,7 @@ pub mod distance;
 pub mod exact;
 #[path = "../../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;
+pub mod oriented;
 pub mod random;
 pub mod tangential;
 
