@@ -4,6 +4,7 @@
 pub mod block_bvh;
 pub mod candidate;
 pub mod morton_key;
+pub mod oriented_refit;
 pub mod pair_descent;
 pub mod placement;
 pub mod radix_tree;

@@ -173,7 +173,7 @@ impl Catalogued for Volume {
             name: "obb",
             about: "Boxes along axes of their own",
             source: Some("Gottschalk 1996"),
-            backends: &[],
+            backends: CPU,
         },
     ];
 }

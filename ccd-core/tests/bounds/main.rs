@@ -6,6 +6,7 @@ mod common;
 mod derived;
 mod distance;
 mod obb;
+mod obb_rounding;
 mod rounding;
 mod tangential;
 mod verdicts;

@@ -6,14 +6,20 @@
 //! child has the number of its last leaf, one that is a right child that of its first: no two have
 //! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
 //! id of its box.
+//!
+//! Every node has a box along the axes. By [`Volume::Obb`] an internal node has an oriented box
+//! around the same leaves as well, and what does not reach into it is not looked for below: a second
+//! test, of those that the first lets through.
 
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::broad_phase::{radix_tree, refit};
+use ccd_core::broad_phase::{oriented_refit, radix_tree, refit};
 use ccd_core::kernel::Words;
 use ccd_core::layout::{Branch, Node};
+use ccd_core::math::obb::Obb;
+use ccd_core::model::method::Volume;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -27,6 +33,9 @@ pub struct BinaryTree {
     visits: Vec<AtomicU32>,
     boxes: Vec<AtomicU32>,
     nodes: Vec<Node>,
+    volume: Volume,
+    oriented_words: Vec<AtomicU32>,
+    oriented: Vec<Obb>,
     extents: Vec<f64>,
     looseness_at_build: Option<f64>,
 }
@@ -48,9 +57,36 @@ impl Words for Shared<'_> {
 }
 
 impl BinaryTree {
+    /// No tree yet; what will bound its nodes.
+    pub fn new(volume: Volume) -> Self {
+        Self { volume, ..Self::default() }
+    }
+
     /// All nodes, with the boxes of the last fit.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
+    }
+
+    /// Whether leaves below an internal node, whose box along the axes overlaps the query, may do so,
+    /// as far as its oriented box tells.
+    #[inline]
+    pub fn reaches(&self, node: u32, query: &Aabb<f32>) -> bool {
+        match self.oriented.get(node as usize) {
+            Some(b) => !b.separated_from_box(query),
+            None => true,
+        }
+    }
+
+    /// The same of the leaves below a node and those below a node of another tree.
+    #[inline]
+    pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
+        let (i, j) = (node as usize, node_of_other as usize);
+        match (self.oriented.get(i), other.oriented.get(j)) {
+            (Some(a), Some(b)) => !a.separated(b),
+            (Some(_), None) => self.reaches(node, &other.nodes[j].aabb()),
+            (None, Some(_)) => other.reaches(node_of_other, &self.nodes[i].aabb()),
+            (None, None) => true,
+        }
     }
 
     /// The leaves below a node.
@@ -77,6 +113,10 @@ impl BinaryTree {
         ] {
             words.resize_with(len, AtomicU32::default);
         }
+        if self.volume == Volume::Obb {
+            let len = n_internal * oriented_refit::STRIDE;
+            self.oriented_words.resize_with(len, AtomicU32::default);
+        }
         let parents = Shared(&self.parents);
         threads
             .fill(&mut vec![(); n_internal], |i| radix_tree::link(i, &self.branches[i], &parents));
@@ -101,9 +141,24 @@ impl BinaryTree {
             };
             Node { min: b.min, left, max: b.max, right }
         });
+        if self.volume == Volume::Obb {
+            self.orient(threads, n);
+        }
         let looseness = self.looseness(threads);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
+    }
+
+    /// Oriented boxes of all internal nodes, from the boxes of the leaves.
+    fn orient(&mut self, threads: &Threads, n: usize) {
+        self.visits.iter_mut().for_each(|visit| *visit.get_mut() = 0);
+        let (parents, visits, words) =
+            (Shared(&self.parents), Shared(&self.visits), Shared(&self.oriented_words));
+        threads.fill(&mut vec![(); n], |i| {
+            oriented_refit::refit(i, &self.nodes, &self.branches, &parents, &visits, &words)
+        });
+        self.oriented.resize(self.branches.len(), Obb::everything());
+        threads.fill(&mut self.oriented, |i| oriented_refit::load(&words, i));
     }
 
     /// Sum of the side lengths of all inner nodes, relative to that of the leaves; the order of
@@ -128,6 +183,10 @@ impl BinaryTree {
         }
         let (mut walk, mut steps) = (Walk::new(), 0);
         while walk.goes_on {
+            if !self.reaches(walk.node(), query) {
+                walk.skip();
+                continue;
+            }
             steps += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
@@ -146,7 +205,8 @@ mod tests {
     use ccd_core::model::method::TreeOptions;
 
     /// Children split the range of their parent and have the numbers that traversals rely on, boxes
-    /// are exactly those of the leaves below, every box is one leaf, no path is too long.
+    /// are exactly those of the leaves below, oriented ones hold them, every box is one leaf, no path
+    /// is too long.
     fn check_well_formed(tree: &BinaryTree, order: &[u32], boxes: &[Aabb<f32>]) {
         let n_internal = boxes.len() as u32 - 1;
         let mut seen = vec![false; boxes.len()];
@@ -156,8 +216,11 @@ mod tests {
             assert!(depth <= MAX_DEPTH, "a path of {depth} nodes");
             let (first, last) = range(node);
             let leaves = (first..=last).map(|leaf| &boxes[order[leaf as usize] as usize]);
-            let want = leaves.fold(Aabb::EMPTY, |all, b| all.union(b));
+            let want = leaves.clone().fold(Aabb::EMPTY, |all, b| all.union(b));
             assert_eq!(tree.nodes[node as usize].aabb(), want, "box of node {node}");
+            if let Some(oriented) = tree.oriented.get(node as usize) {
+                leaves.for_each(|b| check_holds(oriented, b));
+            }
             match tree.branches.get(node as usize) {
                 Some(branch) => {
                     let (left, right) = (range(branch.left), range(branch.right));
@@ -186,6 +249,22 @@ mod tests {
         assert!(seen.iter().all(|&s| s), "a box is no leaf");
     }
 
+    /// All corners of a box are in an oriented one.
+    fn check_holds(oriented: &Obb, b: &Aabb<f32>) {
+        for k in 0..3 {
+            let axis = oriented.axes[k].map(f64::from);
+            let farthest = (0..8).map(|corner| {
+                let along = |i: usize| {
+                    let x = [b.min[i], b.max[i]][corner >> i & 1];
+                    axis[i] * (x as f64 - oriented.centre[i] as f64)
+                };
+                (along(0) + along(1) + along(2)).abs()
+            });
+            let farthest = farthest.fold(0.0, f64::max);
+            assert!(farthest <= oriented.half[k] as f64, "{b:?} is not in {oriented:?}");
+        }
+    }
+
     #[test]
     fn trees_are_well_formed() {
         let mut x = 5u32;
@@ -201,12 +280,15 @@ mod tests {
                 (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
             let equal = vec![Aabb::of_point([1.0; 3]); n];
             for mut boxes in [random, powers, equal] {
-                for threads in [1, 2] {
-                    let mut source = TreeSource::new(TreeOptions::default()).unwrap();
+                for (threads, volume) in [(1, Volume::Aabb), (1, Volume::Obb), (2, Volume::Obb)] {
+                    let options = TreeOptions::default().volume(volume);
+                    let mut source = TreeSource::new(options).unwrap();
                     let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
                     let threads = Threads::new(threads).unwrap();
                     threads.enter(|| leaves.build(&threads, &mut source, &boxes, None));
                     check_well_formed(source.tree(0), leaves.order(), &boxes);
+                    let n_oriented = if volume == Volume::Obb { n - 1 } else { 0 };
+                    assert_eq!(source.tree(0).oriented.len(), n_oriented);
                     boxes.iter_mut().for_each(|b| b.max[1] += unit());
                     threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
                     check_well_formed(source.tree(0), leaves.order(), &boxes);
