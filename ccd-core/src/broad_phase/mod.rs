@@ -4,9 +4,10 @@
 pub mod block_bvh;
 pub mod candidate;
 pub mod morton_key;
-pub mod pair_descent;
 pub mod nearest_pair;
 pub mod node_numbering;
+pub mod oriented_refit;
+pub mod pair_descent;
 pub mod placement;
 pub mod ploc;
 pub mod radix_tree;

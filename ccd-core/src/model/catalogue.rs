@@ -174,7 +174,7 @@ impl Catalogued for Volume {
             name: "obb",
             about: "Boxes along axes of their own",
             source: Some("Gottschalk 1996"),
-            backends: &[],
+            backends: CPU,
         },
     ];
 }

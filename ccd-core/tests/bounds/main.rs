@@ -8,6 +8,8 @@ mod derived;
 mod distance;
 mod input;
 mod normal_cone;
+mod obb;
+mod obb_rounding;
 mod rounding;
 mod tangential;
 mod verdicts;

@@ -7,6 +7,7 @@ pub mod exact;
 pub mod motion;
 #[path = "../../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;
+pub mod oriented;
 pub mod random;
 pub mod tangential;
 

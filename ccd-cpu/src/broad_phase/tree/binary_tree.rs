@@ -6,14 +6,20 @@
 //! child has the number of its last leaf, one that is a right child that of its first: no two have
 //! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
 //! id of its box.
+//!
+//! Every node has a box along the axes. By [`Volume::Obb`] an internal node has an oriented box
+//! around the same leaves as well, and what does not reach into it is not looked for below: a second
+//! test, of those that the first lets through.
 
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::tree::shared_words::Shared;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::broad_phase::{radix_tree, refit};
+use ccd_core::broad_phase::{oriented_refit, radix_tree, refit};
 use ccd_core::layout::{Branch, Node};
+use ccd_core::math::obb::Obb;
+use ccd_core::model::method::Volume;
 use std::ops::Range;
 use std::sync::atomic::AtomicU32;
 
@@ -27,14 +33,50 @@ pub struct BinaryTree {
     visits: Vec<AtomicU32>,
     boxes: Vec<AtomicU32>,
     nodes: Vec<Node>,
+    volume: Volume,
+    oriented_words: Vec<AtomicU32>,
+    oriented: Vec<Obb>,
     extents: Vec<f64>,
     looseness_at_build: Option<f64>,
 }
 
 impl BinaryTree {
+    /// No tree yet; what will bound its nodes.
+    pub fn new(volume: Volume) -> Self {
+        Self { volume, ..Self::default() }
+    }
+
     /// All nodes, with the boxes of the last fit.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
+    }
+
+    /// Oriented boxes of all internal nodes, by [`Volume::Obb`].
+    #[cfg(test)]
+    pub fn oriented(&self) -> &[Obb] {
+        &self.oriented
+    }
+
+    /// Whether leaves below an internal node, whose box along the axes overlaps the query, may do so,
+    /// as far as its oriented box tells.
+    #[inline]
+    pub fn reaches(&self, node: u32, query: &Aabb<f32>) -> bool {
+        match self.oriented.get(node as usize) {
+            Some(b) => !b.separated_from_box(query),
+            None => true,
+        }
+    }
+
+    /// The same of the leaves below a node and those below a node of another tree.
+    #[inline]
+    pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
+        let (i, j) = (node as usize, node_of_other as usize);
+        match (self.oriented.get(i), other.oriented.get(j)) {
+            (Some(a), Some(b)) => !a.separated(b),
+            (Some(_), None) => self.reaches(node, &other.nodes[j].aabb()),
+            (None, Some(_)) => other.reaches(node_of_other, &self.nodes[i].aabb()),
+            (None, None) => true,
+        }
     }
 
     /// The leaves below a node.
@@ -61,6 +103,10 @@ impl BinaryTree {
         ] {
             words.resize_with(len, AtomicU32::default);
         }
+        if self.volume == Volume::Obb {
+            let len = n_internal * oriented_refit::STRIDE;
+            self.oriented_words.resize_with(len, AtomicU32::default);
+        }
         let parents = Shared(&self.parents);
         threads
             .fill(&mut vec![(); n_internal], |i| radix_tree::link(i, &self.branches[i], &parents));
@@ -85,9 +131,24 @@ impl BinaryTree {
             };
             Node { min: b.min, left, max: b.max, right }
         });
+        if self.volume == Volume::Obb {
+            self.orient(threads, n);
+        }
         let looseness = self.looseness(threads);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
+    }
+
+    /// Oriented boxes of all internal nodes, from the boxes of the leaves.
+    fn orient(&mut self, threads: &Threads, n: usize) {
+        self.visits.iter_mut().for_each(|visit| *visit.get_mut() = 0);
+        let (parents, visits, words) =
+            (Shared(&self.parents), Shared(&self.visits), Shared(&self.oriented_words));
+        threads.fill(&mut vec![(); n], |i| {
+            oriented_refit::refit(i, &self.nodes, &self.branches, &parents, &visits, &words)
+        });
+        self.oriented.resize(self.branches.len(), Obb::everything());
+        threads.fill(&mut self.oriented, |i| oriented_refit::load(&words, i));
     }
 
     /// Sum of the side lengths of all inner nodes, relative to that of the leaves; the order of
@@ -112,6 +173,10 @@ impl BinaryTree {
         }
         let (mut walk, mut steps) = (Walk::new(), 0);
         while walk.goes_on {
+            if !self.reaches(walk.node(), query) {
+                walk.skip();
+                continue;
+            }
             steps += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);

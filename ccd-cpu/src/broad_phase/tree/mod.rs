@@ -17,7 +17,7 @@ use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Si
 use crate::threads::Threads;
 use binary_tree::BinaryTree;
 use builder::TreeBuilder;
-use ccd_core::model::method::TreeOptions;
+use ccd_core::model::method::{TreeOptions, Volume};
 use ccd_core::{Aabb, Error};
 use traversal::{Traverse, Trees};
 
@@ -27,6 +27,7 @@ pub struct TreeSource {
     builder: Box<dyn TreeBuilder>,
     traversal: Box<dyn Traverse>,
     trees: Vec<BinaryTree>,
+    volume: Volume,
 }
 
 impl TreeSource {
@@ -34,7 +35,7 @@ impl TreeSource {
     pub fn new(options: TreeOptions) -> Result<Self, Error> {
         let builder = builder::new(options.builder)?;
         let traversal = traversal::new(options.traversal)?;
-        Ok(Self { builder, traversal, trees: Vec::new() })
+        Ok(Self { builder, traversal, trees: Vec::new(), volume: options.volume })
     }
 
     /// Whether this set has a tree.
@@ -65,7 +66,7 @@ impl Order for TreeSource {
         order: &mut Vec<u32>,
     ) {
         if self.trees.len() <= set.index {
-            self.trees.resize_with(set.index + 1, BinaryTree::default);
+            self.trees.resize_with(set.index + 1, || BinaryTree::new(self.volume));
         }
         if self.has_tree(set) {
             let tree = &mut self.trees[set.index];

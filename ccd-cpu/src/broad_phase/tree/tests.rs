@@ -8,8 +8,9 @@ use super::*;
 use crate::broad_phase::leaf_boxes::Set;
 use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
 use ccd_core::broad_phase::stack_traversal::NONE;
+use ccd_core::math::obb::Obb;
 use ccd_core::model::catalogue::Catalogued;
-use ccd_core::model::method::{BroadPhaseMethod, Builder, TreeOptions};
+use ccd_core::model::method::{BroadPhaseMethod, Builder, TreeOptions, Volume};
 
 /// Random numbers in [0, 1), the same on every machine.
 fn random(mut state: u32) -> impl FnMut() -> f32 {
@@ -89,6 +90,48 @@ fn check_well_formed(
         }
     }
     require(seen.iter().all(|&s| s), "completeness", 0)
+}
+
+/// All corners of a box are in an oriented one.
+fn check_holds(oriented: &Obb, b: &Aabb<f32>) {
+    for k in 0..3 {
+        let axis = oriented.axes[k].map(f64::from);
+        let farthest = (0..8).map(|corner| {
+            let along = |i: usize| {
+                let x = [b.min[i], b.max[i]][corner >> i & 1];
+                axis[i] * (x as f64 - oriented.centre[i] as f64)
+            };
+            (along(0) + along(1) + along(2)).abs()
+        });
+        let farthest = farthest.fold(0.0, f64::max);
+        assert!(farthest <= oriented.half[k] as f64, "{b:?} is not in {oriented:?}");
+    }
+}
+
+#[test]
+fn oriented_boxes_hold_all_leaves_below() {
+    for n in [2, 3, 300] {
+        for (_, mut boxes) in sets(n) {
+            for n_threads in [1, 2] {
+                let options = TreeOptions::default().volume(Volume::Obb);
+                let mut source = TreeSource::new(options).unwrap();
+                let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
+                let threads = Threads::new(n_threads).unwrap();
+                threads.enter(|| leaves.build(&threads, &mut source, &boxes, None));
+                for _ in 0..2 {
+                    let tree = source.tree(0);
+                    assert_eq!(tree.oriented().len(), n - 1);
+                    for (node, oriented) in tree.oriented().iter().enumerate() {
+                        for leaf in tree.range(node as u32) {
+                            check_holds(oriented, &boxes[leaves.order()[leaf as usize] as usize]);
+                        }
+                    }
+                    boxes.iter_mut().for_each(|b| b.max[1] += 0.25);
+                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
+                }
+            }
+        }
+    }
 }
 
 /// What the pages of the builders say.
