@@ -2,11 +2,12 @@
 
 use crate::broad_phase::block_pairs::BlockSource;
 use crate::broad_phase::brute_force::BruteForce;
+use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::pair_source::{
     Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
 };
 use crate::broad_phase::scheduler::share;
-use crate::broad_phase::tree::TreeSource;
+use crate::broad_phase::tree::{TreeSource, TreeStatistics};
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
 use ccd_core::Error;
@@ -36,6 +37,14 @@ impl Method {
             other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
         };
         Ok(Self::Listed(Listed { source, buffers: Vec::new() }))
+    }
+
+    /// See [`RowSource::tree_statistics`].
+    pub fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        match self {
+            Self::Blocks(_) => None,
+            Self::Listed(Listed { source, .. }) => source.tree_statistics(threads, leaves),
+        }
     }
 }
 

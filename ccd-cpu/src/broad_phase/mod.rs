@@ -26,7 +26,7 @@ mod pair_tree;
 mod scheduler;
 #[cfg(test)]
 mod tests;
-mod tree;
+pub mod tree;
 
 use crate::simd::RowSimd;
 use crate::threads::Threads;
@@ -97,6 +97,12 @@ impl BroadPhase {
     ) -> Result<Pairs<'_>, Error> {
         self.between(T::slices::<Boxes, 2>([a, b]))?;
         Ok(Pairs::new(&self.runs, &self.workers))
+    }
+
+    /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`], or
+    /// the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has none.
+    pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
+        self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 
     #[inline(never)]
