@@ -91,4 +91,6 @@ pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
-pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};
+pub use ccd_cpu::{
+    BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, TreeStatistics, earliest_toi, step,
+};

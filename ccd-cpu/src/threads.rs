@@ -85,7 +85,7 @@ impl Threads {
     }
 
     /// Runs `f` for parts of `out` that begin at the given index.
-    fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    pub fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
         /// Elements a task: small enough to balance, large enough to amortise.
         const CHUNK: usize = 2048;
         if self.count == 1 {

@@ -11,6 +11,7 @@
 
 use crate::kernel::memory::at;
 use crate::math::aabb::Aabb;
+use crate::math::real::Num;
 
 /// A round in which fewer than one of so many clusters would take in another joins neighbours in
 /// pairs instead, whatever their distance ([`neighbour`]).
@@ -21,13 +22,13 @@ use crate::math::aabb::Aabb;
 /// most 350 rounds, and levels, for any boxes: each leaves at most 15/16 of the clusters.
 pub const SLOW: u32 = 16;
 
-/// Half the surface of the box around two: what makes neighbours near.
+/// Half the surface of the box around two: what makes neighbours near. For one box or for lanes of
+/// them.
 #[inline(always)]
-pub fn distance(a: &Aabb<f32>, b: &Aabb<f32>) -> f32 {
-    let both = a.union(b);
-    let x = both.max[0] - both.min[0];
-    let y = both.max[1] - both.min[1];
-    let z = both.max[2] - both.min[2];
+pub fn distance<N: Num>(a: &Aabb<N>, b: &Aabb<N>) -> N {
+    let x = a.max[0].max(b.max[0]) - a.min[0].min(b.min[0]);
+    let y = a.max[1].max(b.max[1]) - a.min[1].min(b.min[1]);
+    let z = a.max[2].max(b.max[2]) - a.min[2].min(b.min[2]);
     x * y + y * z + z * x
 }
 
@@ -44,13 +45,18 @@ pub fn nearest(i: u32, n: u32, radius: u32, boxes: &[Aabb<f32>]) -> u32 {
     let (mut best, mut least) = (i, f32::MAX);
     for j in first..end {
         let d = distance(&own, &at(boxes, j as usize));
-        let tie = d == least && (best == i || (i ^ j) < (i ^ best));
-        if (d < least || tie) && j != i {
+        if j != i && (d < least || (d == least && prefers(i, j, best))) {
             best = j;
             least = d;
         }
     }
     best
+}
+
+/// Whether cluster `i` takes `j` rather than `best`, which is as near or is `i` itself.
+#[inline(always)]
+pub fn prefers(i: u32, j: u32, best: u32) -> bool {
+    best == i || (i ^ j) < (i ^ best)
 }
 
 /// The neighbour of cluster `i` of `n` in a round that joins them in pairs; itself if it is the last

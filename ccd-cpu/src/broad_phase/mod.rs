@@ -27,7 +27,7 @@ mod scheduler;
 mod sweep_and_prune;
 #[cfg(test)]
 mod tests;
-mod tree;
+pub mod tree;
 mod uniform_grid;
 
 use crate::simd::RowSimd;
@@ -107,6 +107,12 @@ impl BroadPhase {
     /// tree.
     pub fn steps(&self) -> u64 {
         self.method.steps()
+    }
+
+    /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`], or
+    /// the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has none.
+    pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
+        self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 
     #[inline(never)]

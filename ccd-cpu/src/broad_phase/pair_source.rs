@@ -8,6 +8,7 @@
 //! compiled once: for all others.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::tree::TreeStatistics;
 use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::{Aabb, Error};
@@ -104,6 +105,11 @@ pub trait RowSource: Order {
     /// Most threads that take tasks.
     fn max_threads(&self) -> usize {
         usize::MAX
+    }
+
+    /// Figures of the binary tree over a set that is searched, if the source has one.
+    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        None
     }
 }
 

@@ -15,6 +15,8 @@ mod traversal;
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
 use crate::threads::Threads;
+pub use statistics::TreeStatistics;
+
 use binary_tree::BinaryTree;
 use builder::TreeBuilder;
 use ccd_core::model::method::{TreeOptions, Volume};
@@ -98,6 +100,10 @@ impl RowSource for TreeSource {
 
     fn max_threads(&self) -> usize {
         self.traversal.max_threads()
+    }
+    fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        let tree = self.trees.get(leaves.set().index)?;
+        Some(TreeStatistics::of(tree, threads, leaves))
     }
 }
 

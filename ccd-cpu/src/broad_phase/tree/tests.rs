@@ -216,6 +216,30 @@ fn a_check_sees_what_is_wrong() {
 }
 
 #[test]
+fn a_search_for_the_nearest_may_be_shared() {
+    // So many that two threads share the first searches.
+    let (_, boxes) = sets(18_000).remove(0);
+    let [a, b] = [1, 2].map(|n_threads| built(Builder::NEAREST_PAIR, n_threads, &boxes));
+    assert!(a.1.order() == b.1.order() && a.0.tree(0).branches == b.0.tree(0).branches);
+}
+
+#[test]
+fn figures_are_there_after_a_call() {
+    let (_, boxes) = sets(1000).remove(0);
+    for method in ccd_core::model::catalogue::every("cpu") {
+        let mut broad = crate::BroadPhase::new(1, method).unwrap();
+        assert_eq!(broad.tree_statistics(), None, "{method}");
+        broad.self_pairs(&boxes).unwrap();
+        let figures = broad.tree_statistics();
+        assert_eq!(figures.is_some(), matches!(method, BroadPhaseMethod::Tree(_)), "{method}");
+        let Some(figures) = figures else { continue };
+        assert_eq!(figures.nodes, 1999, "{method}");
+        broad.pairs(&boxes[..10], &boxes[10..]).unwrap();
+        assert_eq!(broad.tree_statistics().unwrap().nodes, 1979, "{method}");
+    }
+}
+
+#[test]
 fn nearest_pairs_are_refused_above_their_limit() {
     let (_, boxes) = sets(100).remove(0);
     let build = |limit: u32| {
@@ -269,45 +293,57 @@ impl Order for Given {
     }
 }
 
+/// A tree that is a chain of `n` leaves, and what reads it.
+fn check_chain(n: usize, to_left: &(dyn Fn(usize) -> bool + Sync), boxes: &[Aabb<f32>]) {
+    let threads = Threads::new(1).unwrap();
+    let (mut tree, order) = chain(n, &threads, to_left);
+    let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
+    leaves.build(&threads, &mut Given(order.clone()), boxes, None);
+    tree.fit(&threads, &leaves);
+    check_well_formed(&tree, &order, boxes, n).unwrap();
+    let figures = TreeStatistics::of(&tree, &threads, &leaves);
+    assert_eq!((figures.nodes, figures.depth), (2 * n - 1, n));
+    for leaf in [0, 1, n / 2, n - 1] {
+        let (query, mut found) = (leaves.get(leaf), Vec::new());
+        tree.query(&query, NONE, &mut found);
+        found.sort_unstable();
+        let all = (0..n as u32).filter(|&i| leaves.get(i as usize).overlaps(&query));
+        assert!(found.iter().copied().eq(all), "query {leaf}");
+    }
+}
+
 #[test]
 fn trees_may_be_as_deep_as_they_have_leaves() {
     let n = 5000;
-    // On threads whose own stack would not hold a call for every level.
-    std::thread::Builder::new()
-        .stack_size(1 << 18)
-        .spawn(move || {
-            let sides: [&(dyn Fn(usize) -> bool + Sync); 3] =
-                [&|_| true, &|_| false, &|i| i % 3 == 0];
-            for (name, boxes) in sets(n) {
-                for to_left in sides {
-                    for n_threads in [1, 2] {
-                        let threads = Threads::new(n_threads).unwrap();
-                        let (mut tree, order) = threads.enter(|| chain(n, &threads, to_left));
-                        let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
-                        threads.enter(|| {
-                            leaves.build(&threads, &mut Given(order.clone()), &boxes, None);
-                            tree.fit(&threads, &leaves)
-                        });
-                        check_well_formed(&tree, &order, &boxes, n)
-                            .unwrap_or_else(|e| panic!("{name}: {e}"));
-                        let figures = TreeStatistics::of(&tree, &threads, &leaves);
-                        assert_eq!((figures.nodes, figures.depth), (2 * n - 1, n), "{name}");
-                        for leaf in [0, 1, n / 2, n - 1] {
-                            let query = leaves.get(leaf);
-                            let mut found = Vec::new();
-                            tree.query(&query, NONE, &mut found);
-                            found.sort_unstable();
-                            let all =
-                                (0..n as u32).filter(|&i| leaves.get(i as usize).overlaps(&query));
-                            assert!(found.iter().copied().eq(all), "{name}: query {leaf}");
-                        }
-                    }
-                }
-            }
-        })
-        .unwrap()
-        .join()
-        .unwrap();
+    let sides: [&(dyn Fn(usize) -> bool + Sync); 3] = [&|_| true, &|_| false, &|i| i % 3 == 0];
+    let check = move || {
+        let sets = sets(n).into_iter();
+        for (_, boxes) in
+            sets.filter(|(name, _)| ["on a line", "inside of each other"].contains(name))
+        {
+            sides.iter().for_each(|to_left| check_chain(n, to_left, &boxes));
+        }
+    };
+    // In a thread whose own stack would not hold a call for every level.
+    std::thread::Builder::new().stack_size(1 << 18).spawn(check).unwrap().join().unwrap();
+}
+
+#[test]
+fn pairs_among_hard_boxes_are_those_of_brute_force() {
+    for (name, boxes) in sets(300) {
+        let n = boxes.len() as u32;
+        let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        let overlap = |&(i, j): &(u32, u32)| boxes[i as usize].overlaps(&boxes[j as usize]);
+        let want: Vec<_> = pairs.filter(overlap).collect();
+        for builder in builders() {
+            let method = BroadPhaseMethod::Tree(TreeOptions::default().builder(builder));
+            let mut broad = crate::BroadPhase::new(1, method).unwrap();
+            let mut found: Vec<_> =
+                broad.self_pairs(&boxes).unwrap().iter().map(|p| (p.a, p.b)).collect();
+            found.sort_unstable();
+            assert!(found == want, "{builder:?}, {name}: {} of {}", found.len(), want.len());
+        }
+    }
 }
 
 #[test]
