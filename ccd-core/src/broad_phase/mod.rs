@@ -9,5 +9,6 @@ pub mod radix_tree;
 pub mod refit;
 pub mod stack_traversal;
 pub mod sweep_and_prune;
+pub mod sweep_in_strips;
 pub mod swept_box;
 pub mod uniform_grid;
