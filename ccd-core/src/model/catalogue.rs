@@ -57,6 +57,13 @@ impl Catalogued for BroadPhaseMethod {
             backends: CPU,
         },
         Row {
+            value: Self::SweepInStrips,
+            name: "sweep-in-strips",
+            about: "Sweep and prune in strips along the axis; for many boxes, of any sizes",
+            source: Some("Liu 2010"),
+            backends: CPU,
+        },
+        Row {
             value: Self::UniformGrid,
             name: "uniform-grid",
             about: "Boxes in the cells of a grid; for boxes of about the same size",

@@ -8,6 +8,7 @@ use crate::broad_phase::pair_source::{
 };
 use crate::broad_phase::scheduler::share;
 use crate::broad_phase::sweep_and_prune::SweepAndPrune;
+use crate::broad_phase::sweep_in_strips::SweepInStrips;
 use crate::broad_phase::tree::{TreeSource, TreeStatistics};
 use crate::broad_phase::uniform_grid::UniformGrid;
 use crate::simd::{RowSimd, WIDTH, Work};
@@ -36,6 +37,7 @@ impl Method {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
             BroadPhaseMethod::BruteForce => Box::new(BruteForce),
             BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
+            BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
             BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
             BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
             other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),

@@ -24,7 +24,10 @@ pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
 mod scheduler;
+#[cfg(test)]
+mod sorted_tests;
 mod sweep_and_prune;
+mod sweep_in_strips;
 #[cfg(test)]
 mod tests;
 pub mod tree;
