@@ -15,7 +15,8 @@ use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
 use ccd::{
-    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline, State,
+    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
+    State,
 };
 use ccd_testkit::compare::{agree, recorded_step, step_text};
 use ccd_testkit::{brute, data};
