@@ -300,6 +300,16 @@ pub struct Blocks {
     pub limit: u32,
 }
 
+/// What a traversal of a binary tree is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Queries {
+    /// 0: vertices against faces, 1: edges against edges; the tree is over the second.
+    pub kind: u32,
+    /// 1: queries in the order of leaves, 0: in that of input.
+    pub sorted: u32,
+}
+
 /// What one pass of the radix sort is told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
@@ -330,6 +340,7 @@ const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
+const _: () = assert!(size_of::<Queries>() == 8);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);

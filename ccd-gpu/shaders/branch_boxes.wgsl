@@ -88,43 +88,44 @@ var<storage> leaves: type_18;
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_120_: type_9;
-    var phi_123_: type_22;
-    var phi_125_: u32;
-    var phi_127_: u32;
-    var phi_121_: type_9;
-    var phi_150_: type_9;
-    var phi_169_: u32;
-    var phi_179_: bool;
-    var phi_183_: u32;
-    var phi_184_: u32;
-    var phi_187_: type_9;
-    var phi_190_: type_22;
-    var phi_188_: type_9;
-    var phi_213_: type_9;
-    var phi_251_: f32;
-    var phi_258_: f32;
-    var phi_265_: f32;
-    var phi_273_: f32;
-    var phi_280_: f32;
-    var phi_287_: f32;
-    var phi_191_: type_22;
-    var phi_292_: type_9;
-    var phi_295_: type_22;
-    var phi_293_: type_9;
-    var phi_318_: type_9;
-    var phi_356_: f32;
-    var phi_363_: f32;
-    var phi_370_: f32;
-    var phi_378_: f32;
-    var phi_385_: f32;
-    var phi_392_: f32;
-    var phi_296_: type_22;
-    var phi_399_: u32;
-    var phi_404_: u32;
-    var phi_124_: type_22;
-    var phi_126_: u32;
-    var phi_128_: u32;
+    var phi_106_: array<u32, 2>;
+    var phi_136_: type_9;
+    var phi_139_: type_22;
+    var phi_141_: u32;
+    var phi_143_: u32;
+    var phi_137_: type_9;
+    var phi_166_: type_9;
+    var phi_185_: u32;
+    var phi_195_: bool;
+    var phi_199_: u32;
+    var phi_200_: u32;
+    var phi_203_: type_9;
+    var phi_206_: type_22;
+    var phi_204_: type_9;
+    var phi_229_: type_9;
+    var phi_267_: f32;
+    var phi_274_: f32;
+    var phi_281_: f32;
+    var phi_289_: f32;
+    var phi_296_: f32;
+    var phi_303_: f32;
+    var phi_207_: type_22;
+    var phi_308_: type_9;
+    var phi_311_: type_22;
+    var phi_309_: type_9;
+    var phi_334_: type_9;
+    var phi_372_: f32;
+    var phi_379_: f32;
+    var phi_386_: f32;
+    var phi_394_: f32;
+    var phi_401_: f32;
+    var phi_408_: f32;
+    var phi_312_: type_22;
+    var phi_415_: u32;
+    var phi_420_: u32;
+    var phi_140_: type_22;
+    var phi_142_: u32;
+    var phi_144_: u32;
     var local: type_22;
     var local_1: type_22;
     var local_2: type_22;
@@ -136,237 +137,244 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e20 = id_2;
-    let _e21 = n_2;
-    let _e22 = lane_2;
-    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
-    let _e38 = params.member.member.member[1u];
-    if ((_e34 + 1u) < _e38) {
-        let _e42 = branches.member[_e34];
-        phi_120_ = type_9(0u, 8u);
-        phi_123_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_125_ = (_e42.member_3 + 1u);
-        phi_127_ = _e42.member_2;
+    let _e22 = id_2;
+    let _e23 = n_2;
+    let _e24 = lane_2;
+    let _e36 = ((((_e22.y * _e23.x) + _e22.x) * 256u) + _e24);
+    let _e39 = params.member.member_2.member_1;
+    if (_e39 == 0u) {
+        phi_106_ = array<u32, 2>(0u, 2u);
+    } else {
+        phi_106_ = array<u32, 2>(1u, 1u);
+    }
+    let _e42 = phi_106_;
+    let _e47 = params.member.member.member[_e42[1]];
+    if ((_e36 + 1u) < _e47) {
+        let _e51 = branches.member[_e36];
+        phi_136_ = type_9(0u, 8u);
+        phi_139_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_141_ = (_e51.member_3 + 1u);
+        phi_143_ = _e51.member_2;
         loop {
-            let _e48 = phi_120_;
-            let _e50 = phi_123_;
-            let _e52 = phi_125_;
-            let _e54 = phi_127_;
-            local = _e50;
-            local_1 = _e50;
-            if (_e48.member < _e48.member_1) {
-                phi_121_ = type_9((_e48.member + 1u), _e48.member_1);
-                phi_150_ = type_9(1u, _e48.member);
+            let _e57 = phi_136_;
+            let _e59 = phi_139_;
+            let _e61 = phi_141_;
+            let _e63 = phi_143_;
+            local = _e59;
+            local_1 = _e59;
+            if (_e57.member < _e57.member_1) {
+                phi_137_ = type_9((_e57.member + 1u), _e57.member_1);
+                phi_166_ = type_9(1u, _e57.member);
             } else {
-                phi_121_ = _e48;
-                phi_150_ = type_9(0u, type_9().member_1);
+                phi_137_ = _e57;
+                phi_166_ = type_9(0u, type_9().member_1);
             }
-            let _e66 = phi_121_;
-            let _e68 = phi_150_;
-            let _e72 = (bitcast<i32>(_e68.member) != 0i);
-            if _e72 {
-                let _e73 = (_e54 % 32u);
-                if (_e73 == 0u) {
-                    phi_169_ = _e54;
+            let _e75 = phi_137_;
+            let _e77 = phi_166_;
+            let _e81 = (bitcast<i32>(_e77.member) != 0i);
+            if _e81 {
+                let _e82 = (_e63 % 32u);
+                if (_e82 == 0u) {
+                    phi_185_ = _e63;
                 } else {
-                    phi_169_ = (_e54 + (32u - _e73));
+                    phi_185_ = (_e63 + (32u - _e82));
                 }
-                let _e78 = phi_169_;
-                let _e80 = ((_e52 / 32u) * 32u);
-                if (_e78 < _e80) {
-                    let _e83 = params.member.member_2.member_2;
-                    phi_179_ = (_e68.member_1 < _e83);
+                let _e87 = phi_185_;
+                let _e89 = ((_e61 / 32u) * 32u);
+                if (_e87 < _e89) {
+                    let _e92 = params.member.member_2.member_2;
+                    phi_195_ = (_e77.member_1 < _e92);
                 } else {
-                    phi_179_ = false;
+                    phi_195_ = false;
                 }
-                let _e86 = phi_179_;
-                if _e86 {
-                    phi_183_ = _e80;
-                    phi_184_ = _e78;
+                let _e95 = phi_195_;
+                if _e95 {
+                    phi_199_ = _e89;
+                    phi_200_ = _e87;
                 } else {
-                    phi_183_ = _e52;
-                    phi_184_ = _e52;
+                    phi_199_ = _e61;
+                    phi_200_ = _e61;
                 }
-                let _e88 = phi_183_;
-                let _e90 = phi_184_;
-                phi_187_ = type_9(_e54, _e90);
-                phi_190_ = _e50;
+                let _e97 = phi_199_;
+                let _e99 = phi_200_;
+                phi_203_ = type_9(_e63, _e99);
+                phi_206_ = _e59;
                 loop {
-                    let _e93 = phi_187_;
-                    let _e95 = phi_190_;
-                    local_2 = _e95;
-                    if (_e93.member < _e93.member_1) {
-                        phi_188_ = type_9((_e93.member + 1u), _e93.member_1);
-                        phi_213_ = type_9(1u, _e93.member);
+                    let _e102 = phi_203_;
+                    let _e104 = phi_206_;
+                    local_2 = _e104;
+                    if (_e102.member < _e102.member_1) {
+                        phi_204_ = type_9((_e102.member + 1u), _e102.member_1);
+                        phi_229_ = type_9(1u, _e102.member);
                     } else {
-                        phi_188_ = _e93;
-                        phi_213_ = type_9(0u, type_9().member_1);
+                        phi_204_ = _e102;
+                        phi_229_ = type_9(0u, type_9().member_1);
                     }
-                    let _e107 = phi_188_;
-                    let _e109 = phi_213_;
-                    let _e113 = (bitcast<i32>(_e109.member) != 0i);
-                    if _e113 {
-                        let _e117 = params.member.member_2.member[_e68.member_1][1u];
-                        let _e120 = block_nodes.member[(_e117 + _e109.member_1)];
-                        if (_e95.member[0] < _e120.member[0]) {
-                            phi_251_ = _e95.member[0];
+                    let _e116 = phi_204_;
+                    let _e118 = phi_229_;
+                    let _e122 = (bitcast<i32>(_e118.member) != 0i);
+                    if _e122 {
+                        let _e126 = params.member.member_2.member[_e77.member_1][_e42[1]];
+                        let _e129 = block_nodes.member[(_e126 + _e118.member_1)];
+                        if (_e104.member[0] < _e129.member[0]) {
+                            phi_267_ = _e104.member[0];
                         } else {
-                            phi_251_ = _e120.member[0];
+                            phi_267_ = _e129.member[0];
                         }
-                        let _e127 = phi_251_;
-                        if (_e95.member[1] < _e120.member[1]) {
-                            phi_258_ = _e95.member[1];
+                        let _e136 = phi_267_;
+                        if (_e104.member[1] < _e129.member[1]) {
+                            phi_274_ = _e104.member[1];
                         } else {
-                            phi_258_ = _e120.member[1];
+                            phi_274_ = _e129.member[1];
                         }
-                        let _e134 = phi_258_;
-                        if (_e95.member[2] < _e120.member[2]) {
-                            phi_265_ = _e95.member[2];
+                        let _e143 = phi_274_;
+                        if (_e104.member[2] < _e129.member[2]) {
+                            phi_281_ = _e104.member[2];
                         } else {
-                            phi_265_ = _e120.member[2];
+                            phi_281_ = _e129.member[2];
                         }
-                        let _e141 = phi_265_;
-                        if (_e95.member_1[0] > _e120.member_1[0]) {
-                            phi_273_ = _e95.member_1[0];
+                        let _e150 = phi_281_;
+                        if (_e104.member_1[0] > _e129.member_1[0]) {
+                            phi_289_ = _e104.member_1[0];
                         } else {
-                            phi_273_ = _e120.member_1[0];
+                            phi_289_ = _e129.member_1[0];
                         }
-                        let _e149 = phi_273_;
-                        if (_e95.member_1[1] > _e120.member_1[1]) {
-                            phi_280_ = _e95.member_1[1];
+                        let _e158 = phi_289_;
+                        if (_e104.member_1[1] > _e129.member_1[1]) {
+                            phi_296_ = _e104.member_1[1];
                         } else {
-                            phi_280_ = _e120.member_1[1];
+                            phi_296_ = _e129.member_1[1];
                         }
-                        let _e156 = phi_280_;
-                        if (_e95.member_1[2] > _e120.member_1[2]) {
-                            phi_287_ = _e95.member_1[2];
+                        let _e165 = phi_296_;
+                        if (_e104.member_1[2] > _e129.member_1[2]) {
+                            phi_303_ = _e104.member_1[2];
                         } else {
-                            phi_287_ = _e120.member_1[2];
+                            phi_303_ = _e129.member_1[2];
                         }
-                        let _e163 = phi_287_;
-                        phi_191_ = type_22(array<f32, 3>(_e127, _e134, _e141), array<f32, 3>(_e149, _e156, _e163));
+                        let _e172 = phi_303_;
+                        phi_207_ = type_22(array<f32, 3>(_e136, _e143, _e150), array<f32, 3>(_e158, _e165, _e172));
                     } else {
-                        phi_191_ = type_22();
+                        phi_207_ = type_22();
                     }
-                    let _e167 = phi_191_;
+                    let _e176 = phi_207_;
                     continue;
                     continuing {
-                        phi_187_ = _e107;
-                        phi_190_ = _e167;
-                        break if !(_e113);
+                        phi_203_ = _e116;
+                        phi_206_ = _e176;
+                        break if !(_e122);
                     }
                 }
-                phi_292_ = type_9(_e88, _e52);
-                let _e312 = local_2;
-                phi_295_ = _e312;
+                phi_308_ = type_9(_e97, _e61);
+                let _e322 = local_2;
+                phi_311_ = _e322;
                 loop {
-                    let _e171 = phi_292_;
-                    let _e173 = phi_295_;
-                    local_3 = _e173;
-                    if (_e171.member < _e171.member_1) {
-                        phi_293_ = type_9((_e171.member + 1u), _e171.member_1);
-                        phi_318_ = type_9(1u, _e171.member);
+                    let _e180 = phi_308_;
+                    let _e182 = phi_311_;
+                    local_3 = _e182;
+                    if (_e180.member < _e180.member_1) {
+                        phi_309_ = type_9((_e180.member + 1u), _e180.member_1);
+                        phi_334_ = type_9(1u, _e180.member);
                     } else {
-                        phi_293_ = _e171;
-                        phi_318_ = type_9(0u, type_9().member_1);
+                        phi_309_ = _e180;
+                        phi_334_ = type_9(0u, type_9().member_1);
                     }
-                    let _e185 = phi_293_;
-                    let _e187 = phi_318_;
-                    let _e191 = (bitcast<i32>(_e187.member) != 0i);
-                    if _e191 {
-                        let _e195 = params.member.member_2.member[_e68.member_1][1u];
-                        let _e198 = block_nodes.member[(_e195 + _e187.member_1)];
-                        if (_e173.member[0] < _e198.member[0]) {
-                            phi_356_ = _e173.member[0];
+                    let _e194 = phi_309_;
+                    let _e196 = phi_334_;
+                    let _e200 = (bitcast<i32>(_e196.member) != 0i);
+                    if _e200 {
+                        let _e204 = params.member.member_2.member[_e77.member_1][_e42[1]];
+                        let _e207 = block_nodes.member[(_e204 + _e196.member_1)];
+                        if (_e182.member[0] < _e207.member[0]) {
+                            phi_372_ = _e182.member[0];
                         } else {
-                            phi_356_ = _e198.member[0];
+                            phi_372_ = _e207.member[0];
                         }
-                        let _e205 = phi_356_;
-                        if (_e173.member[1] < _e198.member[1]) {
-                            phi_363_ = _e173.member[1];
+                        let _e214 = phi_372_;
+                        if (_e182.member[1] < _e207.member[1]) {
+                            phi_379_ = _e182.member[1];
                         } else {
-                            phi_363_ = _e198.member[1];
+                            phi_379_ = _e207.member[1];
                         }
-                        let _e212 = phi_363_;
-                        if (_e173.member[2] < _e198.member[2]) {
-                            phi_370_ = _e173.member[2];
+                        let _e221 = phi_379_;
+                        if (_e182.member[2] < _e207.member[2]) {
+                            phi_386_ = _e182.member[2];
                         } else {
-                            phi_370_ = _e198.member[2];
+                            phi_386_ = _e207.member[2];
                         }
-                        let _e219 = phi_370_;
-                        if (_e173.member_1[0] > _e198.member_1[0]) {
-                            phi_378_ = _e173.member_1[0];
+                        let _e228 = phi_386_;
+                        if (_e182.member_1[0] > _e207.member_1[0]) {
+                            phi_394_ = _e182.member_1[0];
                         } else {
-                            phi_378_ = _e198.member_1[0];
+                            phi_394_ = _e207.member_1[0];
                         }
-                        let _e227 = phi_378_;
-                        if (_e173.member_1[1] > _e198.member_1[1]) {
-                            phi_385_ = _e173.member_1[1];
+                        let _e236 = phi_394_;
+                        if (_e182.member_1[1] > _e207.member_1[1]) {
+                            phi_401_ = _e182.member_1[1];
                         } else {
-                            phi_385_ = _e198.member_1[1];
+                            phi_401_ = _e207.member_1[1];
                         }
-                        let _e234 = phi_385_;
-                        if (_e173.member_1[2] > _e198.member_1[2]) {
-                            phi_392_ = _e173.member_1[2];
+                        let _e243 = phi_401_;
+                        if (_e182.member_1[2] > _e207.member_1[2]) {
+                            phi_408_ = _e182.member_1[2];
                         } else {
-                            phi_392_ = _e198.member_1[2];
+                            phi_408_ = _e207.member_1[2];
                         }
-                        let _e241 = phi_392_;
-                        phi_296_ = type_22(array<f32, 3>(_e205, _e212, _e219), array<f32, 3>(_e227, _e234, _e241));
+                        let _e250 = phi_408_;
+                        phi_312_ = type_22(array<f32, 3>(_e214, _e221, _e228), array<f32, 3>(_e236, _e243, _e250));
                     } else {
-                        phi_296_ = type_22();
+                        phi_312_ = type_22();
                     }
-                    let _e245 = phi_296_;
+                    let _e254 = phi_312_;
                     continue;
                     continuing {
-                        phi_292_ = _e185;
-                        phi_295_ = _e245;
-                        break if !(_e191);
+                        phi_308_ = _e194;
+                        phi_311_ = _e254;
+                        break if !(_e200);
                     }
                 }
-                if _e86 {
-                    phi_399_ = (_e78 / 32u);
+                if _e95 {
+                    phi_415_ = (_e87 / 32u);
                 } else {
-                    phi_399_ = 0u;
+                    phi_415_ = 0u;
                 }
-                let _e249 = phi_399_;
-                if _e86 {
-                    phi_404_ = (_e80 / 32u);
+                let _e258 = phi_415_;
+                if _e95 {
+                    phi_420_ = (_e89 / 32u);
                 } else {
-                    phi_404_ = 0u;
+                    phi_420_ = 0u;
                 }
-                let _e252 = phi_404_;
-                let _e326 = local_3;
-                phi_124_ = _e326;
-                phi_126_ = _e252;
-                phi_128_ = _e249;
+                let _e261 = phi_420_;
+                let _e336 = local_3;
+                phi_140_ = _e336;
+                phi_142_ = _e261;
+                phi_144_ = _e258;
             } else {
-                phi_124_ = type_22();
-                phi_126_ = u32();
-                phi_128_ = u32();
+                phi_140_ = type_22();
+                phi_142_ = u32();
+                phi_144_ = u32();
             }
-            let _e254 = phi_124_;
-            let _e256 = phi_126_;
-            let _e258 = phi_128_;
+            let _e263 = phi_140_;
+            let _e265 = phi_142_;
+            let _e267 = phi_144_;
             continue;
             continuing {
-                phi_120_ = _e66;
-                phi_123_ = _e254;
-                phi_125_ = _e256;
-                phi_127_ = _e258;
-                break if !(_e72);
+                phi_136_ = _e75;
+                phi_139_ = _e263;
+                phi_141_ = _e265;
+                phi_143_ = _e267;
+                break if !(_e81);
             }
         }
-        let _e261 = local;
-        let _e265 = local_1;
-        nodes.member[_e34] = type_25(_e261.member, _e42.member, _e265.member_1, _e42.member_1);
+        let _e270 = local;
+        let _e274 = local_1;
+        nodes.member[_e36] = type_25(_e270.member, _e51.member, _e274.member_1, _e51.member_1);
     }
-    if (_e34 < _e38) {
-        let _e275 = params.member.member_2.member[0u][1u];
-        let _e276 = (_e275 + _e34);
-        let _e278 = block_nodes.member[_e276];
-        let _e283 = leaves.member[_e276];
-        nodes.member[((_e38 - 1u) + _e34)] = type_25(_e278.member, _e283.member_1, _e278.member_1, 4294967295u);
+    if (_e36 < _e47) {
+        let _e284 = params.member.member_2.member[0u][_e42[1]];
+        let _e285 = (_e284 + _e36);
+        let _e287 = block_nodes.member[_e285];
+        let _e292 = leaves.member[_e285];
+        nodes.member[((_e47 - 1u) + _e36)] = type_25(_e287.member, _e292.member_1, _e287.member_1, 4294967295u);
     }
     return;
 }

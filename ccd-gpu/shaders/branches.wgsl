@@ -25,81 +25,86 @@ struct type_10 {
 }
 
 struct type_14 {
-    member: array<type_8>,
+    member: array<array<u32, 4>, 8>,
+    member_1: u32,
+    member_2: u32,
+    member_3: u32,
+    member_4: u32,
 }
 
 struct type_15 {
-    member: u32,
+    member: type_7,
+    member_1: type_8,
+    member_2: type_14,
 }
 
 struct type_16 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_15,
+    member: type_15,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_18 {
+    member: array<type_8>,
 }
 
 @group(0) @binding(1) 
 var<storage> keys: type_10;
 @group(0) @binding(0) 
-var<storage> params: type_17;
+var<storage> params: type_16;
 @group(0) @binding(2) 
-var<storage, read_write> branches_1: type_14;
+var<storage, read_write> branches_1: type_18;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_126_: u32;
-    var phi_128_: u32;
-    var phi_180_: u32;
-    var phi_182_: u32;
-    var phi_187_: u32;
-    var phi_189_: u32;
-    var phi_204_: bool;
-    var phi_213_: u32;
-    var phi_249_: u32;
-    var phi_251_: u32;
-    var phi_257_: u32;
-    var phi_190_: u32;
-    var phi_258_: bool;
+    var phi_78_: array<u32, 2>;
+    var phi_154_: u32;
+    var phi_156_: u32;
+    var phi_210_: u32;
+    var phi_212_: u32;
+    var phi_217_: u32;
+    var phi_219_: u32;
+    var phi_234_: bool;
+    var phi_243_: u32;
+    var phi_281_: u32;
+    var phi_283_: u32;
+    var phi_289_: u32;
+    var phi_220_: u32;
+    var phi_290_: bool;
     var local: u32;
-    var phi_265_: u32;
-    var phi_268_: u32;
-    var phi_283_: bool;
-    var phi_292_: u32;
-    var phi_328_: u32;
-    var phi_330_: u32;
-    var phi_336_: u32;
-    var phi_266_: u32;
-    var phi_269_: u32;
+    var phi_297_: u32;
+    var phi_300_: u32;
+    var phi_315_: bool;
+    var phi_324_: u32;
+    var phi_362_: u32;
+    var phi_364_: u32;
+    var phi_370_: u32;
+    var phi_298_: u32;
+    var phi_301_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_344_: bool;
+    var phi_378_: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_353_: u32;
-    var phi_389_: u32;
-    var phi_391_: u32;
-    var phi_393_: u32;
-    var phi_396_: u32;
-    var phi_419_: u32;
-    var phi_427_: bool;
-    var phi_436_: u32;
+    var phi_387_: u32;
+    var phi_425_: u32;
+    var phi_427_: u32;
+    var phi_429_: u32;
+    var phi_432_: u32;
+    var phi_455_: u32;
+    var phi_463_: bool;
     var phi_472_: u32;
-    var phi_474_: u32;
-    var phi_480_: u32;
-    var phi_394_: u32;
-    var phi_397_: u32;
+    var phi_510_: u32;
+    var phi_512_: u32;
+    var phi_518_: u32;
+    var phi_430_: u32;
+    var phi_433_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_486_: u32;
-    var phi_487_: u32;
+    var phi_524_: u32;
+    var phi_525_: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_494_: u32;
-    var phi_500_: u32;
-    var phi_509_: u32;
+    var phi_532_: u32;
+    var phi_538_: u32;
+    var phi_547_: u32;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -108,311 +113,318 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e14 = id_2;
-    let _e15 = n_2;
-    let _e16 = lane_2;
-    let _e26 = ((((_e14.y * _e15.x) + _e14.x) * 256u) + _e16);
-    let _e31 = params.member.member.member[1u];
-    if ((_e26 + 1u) < _e31) {
-        let _e36 = params.member.member.member[1u];
-        let _e37 = (_e36 - 1u);
-        if (1u < (_e36 - _e26)) {
-            let _e40 = (_e26 + 1u);
-            let _e42 = keys.member[_e26];
-            let _e44 = keys.member[_e40];
-            let _e45 = (_e42 ^ _e44);
-            let _e50 = select((bitcast<u32>(31i) - firstLeadingBit(_e45)), 32u, (_e45 == 0u));
-            if (_e50 < 32u) {
-                phi_126_ = _e50;
+    let _e16 = id_2;
+    let _e17 = n_2;
+    let _e18 = lane_2;
+    let _e28 = ((((_e16.y * _e17.x) + _e16.x) * 256u) + _e18);
+    let _e31 = params.member.member_2.member_1;
+    if (_e31 == 0u) {
+        phi_78_ = array<u32, 2>(0u, 2u);
+    } else {
+        phi_78_ = array<u32, 2>(1u, 1u);
+    }
+    let _e34 = phi_78_;
+    let _e39 = params.member.member.member[_e34[1]];
+    if ((_e28 + 1u) < _e39) {
+        let _e45 = params.member.member.member_2[_e34[1]];
+        let _e46 = (_e39 - 1u);
+        if (1u < (_e39 - _e28)) {
+            let _e49 = (_e28 + 1u);
+            let _e52 = keys.member[(_e45 + _e28)];
+            let _e55 = keys.member[(_e45 + _e49)];
+            let _e56 = (_e52 ^ _e55);
+            let _e61 = select((bitcast<u32>(31i) - firstLeadingBit(_e56)), 32u, (_e56 == 0u));
+            if (_e61 < 32u) {
+                phi_154_ = _e61;
             } else {
-                let _e52 = (_e26 ^ _e40);
-                phi_126_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e52)), 32u, (_e52 == 0u)));
+                let _e63 = (_e28 ^ _e49);
+                phi_154_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e63)), 32u, (_e63 == 0u)));
             }
-            let _e60 = phi_126_;
-            phi_128_ = (1u + _e60);
+            let _e71 = phi_154_;
+            phi_156_ = (1u + _e71);
         } else {
-            phi_128_ = 0u;
+            phi_156_ = 0u;
         }
-        let _e63 = phi_128_;
-        if (1u <= _e26) {
-            let _e65 = (_e26 - 1u);
-            let _e67 = keys.member[_e26];
-            let _e69 = keys.member[_e65];
-            let _e70 = (_e67 ^ _e69);
-            let _e75 = select((bitcast<u32>(31i) - firstLeadingBit(_e70)), 32u, (_e70 == 0u));
-            if (_e75 < 32u) {
-                phi_180_ = _e75;
+        let _e74 = phi_156_;
+        if (1u <= _e28) {
+            let _e76 = (_e28 - 1u);
+            let _e79 = keys.member[(_e45 + _e28)];
+            let _e82 = keys.member[(_e45 + _e76)];
+            let _e83 = (_e79 ^ _e82);
+            let _e88 = select((bitcast<u32>(31i) - firstLeadingBit(_e83)), 32u, (_e83 == 0u));
+            if (_e88 < 32u) {
+                phi_210_ = _e88;
             } else {
-                let _e77 = (_e26 ^ _e65);
-                phi_180_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e77)), 32u, (_e77 == 0u)));
+                let _e90 = (_e28 ^ _e76);
+                phi_210_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e90)), 32u, (_e90 == 0u)));
             }
-            let _e85 = phi_180_;
-            phi_182_ = (1u + _e85);
+            let _e98 = phi_210_;
+            phi_212_ = (1u + _e98);
         } else {
-            phi_182_ = 0u;
+            phi_212_ = 0u;
         }
-        let _e88 = phi_182_;
-        let _e89 = (_e63 > _e88);
-        if _e89 {
-            phi_187_ = _e88;
+        let _e101 = phi_212_;
+        let _e102 = (_e74 > _e101);
+        if _e102 {
+            phi_217_ = _e101;
         } else {
-            phi_187_ = _e63;
+            phi_217_ = _e74;
         }
-        let _e91 = phi_187_;
-        phi_189_ = 2u;
+        let _e104 = phi_217_;
+        phi_219_ = 2u;
         loop {
-            let _e93 = phi_189_;
-            local = _e93;
-            if (_e93 < _e36) {
-                if _e89 {
-                    phi_204_ = (_e93 < (_e36 - _e26));
+            let _e106 = phi_219_;
+            local = _e106;
+            if (_e106 < _e39) {
+                if _e102 {
+                    phi_234_ = (_e106 < (_e39 - _e28));
                 } else {
-                    phi_204_ = (_e93 <= _e26);
+                    phi_234_ = (_e106 <= _e28);
                 }
-                let _e99 = phi_204_;
-                if _e99 {
-                    if _e89 {
-                        phi_213_ = (_e26 + _e93);
+                let _e112 = phi_234_;
+                if _e112 {
+                    if _e102 {
+                        phi_243_ = (_e28 + _e106);
                     } else {
-                        phi_213_ = (_e26 - _e93);
+                        phi_243_ = (_e28 - _e106);
                     }
-                    let _e103 = phi_213_;
-                    let _e105 = keys.member[_e26];
-                    let _e107 = keys.member[_e103];
-                    let _e108 = (_e105 ^ _e107);
-                    let _e113 = select((bitcast<u32>(31i) - firstLeadingBit(_e108)), 32u, (_e108 == 0u));
-                    if (_e113 < 32u) {
-                        phi_249_ = _e113;
+                    let _e116 = phi_243_;
+                    let _e119 = keys.member[(_e45 + _e28)];
+                    let _e122 = keys.member[(_e45 + _e116)];
+                    let _e123 = (_e119 ^ _e122);
+                    let _e128 = select((bitcast<u32>(31i) - firstLeadingBit(_e123)), 32u, (_e123 == 0u));
+                    if (_e128 < 32u) {
+                        phi_281_ = _e128;
                     } else {
-                        let _e115 = (_e26 ^ _e103);
-                        phi_249_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e115)), 32u, (_e115 == 0u)));
+                        let _e130 = (_e28 ^ _e116);
+                        phi_281_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e130)), 32u, (_e130 == 0u)));
                     }
-                    let _e123 = phi_249_;
-                    phi_251_ = (1u + _e123);
+                    let _e138 = phi_281_;
+                    phi_283_ = (1u + _e138);
                 } else {
-                    phi_251_ = 0u;
+                    phi_283_ = 0u;
                 }
-                let _e126 = phi_251_;
-                let _e127 = (_e126 > _e91);
-                if _e127 {
-                    phi_257_ = (_e93 * 2u);
+                let _e141 = phi_283_;
+                let _e142 = (_e141 > _e104);
+                if _e142 {
+                    phi_289_ = (_e106 * 2u);
                 } else {
-                    phi_257_ = u32();
+                    phi_289_ = u32();
                 }
-                let _e130 = phi_257_;
-                phi_190_ = _e130;
-                phi_258_ = _e127;
+                let _e145 = phi_289_;
+                phi_220_ = _e145;
+                phi_290_ = _e142;
             } else {
-                phi_190_ = u32();
-                phi_258_ = false;
+                phi_220_ = u32();
+                phi_290_ = false;
             }
-            let _e132 = phi_190_;
-            let _e134 = phi_258_;
+            let _e147 = phi_220_;
+            let _e149 = phi_290_;
             continue;
             continuing {
-                phi_189_ = _e132;
-                break if !(_e134);
+                phi_219_ = _e147;
+                break if !(_e149);
             }
         }
-        let _e137 = local;
-        phi_265_ = (_e137 / 2u);
-        phi_268_ = 0u;
+        let _e152 = local;
+        phi_297_ = (_e152 / 2u);
+        phi_300_ = 0u;
         loop {
-            let _e140 = phi_265_;
-            let _e142 = phi_268_;
-            local_1 = _e142;
-            local_2 = _e142;
-            local_3 = _e142;
-            local_4 = _e142;
-            local_9 = _e142;
-            local_5 = _e142;
-            local_6 = _e142;
-            let _e143 = (_e140 > 0u);
-            if _e143 {
-                let _e144 = (_e142 + _e140);
-                if _e89 {
-                    phi_283_ = (_e144 < (_e36 - _e26));
+            let _e155 = phi_297_;
+            let _e157 = phi_300_;
+            local_1 = _e157;
+            local_2 = _e157;
+            local_3 = _e157;
+            local_4 = _e157;
+            local_9 = _e157;
+            local_5 = _e157;
+            local_6 = _e157;
+            let _e158 = (_e155 > 0u);
+            if _e158 {
+                let _e159 = (_e157 + _e155);
+                if _e102 {
+                    phi_315_ = (_e159 < (_e39 - _e28));
                 } else {
-                    phi_283_ = (_e144 <= _e26);
+                    phi_315_ = (_e159 <= _e28);
                 }
-                let _e149 = phi_283_;
-                if _e149 {
-                    if _e89 {
-                        phi_292_ = (_e26 + _e144);
+                let _e164 = phi_315_;
+                if _e164 {
+                    if _e102 {
+                        phi_324_ = (_e28 + _e159);
                     } else {
-                        phi_292_ = (_e26 - _e144);
+                        phi_324_ = (_e28 - _e159);
                     }
-                    let _e153 = phi_292_;
-                    let _e155 = keys.member[_e26];
-                    let _e157 = keys.member[_e153];
-                    let _e158 = (_e155 ^ _e157);
-                    let _e163 = select((bitcast<u32>(31i) - firstLeadingBit(_e158)), 32u, (_e158 == 0u));
-                    if (_e163 < 32u) {
-                        phi_328_ = _e163;
+                    let _e168 = phi_324_;
+                    let _e171 = keys.member[(_e45 + _e28)];
+                    let _e174 = keys.member[(_e45 + _e168)];
+                    let _e175 = (_e171 ^ _e174);
+                    let _e180 = select((bitcast<u32>(31i) - firstLeadingBit(_e175)), 32u, (_e175 == 0u));
+                    if (_e180 < 32u) {
+                        phi_362_ = _e180;
                     } else {
-                        let _e165 = (_e26 ^ _e153);
-                        phi_328_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e165)), 32u, (_e165 == 0u)));
+                        let _e182 = (_e28 ^ _e168);
+                        phi_362_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u)));
                     }
-                    let _e173 = phi_328_;
-                    phi_330_ = (1u + _e173);
+                    let _e190 = phi_362_;
+                    phi_364_ = (1u + _e190);
                 } else {
-                    phi_330_ = 0u;
+                    phi_364_ = 0u;
                 }
-                let _e176 = phi_330_;
-                if (_e176 > _e91) {
-                    phi_336_ = (_e142 + _e140);
+                let _e193 = phi_364_;
+                if (_e193 > _e104) {
+                    phi_370_ = (_e157 + _e155);
                 } else {
-                    phi_336_ = _e142;
+                    phi_370_ = _e157;
                 }
-                let _e180 = phi_336_;
-                phi_266_ = (_e140 / 2u);
-                phi_269_ = _e180;
+                let _e197 = phi_370_;
+                phi_298_ = (_e155 / 2u);
+                phi_301_ = _e197;
             } else {
-                phi_266_ = u32();
-                phi_269_ = u32();
+                phi_298_ = u32();
+                phi_301_ = u32();
             }
-            let _e183 = phi_266_;
-            let _e185 = phi_269_;
+            let _e200 = phi_298_;
+            let _e202 = phi_301_;
             continue;
             continuing {
-                phi_265_ = _e183;
-                phi_268_ = _e185;
-                break if !(_e143);
+                phi_297_ = _e200;
+                phi_300_ = _e202;
+                break if !(_e158);
             }
         }
-        if _e89 {
-            let _e192 = local_2;
-            phi_344_ = (_e192 < (_e36 - _e26));
+        if _e102 {
+            let _e209 = local_2;
+            phi_378_ = (_e209 < (_e39 - _e28));
         } else {
-            let _e188 = local_1;
-            phi_344_ = (_e188 <= _e26);
+            let _e205 = local_1;
+            phi_378_ = (_e205 <= _e28);
         }
-        let _e195 = phi_344_;
-        if _e195 {
-            if _e89 {
-                let _e200 = local_4;
-                phi_353_ = (_e26 + _e200);
+        let _e212 = phi_378_;
+        if _e212 {
+            if _e102 {
+                let _e217 = local_4;
+                phi_387_ = (_e28 + _e217);
             } else {
-                let _e197 = local_3;
-                phi_353_ = (_e26 - _e197);
+                let _e214 = local_3;
+                phi_387_ = (_e28 - _e214);
             }
-            let _e203 = phi_353_;
-            let _e205 = keys.member[_e26];
-            let _e207 = keys.member[_e203];
-            let _e208 = (_e205 ^ _e207);
-            let _e213 = select((bitcast<u32>(31i) - firstLeadingBit(_e208)), 32u, (_e208 == 0u));
-            if (_e213 < 32u) {
-                phi_389_ = _e213;
+            let _e220 = phi_387_;
+            let _e223 = keys.member[(_e45 + _e28)];
+            let _e226 = keys.member[(_e45 + _e220)];
+            let _e227 = (_e223 ^ _e226);
+            let _e232 = select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u));
+            if (_e232 < 32u) {
+                phi_425_ = _e232;
             } else {
-                let _e215 = (_e26 ^ _e203);
-                phi_389_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e215)), 32u, (_e215 == 0u)));
+                let _e234 = (_e28 ^ _e220);
+                phi_425_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e234)), 32u, (_e234 == 0u)));
             }
-            let _e223 = phi_389_;
-            phi_391_ = (1u + _e223);
+            let _e242 = phi_425_;
+            phi_427_ = (1u + _e242);
         } else {
-            phi_391_ = 0u;
+            phi_427_ = 0u;
         }
-        let _e226 = phi_391_;
-        let _e345 = local_9;
-        phi_393_ = _e345;
-        phi_396_ = 0u;
+        let _e245 = phi_427_;
+        let _e367 = local_9;
+        phi_429_ = _e367;
+        phi_432_ = 0u;
         loop {
-            let _e228 = phi_393_;
-            let _e230 = phi_396_;
-            local_7 = _e230;
-            local_8 = _e230;
-            let _e231 = (_e228 > 1u);
-            if _e231 {
-                let _e232 = (_e228 / 2u);
-                if ((_e228 % 2u) > 0u) {
-                    phi_419_ = (_e232 + 1u);
+            let _e247 = phi_429_;
+            let _e249 = phi_432_;
+            local_7 = _e249;
+            local_8 = _e249;
+            let _e250 = (_e247 > 1u);
+            if _e250 {
+                let _e251 = (_e247 / 2u);
+                if ((_e247 % 2u) > 0u) {
+                    phi_455_ = (_e251 + 1u);
                 } else {
-                    phi_419_ = _e232;
+                    phi_455_ = _e251;
                 }
-                let _e237 = phi_419_;
-                let _e238 = (_e230 + _e237);
-                if _e89 {
-                    phi_427_ = (_e238 < (_e36 - _e26));
+                let _e256 = phi_455_;
+                let _e257 = (_e249 + _e256);
+                if _e102 {
+                    phi_463_ = (_e257 < (_e39 - _e28));
                 } else {
-                    phi_427_ = (_e238 <= _e26);
+                    phi_463_ = (_e257 <= _e28);
                 }
-                let _e243 = phi_427_;
-                if _e243 {
-                    if _e89 {
-                        phi_436_ = (_e26 + _e238);
+                let _e262 = phi_463_;
+                if _e262 {
+                    if _e102 {
+                        phi_472_ = (_e28 + _e257);
                     } else {
-                        phi_436_ = (_e26 - _e238);
+                        phi_472_ = (_e28 - _e257);
                     }
-                    let _e247 = phi_436_;
-                    let _e249 = keys.member[_e26];
-                    let _e251 = keys.member[_e247];
-                    let _e252 = (_e249 ^ _e251);
-                    let _e257 = select((bitcast<u32>(31i) - firstLeadingBit(_e252)), 32u, (_e252 == 0u));
-                    if (_e257 < 32u) {
-                        phi_472_ = _e257;
+                    let _e266 = phi_472_;
+                    let _e269 = keys.member[(_e45 + _e28)];
+                    let _e272 = keys.member[(_e45 + _e266)];
+                    let _e273 = (_e269 ^ _e272);
+                    let _e278 = select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u));
+                    if (_e278 < 32u) {
+                        phi_510_ = _e278;
                     } else {
-                        let _e259 = (_e26 ^ _e247);
-                        phi_472_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e259)), 32u, (_e259 == 0u)));
+                        let _e280 = (_e28 ^ _e266);
+                        phi_510_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e280)), 32u, (_e280 == 0u)));
                     }
-                    let _e267 = phi_472_;
-                    phi_474_ = (1u + _e267);
+                    let _e288 = phi_510_;
+                    phi_512_ = (1u + _e288);
                 } else {
-                    phi_474_ = 0u;
+                    phi_512_ = 0u;
                 }
-                let _e270 = phi_474_;
-                if (_e270 > _e226) {
-                    phi_480_ = (_e230 + _e237);
+                let _e291 = phi_512_;
+                if (_e291 > _e245) {
+                    phi_518_ = (_e249 + _e256);
                 } else {
-                    phi_480_ = _e230;
+                    phi_518_ = _e249;
                 }
-                let _e274 = phi_480_;
-                phi_394_ = _e237;
-                phi_397_ = _e274;
+                let _e295 = phi_518_;
+                phi_430_ = _e256;
+                phi_433_ = _e295;
             } else {
-                phi_394_ = u32();
-                phi_397_ = u32();
+                phi_430_ = u32();
+                phi_433_ = u32();
             }
-            let _e276 = phi_394_;
-            let _e278 = phi_397_;
+            let _e297 = phi_430_;
+            let _e299 = phi_433_;
             continue;
             continuing {
-                phi_393_ = _e276;
-                phi_396_ = _e278;
-                break if !(_e231);
+                phi_429_ = _e297;
+                phi_432_ = _e299;
+                break if !(_e250);
             }
         }
-        if _e89 {
-            let _e284 = local_6;
-            phi_486_ = _e26;
-            phi_487_ = (_e26 + _e284);
+        if _e102 {
+            let _e305 = local_6;
+            phi_524_ = _e28;
+            phi_525_ = (_e28 + _e305);
         } else {
-            let _e281 = local_5;
-            phi_486_ = (_e26 - _e281);
-            phi_487_ = _e26;
+            let _e302 = local_5;
+            phi_524_ = (_e28 - _e302);
+            phi_525_ = _e28;
         }
-        let _e287 = phi_486_;
-        let _e289 = phi_487_;
-        if _e89 {
-            let _e295 = local_8;
-            phi_494_ = (_e26 + _e295);
+        let _e308 = phi_524_;
+        let _e310 = phi_525_;
+        if _e102 {
+            let _e316 = local_8;
+            phi_532_ = (_e28 + _e316);
         } else {
-            let _e291 = local_7;
-            phi_494_ = ((_e26 - _e291) - 1u);
+            let _e312 = local_7;
+            phi_532_ = ((_e28 - _e312) - 1u);
         }
-        let _e298 = phi_494_;
-        if (_e287 == _e298) {
-            phi_500_ = (_e37 + _e298);
+        let _e319 = phi_532_;
+        if (_e308 == _e319) {
+            phi_538_ = (_e46 + _e319);
         } else {
-            phi_500_ = _e298;
+            phi_538_ = _e319;
         }
-        let _e302 = phi_500_;
-        if (_e289 == (_e298 + 1u)) {
-            phi_509_ = ((_e37 + _e298) + 1u);
+        let _e323 = phi_538_;
+        if (_e310 == (_e319 + 1u)) {
+            phi_547_ = ((_e46 + _e319) + 1u);
         } else {
-            phi_509_ = (_e298 + 1u);
+            phi_547_ = (_e319 + 1u);
         }
-        let _e309 = phi_509_;
-        branches_1.member[_e26] = type_8(_e302, _e309, _e287, _e289);
+        let _e330 = phi_547_;
+        branches_1.member[_e28] = type_8(_e323, _e330, _e308, _e310);
     }
     return;
 }

@@ -129,7 +129,7 @@ struct type_45 {
     member_2: bool,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<atomic<u32>>,
 }
 
@@ -137,9 +137,9 @@ struct type_48 {
 var<storage> paths: type_21;
 @group(0) @binding(0) 
 var<storage> params: type_28;
-@group(0) @binding(6) 
-var<storage, read_write> earliest: type_48;
 var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(6) 
+var<storage, read_write> earliest: type_49;
 @group(0) @binding(2) 
 var<storage> positions: type_31;
 @group(0) @binding(3) 
@@ -147,7 +147,7 @@ var<storage> elements: type_24;
 @group(0) @binding(4) 
 var<storage> input: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> contacts: type_48;
+var<storage, read_write> contacts: type_49;
 
 fn function_(param: f64) -> array<u32, 2> {
     let _e2 = bitcast<u64>(param);

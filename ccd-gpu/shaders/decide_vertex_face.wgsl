@@ -120,7 +120,7 @@ struct type_38 {
     member_2: bool,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<atomic<u32>>,
 }
 
@@ -128,17 +128,17 @@ struct type_41 {
 var<storage> paths: type_19;
 @group(0) @binding(0) 
 var<storage> params: type_24;
-@group(0) @binding(3) 
-var<storage> input: type_11;
-@group(0) @binding(4) 
-var<storage, read_write> contacts: type_41;
-@group(0) @binding(5) 
-var<storage, read_write> undecided: type_41;
-@group(0) @binding(6) 
-var<storage, read_write> earliest: type_41;
 var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> elements: type_29;
+@group(0) @binding(3) 
+var<storage> input: type_11;
+@group(0) @binding(4) 
+var<storage, read_write> contacts: type_42;
+@group(0) @binding(5) 
+var<storage, read_write> undecided: type_42;
+@group(0) @binding(6) 
+var<storage, read_write> earliest: type_42;
 
 fn function_(param: array<f32, 3>, param_1: array<f32, 3>) -> array<f32, 3> {
     var phi_684_: array<f32, 3>;

@@ -82,9 +82,9 @@ struct type_30 {
 var<storage> params: type_18;
 @group(0) @binding(1) 
 var<storage> boxes: type_27;
-var<workgroup> shared_: array<type_25, 256>;
 @group(0) @binding(2) 
 var<storage> order: type_10;
+var<workgroup> shared_: array<type_25, 256>;
 @group(0) @binding(3) 
 var<storage> edges: type_23;
 @group(0) @binding(4) 

@@ -58,10 +58,10 @@ struct type_20 {
     member_2: f32,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_19;
 @group(0) @binding(1) 
 var<storage> boxes: type_16;
+@group(0) @binding(0) 
+var<storage> params: type_19;
 @group(0) @binding(2) 
 var<storage> words: type_11;
 @group(0) @binding(3) 

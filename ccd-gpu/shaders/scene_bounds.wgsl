@@ -62,10 +62,10 @@ struct type_24 {
     member: array<atomic<u32>>,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_20;
 @group(0) @binding(1) 
 var<storage> boxes: type_17;
+@group(0) @binding(0) 
+var<storage> params: type_20;
 @group(0) @binding(2) 
 var<storage, read_write> words: type_24;
 var<workgroup> shared_: array<type_15, 256>;

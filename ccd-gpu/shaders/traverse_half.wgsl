@@ -41,7 +41,7 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: array<u32, 96>,
+    member: array<u32, 31>,
     member_1: u32,
     member_2: u32,
     member_3: bool,
@@ -76,29 +76,33 @@ var<storage, read_write> pairs: type_25;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: type_19;
-    var phi_225_: type_9;
-    var phi_226_: type_9;
-    var phi_249_: type_9;
-    var phi_281_: u32;
-    var phi_312_: bool;
-    var phi_342_: bool;
-    var phi_352_: bool;
-    var phi_382_: bool;
-    var phi_392_: u32;
-    var phi_393_: bool;
-    var phi_394_: u32;
-    var phi_395_: bool;
+    var phi_156_: type_9;
+    var phi_157_: type_9;
+    var phi_180_: type_9;
+    var phi_215_: u32;
+    var phi_246_: bool;
+    var phi_276_: bool;
+    var phi_286_: bool;
+    var phi_316_: bool;
+    var phi_326_: u32;
+    var phi_327_: bool;
+    var phi_328_: u32;
+    var phi_329_: bool;
+    var phi_333_: u32;
+    var phi_343_: u32;
+    var phi_344_: bool;
+    var phi_345_: u32;
+    var phi_346_: bool;
+    var phi_350_: u32;
+    var phi_357_: bool;
+    var phi_364_: bool;
+    var phi_381_: u32;
     var phi_399_: u32;
-    var phi_409_: u32;
-    var phi_410_: bool;
-    var phi_411_: u32;
-    var phi_412_: bool;
-    var phi_416_: u32;
-    var phi_423_: bool;
-    var phi_430_: bool;
-    var phi_494_: type_9;
-    var phi_541_: type_9;
-    var phi_572_: bool;
+    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_451_: type_9;
+    var phi_491_: type_9;
+    var phi_517_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -116,188 +120,214 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
         let _e42 = (_e41 + _e34);
         let _e46 = params.member.member.member[1u];
         let _e50 = nodes.member[((_e46 - 1u) + _e42)];
-        let _e57 = params.member.member.member[1u];
-        let _e58 = (_e57 - 1u);
-        local = type_19(array<u32, 96>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_225_ = type_9(0u, _e58);
+        let _e54 = params.member.member.member[1u];
+        let _e55 = (_e54 - 1u);
+        local = type_19(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_156_ = type_9(0u, _e55);
         loop {
-            let _e61 = phi_225_;
-            if (_e61.member < _e61.member_1) {
-                phi_226_ = type_9((_e61.member + 1u), _e61.member_1);
-                phi_249_ = type_9(1u, _e61.member);
+            let _e58 = phi_156_;
+            if (_e58.member < _e58.member_1) {
+                phi_157_ = type_9((_e58.member + 1u), _e58.member_1);
+                phi_180_ = type_9(1u, _e58.member);
             } else {
-                phi_226_ = _e61;
-                phi_249_ = type_9(0u, type_9().member_1);
+                phi_157_ = _e58;
+                phi_180_ = type_9(0u, type_9().member_1);
             }
-            let _e73 = phi_226_;
-            let _e75 = phi_249_;
-            if (bitcast<i32>(_e75.member) != 0i) {
-                let _e80 = local.member_3;
-                if _e80 {
-                    let _e82 = local.member_2;
-                    let _e84 = branches.member[_e82];
-                    if (_e84.member >= _e58) {
-                        phi_281_ = (_e84.member - _e58);
+            let _e70 = phi_157_;
+            let _e72 = phi_180_;
+            if (bitcast<i32>(_e72.member) != 0i) {
+                let _e77 = local.member_3;
+                if _e77 {
+                    let _e81 = local.member_2;
+                    let _e83 = branches.member[_e81];
+                    if (_e83.member >= _e55) {
+                        phi_215_ = (_e83.member - _e55);
                     } else {
-                        phi_281_ = _e84.member;
+                        phi_215_ = _e83.member;
                     }
-                    let _e91 = phi_281_;
-                    let _e94 = nodes.member[_e84.member];
-                    let _e97 = nodes.member[_e84.member_1];
+                    let _e90 = phi_215_;
+                    let _e93 = nodes.member[_e83.member];
+                    let _e96 = nodes.member[_e83.member_1];
                     if (_e42 == 4294967295u) {
-                        phi_312_ = true;
+                        phi_246_ = true;
                     } else {
-                        phi_312_ = (_e91 > _e42);
+                        phi_246_ = (_e90 > _e42);
                     }
-                    let _e101 = phi_312_;
-                    if _e101 {
-                        phi_342_ = ((((((_e94.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e94.member_2[0])) && (_e94.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e94.member_2[1])) && (_e94.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e94.member_2[2]));
+                    let _e100 = phi_246_;
+                    if _e100 {
+                        phi_276_ = ((((((_e93.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e93.member_2[0])) && (_e93.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e93.member_2[1])) && (_e93.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e93.member_2[2]));
                     } else {
-                        phi_342_ = false;
+                        phi_276_ = false;
                     }
-                    let _e128 = phi_342_;
+                    let _e127 = phi_276_;
                     if (_e42 == 4294967295u) {
-                        phi_352_ = true;
+                        phi_286_ = true;
                     } else {
-                        phi_352_ = (_e84.member_3 > _e42);
+                        phi_286_ = (_e83.member_3 > _e42);
                     }
-                    let _e133 = phi_352_;
-                    if _e133 {
-                        phi_382_ = ((((((_e97.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e97.member_2[0])) && (_e97.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e97.member_2[1])) && (_e97.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e97.member_2[2]));
+                    let _e132 = phi_286_;
+                    if _e132 {
+                        phi_316_ = ((((((_e96.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e96.member_2[0])) && (_e96.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e96.member_2[1])) && (_e96.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e96.member_2[2]));
                     } else {
-                        phi_382_ = false;
+                        phi_316_ = false;
                     }
-                    let _e160 = phi_382_;
-                    if _e128 {
-                        if (_e94.member_3 == 4294967295u) {
-                            phi_392_ = _e94.member_1;
-                            phi_393_ = false;
+                    let _e159 = phi_316_;
+                    if _e127 {
+                        if (_e93.member_3 == 4294967295u) {
+                            phi_326_ = _e93.member_1;
+                            phi_327_ = false;
                         } else {
-                            phi_392_ = u32();
-                            phi_393_ = true;
+                            phi_326_ = u32();
+                            phi_327_ = true;
                         }
-                        let _e165 = phi_392_;
-                        let _e167 = phi_393_;
-                        phi_394_ = _e165;
-                        phi_395_ = _e167;
+                        let _e164 = phi_326_;
+                        let _e166 = phi_327_;
+                        phi_328_ = _e164;
+                        phi_329_ = _e166;
                     } else {
-                        phi_394_ = u32();
-                        phi_395_ = true;
+                        phi_328_ = u32();
+                        phi_329_ = true;
                     }
-                    let _e169 = phi_394_;
-                    let _e171 = phi_395_;
-                    if _e171 {
-                        phi_399_ = 4294967295u;
+                    let _e168 = phi_328_;
+                    let _e170 = phi_329_;
+                    if _e170 {
+                        phi_333_ = 4294967295u;
                     } else {
-                        phi_399_ = _e169;
+                        phi_333_ = _e168;
                     }
-                    let _e173 = phi_399_;
-                    if _e160 {
-                        if (_e97.member_3 == 4294967295u) {
-                            phi_409_ = _e97.member_1;
-                            phi_410_ = false;
+                    let _e172 = phi_333_;
+                    if _e159 {
+                        if (_e96.member_3 == 4294967295u) {
+                            phi_343_ = _e96.member_1;
+                            phi_344_ = false;
                         } else {
-                            phi_409_ = u32();
-                            phi_410_ = true;
+                            phi_343_ = u32();
+                            phi_344_ = true;
                         }
-                        let _e178 = phi_409_;
-                        let _e180 = phi_410_;
-                        phi_411_ = _e178;
-                        phi_412_ = _e180;
+                        let _e177 = phi_343_;
+                        let _e179 = phi_344_;
+                        phi_345_ = _e177;
+                        phi_346_ = _e179;
                     } else {
-                        phi_411_ = u32();
-                        phi_412_ = true;
+                        phi_345_ = u32();
+                        phi_346_ = true;
                     }
-                    let _e182 = phi_411_;
-                    let _e184 = phi_412_;
-                    if _e184 {
-                        phi_416_ = 4294967295u;
+                    let _e181 = phi_345_;
+                    let _e183 = phi_346_;
+                    if _e183 {
+                        phi_350_ = 4294967295u;
                     } else {
-                        phi_416_ = _e182;
+                        phi_350_ = _e181;
                     }
-                    let _e186 = phi_416_;
-                    if _e128 {
-                        phi_423_ = !((_e94.member_3 == 4294967295u));
+                    let _e185 = phi_350_;
+                    if _e127 {
+                        phi_357_ = !((_e93.member_3 == 4294967295u));
                     } else {
-                        phi_423_ = false;
+                        phi_357_ = false;
                     }
-                    let _e191 = phi_423_;
-                    if _e160 {
-                        phi_430_ = !((_e97.member_3 == 4294967295u));
+                    let _e190 = phi_357_;
+                    if _e159 {
+                        phi_364_ = !((_e96.member_3 == 4294967295u));
                     } else {
-                        phi_430_ = false;
+                        phi_364_ = false;
                     }
-                    let _e196 = phi_430_;
-                    if _e191 {
-                        local.member_2 = _e84.member;
-                        if _e196 {
-                            let _e217 = local.member_1;
-                            local.member[_e217] = _e84.member_1;
-                            let _e222 = local.member_1;
-                            local.member_1 = (_e222 + 1u);
-                        }
-                    } else {
-                        if _e196 {
-                            local.member_2 = _e84.member_1;
-                        } else {
-                            let _e198 = local.member_1;
-                            if (_e198 > 0u) {
-                                let _e203 = local.member_1;
-                                local.member_1 = (_e203 - 1u);
-                                let _e206 = local.member_1;
-                                let _e209 = local.member[_e206];
-                                local.member_2 = _e209;
+                    let _e195 = phi_364_;
+                    if _e190 {
+                        if _e195 {
+                            let _e200 = ((_e90 - _e83.member_2) < (_e83.member_3 - _e90));
+                            if _e200 {
+                                phi_381_ = _e83.member_1;
                             } else {
-                                local.member_3 = false;
+                                phi_381_ = _e83.member;
+                            }
+                            let _e204 = phi_381_;
+                            let _e206 = local.member_1;
+                            local.member[_e206] = _e204;
+                            let _e211 = local.member_1;
+                            local.member_1 = (_e211 + 1u);
+                            if _e200 {
+                                phi_399_ = _e83.member;
+                            } else {
+                                phi_399_ = _e83.member_1;
+                            }
+                            let _e216 = phi_399_;
+                            local.member_2 = _e216;
+                            phi_401_ = false;
+                        } else {
+                            phi_401_ = true;
+                        }
+                        let _e219 = phi_401_;
+                        phi_402_ = _e219;
+                    } else {
+                        phi_402_ = true;
+                    }
+                    let _e221 = phi_402_;
+                    if _e221 {
+                        if _e190 {
+                            local.member_2 = _e83.member;
+                        } else {
+                            if _e195 {
+                                local.member_2 = _e83.member_1;
+                            } else {
+                                let _e223 = local.member_1;
+                                if (_e223 > 0u) {
+                                    let _e228 = local.member_1;
+                                    local.member_1 = (_e228 - 1u);
+                                    let _e231 = local.member_1;
+                                    let _e234 = local.member[_e231];
+                                    local.member_2 = _e234;
+                                } else {
+                                    local.member_3 = false;
+                                }
                             }
                         }
                     }
-                    let _e226 = params.member.member_1.member_3;
-                    if (_e173 != 4294967295u) {
-                        if (_e50.member_1 < _e173) {
-                            phi_494_ = type_9(_e50.member_1, _e173);
+                    if (_e172 != 4294967295u) {
+                        let _e244 = params.member.member_1.member_3;
+                        if (_e50.member_1 < _e172) {
+                            phi_451_ = type_9(_e50.member_1, _e172);
                         } else {
-                            phi_494_ = type_9(_e173, _e50.member_1);
+                            phi_451_ = type_9(_e172, _e50.member_1);
                         }
-                        let _e232 = phi_494_;
-                        let _e236 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e236 + 1u) < _e236) {
-                            let _e240 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e249 = phi_451_;
+                        let _e253 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e253 + 1u) < _e253) {
+                            let _e257 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e236 < _e226) {
-                            let _e242 = (2u * _e236);
-                            atomicStore((&pairs.member[(4u + _e242)]), _e232.member);
-                            atomicStore((&pairs.member[(_e242 + 5u)]), _e232.member_1);
+                        if (_e253 < _e244) {
+                            let _e259 = (2u * _e253);
+                            atomicStore((&pairs.member[(4u + _e259)]), _e249.member);
+                            atomicStore((&pairs.member[(_e259 + 5u)]), _e249.member_1);
                         }
                     }
-                    let _e249 = params.member.member_1.member_3;
-                    if (_e186 != 4294967295u) {
-                        if (_e50.member_1 < _e186) {
-                            phi_541_ = type_9(_e50.member_1, _e186);
+                    if (_e185 != 4294967295u) {
+                        let _e268 = params.member.member_1.member_3;
+                        if (_e50.member_1 < _e185) {
+                            phi_491_ = type_9(_e50.member_1, _e185);
                         } else {
-                            phi_541_ = type_9(_e186, _e50.member_1);
+                            phi_491_ = type_9(_e185, _e50.member_1);
                         }
-                        let _e255 = phi_541_;
-                        let _e259 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e259 + 1u) < _e259) {
-                            let _e263 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e273 = phi_491_;
+                        let _e277 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e277 + 1u) < _e277) {
+                            let _e281 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e259 < _e249) {
-                            let _e265 = (2u * _e259);
-                            atomicStore((&pairs.member[(4u + _e265)]), _e255.member);
-                            atomicStore((&pairs.member[(_e265 + 5u)]), _e255.member_1);
+                        if (_e277 < _e268) {
+                            let _e283 = (2u * _e277);
+                            atomicStore((&pairs.member[(4u + _e283)]), _e273.member);
+                            atomicStore((&pairs.member[(_e283 + 5u)]), _e273.member_1);
                         }
                     }
                 }
-                phi_572_ = _e80;
+                phi_517_ = _e77;
             } else {
-                phi_572_ = false;
+                phi_517_ = false;
             }
-            let _e271 = phi_572_;
+            let _e289 = phi_517_;
             continue;
             continuing {
-                phi_225_ = _e73;
-                break if !(_e271);
+                phi_156_ = _e70;
+                break if !(_e289);
             }
         }
     }

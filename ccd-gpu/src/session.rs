@@ -1,6 +1,7 @@
 //! A mesh stepped frame by frame on a device: what callers ask, what they get, and what the CPU
 //! decides of it.
 
+use crate::broad_phase::method;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -9,10 +10,8 @@ use crate::step::frame::{Found, Frames};
 use crate::step::{Goal, cpu_fallback};
 use ccd_core::Coordinate;
 use ccd_core::layout::Pair;
-use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::contact::{Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
-use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::{Given, Points, Precision};
 use ccd_core::model::report::Report;
@@ -63,8 +62,8 @@ impl Session {
     /// A session for `mesh` on `device`.
     pub fn new(device: &Device, mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
-        if options.broad_phase != BroadPhaseMethod::Blocks {
-            let name = options.broad_phase.row().name;
+        method::check(options.broad_phase)?;
+        if let Some(name) = options.pipeline.lacking("gpu") {
             return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
         }
         Ok(Self {

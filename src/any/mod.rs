@@ -135,9 +135,11 @@ impl Choice {
         Self { notice: Some(notice), ..self }
     }
 
-    /// The same, but the CPU at once if the choice was free and a GPU lacks this method.
-    fn for_method(&self, method: crate::BroadPhaseMethod) -> Self {
-        if self.free && method.lacking("gpu").is_some() {
+    /// The same, but the CPU at once if the choice was free and a GPU lacks this method or this
+    /// pipeline.
+    fn for_methods(&self, method: crate::BroadPhaseMethod, pipeline: crate::Pipeline) -> Self {
+        let lacking = method.lacking("gpu").or(pipeline.lacking("gpu"));
+        if self.free && lacking.is_some() {
             Self { notice: self.notice, ..Self::default() }
         } else {
             self.clone()

@@ -200,8 +200,8 @@ impl Bench {
     }
 
     fn options(&self) -> Result<Options, Failure> {
-        let broad_phase = self.method.method()?;
-        Ok(Options { threads: self.threads, broad_phase, ..Options::default() })
+        let (broad_phase, pipeline) = (self.method.method()?, self.method.pipeline()?);
+        Ok(Options { threads: self.threads, broad_phase, pipeline, ..Options::default() })
     }
 
     fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {

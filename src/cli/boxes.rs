@@ -55,6 +55,7 @@ struct Times {
 
 impl Boxes {
     pub fn run(&self) -> Outcome {
+        self.method.no_pipeline()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;

@@ -9,11 +9,12 @@
 
 use super::Failure;
 use super::backend::BackendOptions;
+use super::method::MethodOptions;
 use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
 use ccd::geometry::{Motion, Patch, closest};
 use ccd::scenes::{grid, sphere};
-use ccd::{Bodies, BroadPhaseMethod, Contact, Kind, Mesh, Options};
+use ccd::{Bodies, Contact, Kind, Mesh, Options};
 
 /// Side of the cloth, number of vertices along it: 4,096 vertices and 7,938 triangles.
 const SIDE: f64 = 2.0;
@@ -60,7 +61,7 @@ pub struct Cloth {
 pub const N_CLOTH: usize = N * N;
 
 impl Cloth {
-    pub fn new(backend: &BackendOptions, broad_phase: BroadPhaseMethod) -> Result<Self, Failure> {
+    pub fn new(backend: &BackendOptions, method: &MethodOptions) -> Result<Self, Failure> {
         let mut x = Vec::new();
         let mut faces: Vec<[u32; 3]> = Vec::new();
         for i in 0..N * N {
@@ -76,12 +77,13 @@ impl Cloth {
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
         let bodies = Bodies::new(&body, &[false, true], true);
         let choice = backend.choose(mesh.edges().len())?;
+        let (broad_phase, pipeline) = (method.method()?, method.pipeline()?);
         let session = |min_distance| {
             let bodies = Some(bodies.clone());
             Session::new(
                 &choice,
                 mesh.clone(),
-                Options { min_distance, bodies, broad_phase, ..Options::default() },
+                Options { min_distance, bodies, broad_phase, pipeline, ..Options::default() },
             )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);

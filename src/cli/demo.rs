@@ -29,7 +29,7 @@ const STEPS: usize = 8;
 impl Demo {
     pub fn run(&self) -> Outcome {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
-        let mut cloth = Cloth::new(&self.backend, self.method.method()?)?;
+        let mut cloth = Cloth::new(&self.backend, &self.method)?;
         output::line("scene", output::MeshSize::from(&cloth.mesh));
         let bar = output::progress(self.frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());

@@ -1,7 +1,9 @@
 //! Options that choose how pairs are found, and `ccd list`, which says what there is to choose from.
 
 use super::{Failure, Outcome, output};
-use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Row, Traversal, TreeOptions, Volume};
+use ccd::{
+    BroadPhaseMethod, Builder, Catalogued, Descent, Pipeline, Row, Traversal, TreeOptions, Volume,
+};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -33,6 +35,17 @@ pub struct MethodOptions {
     /// Nodes of the cut that --traversal cut starts from
     #[arg(long, value_name = "N")]
     cut: Option<u32>,
+    /// What is paired first, features or triangles
+    #[arg(long, value_name = "NAME", value_parser = named::<Pipeline>())]
+    #[arg(hide_possible_values = true)]
+    pipeline: Option<Pipeline>,
+    /// Whether --pipeline triangles skips triangles that share a vertex, and tests their features
+    /// from a list
+    #[arg(long, value_enum)]
+    orphans: Option<OnOff>,
+    /// Whether --pipeline triangles skips regions that certainly do not touch themselves
+    #[arg(long, value_enum)]
+    cones: Option<OnOff>,
     /// Which of two nodes --traversal simultaneous and cut expand
     #[arg(long, value_enum)]
     descent: Option<DescentName>,
@@ -45,6 +58,12 @@ enum DescentName {
     Larger,
     /// Both
     Both,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum OnOff {
+    On,
+    Off,
 }
 
 /// The names of a table, each with its line.
@@ -76,6 +95,32 @@ impl MethodOptions {
             .traversal(self.traversal()?)
             .volume(self.volume.unwrap_or_default());
         Ok(Some(BroadPhaseMethod::Tree(tree)))
+    }
+
+    /// What is paired first.
+    pub fn pipeline(&self) -> Result<Pipeline, Failure> {
+        let (orphans, cones) = [self.orphans, self.cones].map(|o| o.map(|o| o == OnOff::On)).into();
+        match self.pipeline.unwrap_or_default() {
+            Pipeline::Triangles(own) => Ok(Pipeline::Triangles(
+                own.orphans(orphans.unwrap_or(own.orphans)).cones(cones.unwrap_or(own.cones)),
+            )),
+            other if orphans.or(cones).is_some() => {
+                let (name, of) = (if orphans.is_some() { "orphans" } else { "cones" }, other.row());
+                Err(Failure(format!("--{name} is for --pipeline triangles, not {}", of.name)))
+            }
+            other => Ok(other),
+        }
+    }
+
+    /// Nothing, or why a command that pairs boxes alone has no pipeline.
+    pub fn no_pipeline(&self) -> Result<(), Failure> {
+        match self.pipeline()? {
+            Pipeline::Features => Ok(()),
+            other => Err(Failure(format!(
+                "--pipeline {} pairs features of a mesh; boxes alone have none",
+                other.row().name
+            ))),
+        }
     }
 
     /// The first of the options given that only trees have.
@@ -153,6 +198,7 @@ struct Json {
     traversals: Vec<Entry>,
     builders: Vec<Entry>,
     volumes: Vec<Entry>,
+    pipelines: Vec<Entry>,
 }
 
 fn entries<T: Catalogued>() -> Vec<Entry> {
@@ -170,6 +216,7 @@ impl List {
             traversals: entries::<Traversal>(),
             builders: entries::<Builder>(),
             volumes: entries::<Volume>(),
+            pipelines: entries::<Pipeline>(),
         };
         if self.json {
             output::json(&all)?;
@@ -178,6 +225,7 @@ impl List {
             print::<Builder>("Builders of trees, --builder NAME", &all.builders);
             print::<Traversal>("Traversals of trees, --traversal NAME", &all.traversals);
             print::<Volume>("Volumes of trees, --volume NAME", &all.volumes);
+            print::<Pipeline>("Pipelines, --pipeline NAME", &all.pipelines);
             println!("* what is used without the option");
         }
         output::flush();

@@ -56,7 +56,7 @@ enum Command {
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
-    /// The ways to find pairs: broad phases; builders, traversals and volumes of trees
+    /// The ways to find pairs: broad phases; builders, traversals, volumes of trees; pipelines
     List(method::List),
     /// The GPU that would be used, how, and which others there are
     Info(info::InfoCommand),
@@ -121,6 +121,7 @@ impl StepOptions {
             min_distance: self.min_distance,
             threads: self.threads,
             broad_phase: self.method.method()?,
+            pipeline: self.method.pipeline()?,
             ..ccd::Options::default()
         };
         Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)

@@ -1,7 +1,7 @@
 //! What there is to choose from, each of it chosen, and combinations that mean nothing.
 
 use crate::{ccd, check_refused, json, obj, text};
-use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Traversal, Volume};
+use ::ccd::{BroadPhaseMethod, Builder, Catalogued, Pipeline, Traversal, Volume};
 use serde_json::Value;
 
 pub fn the_list_names_every_choice() {
@@ -12,6 +12,7 @@ pub fn the_list_names_every_choice() {
         ("builders", names::<Builder>()),
         ("traversals", names::<Traversal>()),
         ("volumes", names::<Volume>()),
+        ("pipelines", names::<Pipeline>()),
     ] {
         let listed: Vec<&str> =
             all[key].as_array().unwrap().iter().map(|e| e["name"].as_str().unwrap()).collect();
@@ -39,6 +40,7 @@ pub fn every_choice_finds_the_same() {
         ("builders", "--builder"),
         ("traversals", "--traversal"),
         ("volumes", "--volume"),
+        ("pipelines", "--pipeline"),
     ];
     let mut n_choices = 0;
     for (key, option) in options {
@@ -60,6 +62,7 @@ pub fn every_choice_finds_the_same() {
     for settings in [
         &["--traversal", "cut", "--cut", "3", "--descent", "both"][..],
         &["--builder", "ploc", "--radius", "2", "--broad-phase", "tree"],
+        &["--pipeline", "triangles", "--orphans", "off", "--cones", "on"],
     ] {
         let known = settings.iter().all(|s| s.starts_with('-') || known(&all, s));
         if known {
@@ -73,8 +76,8 @@ pub fn every_choice_finds_the_same() {
 fn known(all: &Value, word: &str) -> bool {
     let here = |key: &str| all[key].as_array().unwrap().iter().any(|e| e["name"] == word);
     word.parse::<u32>().is_ok()
-        || ["both", "larger"].contains(&word)
-        || ["broad_phases", "builders", "traversals"].into_iter().any(here)
+        || ["both", "larger", "on", "off"].contains(&word)
+        || ["broad_phases", "builders", "traversals", "pipelines"].into_iter().any(here)
 }
 
 pub fn combinations_that_mean_nothing_are_refused() {
@@ -92,4 +95,9 @@ pub fn combinations_that_mean_nothing_are_refused() {
     refused(&["--descent", "both"], "--descent is for --traversal simultaneous and cut, not half");
     refused(&["--traversal", "cut", "--cut", "0"], "it must be from 1 to 1024");
     refused(&["--broad-phase", "by hand"], "by hand");
+    refused(&["--cones", "on"], "--cones is for --pipeline triangles, not features");
+    let boxes = dir.path().join("boxes.bin");
+    std::fs::write(&boxes, [0u8; 24]).unwrap();
+    let boxes = boxes.to_str().unwrap();
+    check_refused(&["boxes", boxes, "--pipeline", "triangles"], "boxes alone have none");
 }

@@ -7,6 +7,7 @@
 mod failures;
 mod grazing;
 mod kernels;
+mod listed;
 mod pairs;
 mod poison;
 mod queries;
@@ -80,6 +81,7 @@ fn main() {
             kernels::TESTS,
             sorts::TESTS,
             pairs::TESTS,
+            listed::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

@@ -6,12 +6,12 @@ use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, 
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{
     BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs,
-    TraverseAgainst, TraverseHalf,
+    TraverseFull, TraverseHalf,
 };
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path};
+use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path, Queries};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -21,8 +21,7 @@ pub const TESTS: crate::Tests = &[
     ("candidates", check_candidates),
     ("filters", check_filters),
     ("radix_tree", check_radix_tree),
-    ("uniform_boxes_by_blocks", |device| check_uniform(device, BroadPhaseMethod::Blocks)),
-    ("uniform_boxes_by_tree", |device| check_uniform(device, BroadPhaseMethod::TREE)),
+    ("uniform_boxes", |device| ccd::every("gpu").for_each(|m| check_uniform(device, m))),
 ];
 
 fn check_node_pairs(device: &Device) {
@@ -87,7 +86,7 @@ fn check_counts(device: &Device) {
 }
 
 /// Candidates by testing each feature against each.
-fn candidates(twin: &Twin, step: &Step, kind: u32) -> Vec<Pair> {
+pub fn candidates(twin: &Twin, step: &Step, kind: u32) -> Vec<Pair> {
     let single = |x: &[[f64; 3]]| x.iter().map(|p| p.map(|c| c as f32)).collect::<Vec<[f32; 3]>>();
     let [vf, ee] = brute::candidates(&step.mesh, &single(&step.x0), &single(&step.x1));
     assert_eq!(twin.frame.count[1] as usize, step.mesh.edges().len());
@@ -194,7 +193,7 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
 
 /// Every leaf is below every node that says so, children split the range of their parent, boxes are
 /// those of the leaves, no leaf comes twice.
-fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
+fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin, set: usize) {
     let n_internal = branches.len() as u32;
     let range = |node: u32| match branches.get(node as usize) {
         Some(branch) => (branch.first, branch.last),
@@ -204,7 +203,7 @@ fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
     let mut stack = vec![0u32];
     while let Some(node) = stack.pop() {
         let (first, last) = range(node);
-        let want = union((first..=last).map(|leaf| twin.node(0, 1, leaf)));
+        let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
         check_boxes("node", &[want], &[nodes[node as usize].aabb()]);
         match branches.get(node as usize) {
             Some(branch) => {
@@ -223,7 +222,9 @@ fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
             None => {
                 assert!(
                     nodes[node as usize].is_leaf()
-                        && nodes[node as usize].left == twin.order[first as usize]
+                        && nodes[node as usize].left
+                            == twin.order[(twin.frame.start[set] + first) as usize]
+                                - twin.frame.start[set]
                 );
                 assert!(
                     !std::mem::replace(&mut seen[first as usize], true),
@@ -243,40 +244,80 @@ fn check_radix_tree(device: &Device) {
     let mut mixed = uniform[..400].to_vec();
     mixed.extend(uniform[..400].iter().map(|b| Aabb { min: b.min, max: b.min }));
     mixed.extend(vec![uniform[7]; 90]);
+    let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
     for boxes in [&uniform[..], &uniform[..2], &equal, &mixed] {
         let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
-        let n = boxes.len() as u32;
-        let groups = n.div_ceil(256);
-        let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
-        let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
-        let Branches { branches, .. } =
-            run(device, kernel, &twin.plain(Dispatch::default()), groups);
         // The highest level that has more than one node, and one above it, must give the same
         // boxes.
         for level in [1, 2] {
-            let own = Blocks { level, ..twin.tree };
-            let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
-            let kernel = BranchBoxes {
-                branches: branches.clone(),
-                block_nodes: bytes(&twin.nodes),
-                leaves: bytes(&twin.leaves),
-                nodes: zeros::<Node>(2 * n as usize - 1),
-            };
-            let BranchBoxes { nodes, .. } = run(device, kernel, &p, groups);
-            check_tree(&read(&nodes), &read(&branches), &twin);
+            let (nodes, branches) = radix_tree(device, &twin, 1, level);
+            check_tree(&read(&nodes), &read(&branches), &twin, 1);
             check_traversal(device, &twin, boxes, &nodes, &branches);
-            let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
-            let p = twin.plain(Dispatch { n: 300, room_out: 200_000, ..Dispatch::default() });
-            let (nodes, branches, pairs) = (nodes, branches.clone(), room(200_000));
-            let done = run(
-                device,
-                TraverseAgainst { boxes: bytes(&loose), nodes, branches, pairs },
-                &p,
-                3,
-            );
-            check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&done.pairs));
         }
+        // As the second set of two, of which the first stays loose.
+        let twin = Twin::new([&loose, &[], boxes], |_, i| [i; 3]);
+        let (nodes, branches) = radix_tree(device, &twin, 0, 2);
+        check_tree(&read(&nodes), &read(&branches), &twin, 2);
+        let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
+        check_pairs("loose boxes", brute::pairs(&loose, boxes), found);
     }
+    // A tree of one leaf.
+    let twin = Twin::new([&loose, &[], &uniform[1000..1001]], |_, i| [i; 3]);
+    let (nodes, branches) = radix_tree(device, &twin, 0, 1);
+    let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
+    assert!(!found.is_empty());
+    check_pairs("one leaf", brute::pairs(&loose, &uniform[1000..1001]), found);
+}
+
+/// Nodes and branches of the binary tree over the second set of a kind.
+fn radix_tree(device: &Device, twin: &Twin, kind: u32, level: u32) -> (Vec<u8>, Vec<u8>) {
+    let n = twin.frame.count[block_bvh::sets(kind)[1]];
+    let groups = n.div_ceil(256);
+    let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
+    let own = Blocks { kind, level, ..twin.tree };
+    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
+    let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
+    let Branches { branches, .. } = run(device, kernel, &p, groups);
+    let kernel = BranchBoxes {
+        branches: branches.clone(),
+        block_nodes: bytes(&twin.nodes),
+        leaves: bytes(&twin.leaves),
+        nodes: zeros::<Node>(2 * n as usize - 1),
+    };
+    (run(device, kernel, &p, groups).nodes, branches)
+}
+
+/// What queries of the first set of a kind find, in the order of input and in that of leaves, which
+/// is the same.
+fn traverse_full(
+    device: &Device,
+    twin: &Twin,
+    kind: u32,
+    nodes: &[u8],
+    branches: &[u8],
+    n: u32,
+) -> Vec<Pair> {
+    let [mut by_input, mut by_leaves] = [0, 1].map(|sorted| {
+        let mut found = Vec::new();
+        // In two parts, as a dispatch of many queries is.
+        for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
+            let dispatch = Dispatch { n, first, room_in: 0, room_out: 200_000 };
+            let p = Params { frame: twin.frame, dispatch, own: Queries { kind, sorted } };
+            let kernel = TraverseFull {
+                boxes: bytes(&twin.boxes),
+                order: bytes(&twin.order),
+                nodes: nodes.to_vec(),
+                branches: branches.to_vec(),
+                pairs: room(200_000),
+            };
+            found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
+        }
+        found
+    });
+    by_input.sort_unstable();
+    by_leaves.sort_unstable();
+    assert!(by_input == by_leaves, "another order of queries, other pairs");
+    by_leaves
 }
 
 /// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
@@ -296,6 +337,8 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], b
         )));
     }
     check_pairs("overlaps by a tree", all.clone(), found);
+    let found = traverse_full(device, twin, 1, nodes, branches, n);
+    check_pairs("overlaps by queries of all", all.clone(), found);
     let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
     let wrapped = !all.is_empty() as u32;
     assert_eq!(

@@ -225,7 +225,7 @@ pub fn check_decorations() {
         let Some(record) = kernel.params else { continue };
         let own: &[u32] = match record {
             "Blocks" => &[0, 128, 132, 136, 140],
-            "SortPass" => &[0, 4],
+            "SortPass" | "Queries" => &[0, 4],
             "Plain" | "Decision" | "ContactSort" => &[0],
             other => panic!("{}: where are the members of {other}?", kernel.name),
         };

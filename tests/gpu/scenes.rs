@@ -163,7 +163,7 @@ fn check_min_distance(device: &Device) {
     );
 }
 
-fn check_step(device: &Device, step: &generate::Step, options: Options) {
+pub fn check_step(device: &Device, step: &generate::Step, options: Options) {
     let cpu = ccd::step(&step.mesh, &step.x0, &step.x1, &options).unwrap();
     let mut session = Session::new(device, step.mesh.clone(), options.clone()).unwrap();
     let gpu = session.step(&step.x0, &step.x1).unwrap();

@@ -4,6 +4,7 @@
 //! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index
 //! is part of the same comparison.
 
+use crate::broad_phase::node_numbering::branch_over;
 use crate::kernel::Words;
 use crate::kernel::memory::at;
 use crate::layout::Branch;
@@ -41,58 +42,58 @@ impl Code for [u32; 2] {
 /// Bits that key `i` (code, then index) has in common with the one `distance` ahead of it or behind
 /// it, plus one; 0 if there is none.
 #[inline(always)]
-fn prefix<C: Code>(codes: &[C], n: u32, i: u32, ahead: bool, distance: u32) -> u32 {
+fn prefix<C: Code>(codes: &[C], from: u32, n: u32, i: u32, ahead: bool, distance: u32) -> u32 {
     let there = if ahead { distance < n - i } else { distance <= i };
     if !there {
         return 0;
     }
     let j = if ahead { i + distance } else { i - distance };
-    let common = at(codes, i as usize).common(at(codes, j as usize));
+    let common = at(codes, (from + i) as usize).common(at(codes, (from + j) as usize));
     1 + if common < C::BITS { common } else { C::BITS + (i ^ j).leading_zeros() }
 }
 
-/// Internal node `i` of the tree over the first `n` of `codes`, which are sorted ascending;
-/// `i < n - 1`, `n < 2^31`.
+/// Internal node `i` of the tree over the first `n` of `codes`; see [`branch_from`].
+#[inline(always)]
+pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
+    branch_from(i, 0, n, codes)
+}
+
+/// Internal node `i` of the tree over `n` of `codes` from number `from` on, which are sorted
+/// ascending; `i < n - 1`, `n < 2^31`. Leaves are counted from `from`.
 ///
 /// Every loop halves or doubles a length of less than `2^31`, so runs at most 32 times.
 #[inline(always)]
-pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
-    let n_internal = n - 1;
+pub fn branch_from<C: Code>(i: u32, from: u32, n: u32, codes: &[C]) -> Branch {
     // The direction of the node's range, and the prefix that all of the range exceeds.
-    let (next, last) = (prefix(codes, n, i, true, 1), prefix(codes, n, i, false, 1));
+    let (next, last) = (prefix(codes, from, n, i, true, 1), prefix(codes, from, n, i, false, 1));
     let ahead = next > last;
     let outside = if ahead { last } else { next };
     let mut reach = 2;
-    while reach < n && prefix(codes, n, i, ahead, reach) > outside {
+    while reach < n && prefix(codes, from, n, i, ahead, reach) > outside {
         reach *= 2;
     }
     // The other end by binary search.
     let mut length = 0;
     let mut part = reach / 2;
     while part > 0 {
-        if prefix(codes, n, i, ahead, length + part) > outside {
+        if prefix(codes, from, n, i, ahead, length + part) > outside {
             length += part;
         }
         part /= 2;
     }
     // The split: the last key that shares more than the node's prefix with the first.
-    let node = prefix(codes, n, i, ahead, length);
+    let node = prefix(codes, from, n, i, ahead, length);
     let mut split = 0;
     let mut part = length;
     while part > 1 {
         part = part.div_ceil(2);
-        if prefix(codes, n, i, ahead, split + part) > node {
+        if prefix(codes, from, n, i, ahead, split + part) > node {
             split += part;
         }
     }
     let (first, last) = if ahead { (i, i + length) } else { (i - length, i) };
-    let gamma = if ahead { i + split } else { i - split - 1 };
-    Branch {
-        left: if first == gamma { n_internal + gamma } else { gamma },
-        right: if last == gamma + 1 { n_internal + gamma + 1 } else { gamma + 1 },
-        first,
-        last,
-    }
+    let middle = if ahead { i + split + 1 } else { i - split };
+    branch_over(first, middle, last + 1, n - 1)
 }
 
 /// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is

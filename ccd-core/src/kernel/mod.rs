@@ -102,8 +102,8 @@ macro_rules! kernels {
             /// Nodes of the next level.
             FitLevel = fit_level(256 threads, 1 barriers, f32, Params<Blocks>)
                 { nodes: Write }
-            /// Internal nodes of a binary tree over set 1, the only one.
-            Branches = branches(256 threads, 0 barriers, f32, Params<Plain>)
+            /// Internal nodes of a binary tree.
+            Branches = branches(256 threads, 0 barriers, f32, Params<Blocks>)
                 { keys: Read, branches: Write }
             /// Boxes of a binary tree.
             BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
@@ -111,9 +111,9 @@ macro_rules! kernels {
             /// Leaves of a binary tree that overlap each other.
             TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Plain>)
                 { nodes: Read, branches: Read, pairs: Write }
-            /// Loose boxes that overlap leaves of a binary tree.
-            TraverseAgainst = traverse_against(128 threads, 0 barriers, f32, Params<Plain>)
-                { boxes: Read, nodes: Read, branches: Read, pairs: Write }
+            /// Boxes that overlap leaves of a binary tree.
+            TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
+                { boxes: Read, order: Read, nodes: Read, branches: Read, pairs: Write }
             /// Pairs of nodes to pairs of their children.
             NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
@@ -127,6 +127,23 @@ macro_rules! kernels {
             /// Pairs of blocks to filtered edge-edge candidates.
             FilterEdgeEdge = filter_edge_edge(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, leaves: Read, bodies: Read, keys: Read, paths: Read,
+                  input: Read, output: Write }
+            /// Listed pairs to vertex-face candidates.
+            ListListedVertexFace
+                = list_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)
+                { boxes: Read, faces: Read, bodies: Read, keys: Read, input: Read, output: Write }
+            /// Listed pairs to edge-edge candidates.
+            ListListedEdgeEdge = list_listed_edge_edge(128 threads, 3 barriers, f32, Params<Plain>)
+                { boxes: Read, edges: Read, bodies: Read, keys: Read, input: Read, output: Write }
+            /// Listed pairs to filtered vertex-face candidates.
+            FilterListedVertexFace
+                = filter_listed_vertex_face(128 threads, 3 barriers, f32, Params<Plain>)
+                { boxes: Read, faces: Read, bodies: Read, keys: Read, paths: Read,
+                  input: Read, output: Write }
+            /// Listed pairs to filtered edge-edge candidates.
+            FilterListedEdgeEdge
+                = filter_listed_edge_edge(128 threads, 3 barriers, f32, Params<Plain>)
+                { boxes: Read, edges: Read, bodies: Read, keys: Read, paths: Read,
                   input: Read, output: Write }
             /// Verdicts of vertices and faces in `f32`.
             DecideVertexFace = decide_vertex_face(64 threads, 7 barriers, f32, Params<Decision>)

@@ -94,6 +94,20 @@ pub enum Error {
         /// The greatest that it may be.
         greatest: u64,
     },
+    /// Boxes for which a grid is not made: some so large, beside the others, that cells as large as
+    /// they are hold too many.
+    CrowdedCells {
+        /// The largest side of any box.
+        largest: f64,
+        /// The mean over all boxes of the largest side of each.
+        mean: f64,
+        /// About how many boxes of one set are in the fullest cell.
+        fullest: u64,
+        /// About how many tests there would be a box.
+        tests: u64,
+        /// How many there may be.
+        limit: u64,
+    },
     /// A thread pool of the wanted size could not be started.
     Threads {
         /// Threads asked for.
@@ -152,6 +166,15 @@ impl core::fmt::Display for Error {
             Error::Method { name, backend } => write!(f, "the {backend} has no method `{name}`"),
             Error::Setting { name, value, least, greatest } => {
                 write!(f, "{name}: {value}; it must be from {least} to {greatest}")
+            }
+            Error::CrowdedCells { largest, mean, fullest, tests, limit } => {
+                write!(
+                    f,
+                    "cells of a grid must be as large as the largest box, which has a side of \
+                     {largest:.3e}; with boxes of {mean:.3e} in the mean, one has about {fullest} \
+                     boxes, and each box would be tested against about {tests}, more than \
+                     {limit}: use `blocks`"
+                )
             }
             Error::Threads { count } => write!(f, "cannot start {count} threads"),
         }

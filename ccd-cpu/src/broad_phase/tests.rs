@@ -3,7 +3,7 @@
 use super::*;
 use ccd_core::layout::Pair;
 use ccd_core::model::catalogue::{Catalogued, every};
-use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions};
+use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions, Volume};
 
 /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
 const BOUNDS: [f32; 13] = [
@@ -195,5 +195,32 @@ fn huge_and_infinite_bounds_are_compared_as_they_are() {
                 check_pairs(&all(&boxes), &all(&others));
             }
         }
+    }
+}
+
+/// Two strands side by side on a slant, of boxes that hardly overlap their neighbours.
+#[test]
+fn oriented_boxes_spare_steps_where_things_are_slanted() {
+    let strand = |offset: f32| {
+        let along = move |i: i32| {
+            let x = i as f32 / 64.0;
+            let min = [x + offset, x - offset, x + offset];
+            Aabb { min, max: min.map(|c| c + 0.017) }
+        };
+        (0..1000).map(along)
+    };
+    let boxes: Vec<_> = strand(0.0).chain(strand(0.3)).collect();
+    let traversals = [Traversal::Recursive, Traversal::Half, Traversal::SIMULTANEOUS];
+    for traversal in traversals.into_iter().chain([Traversal::CUT]) {
+        let of = |volume: Volume| {
+            let tree = TreeOptions::default().traversal(traversal).volume(volume);
+            let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
+            let n_pairs = broad.self_pairs(&boxes).unwrap().len();
+            (n_pairs, broad.steps())
+        };
+        let (aabb, obb) = (of(Volume::Aabb), of(Volume::Obb));
+        assert!(aabb.0 == obb.0 && aabb.0 > 1000, "{traversal:?}: {aabb:?} {obb:?}");
+        assert!(obb.1 <= aabb.1, "{traversal:?}: {aabb:?} {obb:?}");
+        println!("{traversal:?}: {aabb:?} {obb:?}");
     }
 }

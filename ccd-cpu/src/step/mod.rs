@@ -2,6 +2,10 @@
 //! them.
 
 pub mod candidates;
+pub mod find;
+pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;
+pub mod triangle_leaves;
+pub mod triangle_pairs;

@@ -1,6 +1,7 @@
 //! Block trees over boxes on the device: sort, fit, descent to pairs of blocks.
 
 use super::block_levels::Levels;
+use super::pair_source::boxes_of;
 use crate::bind::{FitLeaves, FitLevel, Morton, NodePairs, SceneBounds};
 use crate::device::Device;
 use crate::error::Error;
@@ -37,7 +38,6 @@ pub struct Pass {
 /// Trees over up to three sets of boxes, which one sort orders.
 pub struct Tree {
     pub levels: Levels,
-    count: [u32; 3],
     pub boxes: wgpu::Buffer,
     pub nodes: wgpu::Buffer,
     pub leaves: wgpu::Buffer,
@@ -54,6 +54,31 @@ pub struct Tree {
 impl Tree {
     /// Makes room for these numbers of boxes.
     pub fn new(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
+        let mut tree = Self::sorted_only(device, count)?;
+        let levels = &tree.levels;
+        let pairs = |kind: u32| -> Result<Vec<List>, Error> {
+            // A node overlaps some tens of others on real scenes; what does not fit makes the list
+            // grow.
+            (1..levels.start(kind))
+                .map(|level| {
+                    List::new(
+                        device,
+                        "pairs of nodes",
+                        2,
+                        levels
+                            .nodes(level, if kind == 0 { 2 } else { 1 })
+                            .saturating_mul(40)
+                            .max(4096),
+                    )
+                })
+                .collect()
+        };
+        tree.pairs = [pairs(0)?, pairs(1)?];
+        Ok(tree)
+    }
+
+    /// As [`Tree::new`], without room for a descent.
+    pub fn sorted_only(device: &Device, count: [u32; 3]) -> Result<Self, Error> {
         let n: u64 = count.iter().map(|&c| c as u64).sum();
         let limit = device.info().limits.max_storage_buffer_binding_size;
         let too_large = Error::TooLarge {
@@ -80,29 +105,8 @@ impl Tree {
         }
         let start =
             |kind: u32| List::of_pairs(device, "first pairs of nodes", &levels.start_pairs(kind));
-        let pairs = |kind: u32| -> Result<Vec<List>, Error> {
-            // A node overlaps some tens of others on real scenes; what does not fit makes the list
-            // grow.
-            (1..levels.start(kind))
-                .map(|level| {
-                    List::new(
-                        device,
-                        "pairs of nodes",
-                        2,
-                        levels
-                            .nodes(level, if kind == 0 { 2 } else { 1 })
-                            .saturating_mul(40)
-                            .max(4096),
-                    )
-                })
-                .collect()
-        };
         Ok(Self {
-            boxes: device.buffer(
-                "boxes",
-                n * size_of::<Aabb>() as u64,
-                U::STORAGE | U::COPY_DST | U::COPY_SRC,
-            )?,
+            boxes: boxes_of(device, count)?,
             leaves: device.buffer(
                 "leaves",
                 levels.padded(0) as u64 * size_of::<Leaf>() as u64,
@@ -111,18 +115,11 @@ impl Tree {
             bounds: device.buffer("bounds", 32, U::STORAGE | U::COPY_DST)?,
             sort: Sort::new(device, n as u32)?,
             start: [start(0)?, start(1)?],
-            pairs: [pairs(0)?, pairs(1)?],
+            pairs: [Vec::new(), Vec::new()],
             groups: groups(device),
             levels,
-            count,
             nodes,
         })
-    }
-
-    /// What a frame says of these sets; the caller sets the rest.
-    pub fn frame(&self) -> Frame {
-        let [v, e, f] = self.count;
-        Frame { count: self.count, start: [0, v, v + e, v + e + f], ..Frame::default() }
     }
 
     /// What kernels are told of the trees; the caller sets the rest.

@@ -2,22 +2,24 @@
 
 pub mod block_bvh;
 mod block_levels;
+mod block_pairs;
+pub mod method;
+pub mod pair_source;
 mod radix_tree;
+mod tree;
 
-use crate::bind::ListCandidates;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::{HEADER_BYTES, Header, List, read_header, read_pairs};
 use crate::readback::{Plan, Readback};
-use crate::recorder::{Bench, Recorder, Timing, submit};
-use block_bvh::{Pass, Tree};
+use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
 use ccd_core::layout::Pair;
 use ccd_core::math::aabb::GREATEST;
 use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
-use radix_tree::RadixTree;
-use wgpu::BufferUsages as U;
+use method::source;
+use pair_source::{PairSource, Search, frame_of, kinds_of};
 
 /// Finds overlapping pairs of boxes; buffers are kept from call to call.
 ///
@@ -29,7 +31,6 @@ pub struct BroadPhase {
     readback: Readback,
     buffers: Option<Buffers>,
     pairs: List,
-    none: wgpu::Buffer,
     stages: Vec<(&'static str, f64)>,
 }
 
@@ -37,31 +38,19 @@ pub struct BroadPhase {
 struct Buffers {
     /// Boxes of the sets that a call has.
     count: [u32; 3],
-    blocks: Tree,
-    tree: Option<Binary>,
-}
-
-/// The binary tree over one set, and the boxes of the other, which stay loose.
-struct Binary {
-    tree: RadixTree,
-    loose: Option<wgpu::Buffer>,
+    source: Box<dyn PairSource>,
 }
 
 impl BroadPhase {
-    /// A broad phase on `device`. A [`BroadPhaseMethod::Tree`] needs two boxes; fewer are done by
-    /// blocks.
+    /// A broad phase on `device`.
     pub fn new(device: &Device, method: BroadPhaseMethod) -> Result<Self, Error> {
-        method.check()?;
-        if let Some(name) = method.lacking("gpu") {
-            return Err(ccd_core::Error::Method { name, backend: "gpu" }.into());
-        }
+        method::check(method)?;
         Ok(Self {
             method,
             bench: Bench::new(device)?,
             readback: Readback::default(),
             buffers: None,
             pairs: List::new(device, "pairs", 2, 1 << 16)?,
-            none: device.buffer("nothing", 0, U::STORAGE)?,
             stages: Vec::new(),
             device: device.clone(),
         })
@@ -110,24 +99,13 @@ impl BroadPhase {
         }
         let buffers = match &mut self.buffers {
             Some(buffers) => buffers,
-            slot => slot.insert(Buffers::new(device, self.method, count)?),
+            slot => slot.insert(Buffers { count, source: source(device, self.method, count)? }),
         };
-        let queue = device.queue();
-        match &buffers.tree {
-            None => {
-                let mut at = 0;
-                for boxes in sets {
-                    queue.write_buffer(&buffers.blocks.boxes, at, bytemuck::cast_slice(boxes));
-                    at += size_of_val(boxes) as u64;
-                }
-            }
-            Some(Binary { loose: None, .. }) => {
-                queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[1]))
-            }
-            Some(Binary { loose: Some(loose), .. }) => {
-                queue.write_buffer(loose, 0, bytemuck::cast_slice(sets[0]));
-                queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[2]));
-            }
+        let mut at = 0;
+        for boxes in sets {
+            let bytes = bytemuck::cast_slice(boxes);
+            device.queue().write_buffer(buffers.source.boxes(), at, bytes);
+            at += bytes.len() as u64;
         }
         self.again()
     }
@@ -135,36 +113,45 @@ impl BroadPhase {
     /// The last call once more, with the boxes as they are on the device; returns the number of
     /// pairs.
     pub fn again(&mut self) -> Result<u32, Error> {
-        let Self { device, bench, readback, buffers, pairs, none, .. } = self;
-        let Some(buffers) = buffers else { return Ok(0) };
+        let Self { device, bench, readback, buffers, pairs, .. } = self;
+        let Some(Buffers { count, source }) = buffers else { return Ok(0) };
+        let frame = frame_of(*count);
+        let kinds: Vec<u32> = kinds_of(*count).collect();
         loop {
             let mut plan = Plan::default();
-            let of_descent: Vec<_> =
-                buffers.blocks.lists().map(|_| plan.part(HEADER_BYTES)).collect();
+            let of_source: Vec<_> =
+                source.lists().iter().map(|_| plan.part(HEADER_BYTES)).collect();
             let of_pairs = plan.part(HEADER_BYTES);
+            let of_survey = plan.part(source.survey().map_or(0, |(_, words)| 4 * words));
             let reading = readback.prepare(device, plan)?;
             let stages = submit(device, bench, |recorder| {
-                for list in buffers.blocks.lists().chain([&*pairs]) {
+                let (lists, survey) = (source.lists(), source.survey());
+                for list in lists.iter().chain([&&*pairs]) {
                     recorder.clear(list.buffer(), HEADER_BYTES);
                 }
-                buffers.record(recorder, pairs, none);
+                source.clear(recorder);
+                let (n_bounding, pairs) = (frame.start[3], [&*pairs; 2]);
+                let search = Search { frame: &frame, kinds: &kinds, n_bounding, pairs };
+                source.find(recorder, &search);
                 recorder.end_of_work();
-                for (part, list) in of_descent.iter().zip(buffers.blocks.lists()) {
+                for (part, list) in of_source.iter().zip(lists) {
                     recorder.read(&reading, *part, list.buffer(), 0);
                 }
-                recorder.read(&reading, of_pairs, pairs.buffer(), 0);
+                recorder.read(&reading, of_pairs, pairs[0].buffer(), 0);
+                if let Some((words, _)) = survey {
+                    recorder.read(&reading, of_survey, words, 0);
+                }
             })?;
-            let (of_descent, found) =
-                reading.with(device, |bytes| -> Result<(Vec<Header>, Header), Error> {
-                    let of_descent = of_descent
-                        .iter()
-                        .map(|part| read_header(part.of(bytes)))
-                        .collect::<Result<_, _>>()?;
-                    Ok((of_descent, read_header(of_pairs.of(bytes))?))
-                })??;
+            let (of_source, found, survey) = reading.with(device, |bytes| {
+                let headers = of_source.iter().map(|part| read_header(part.of(bytes)));
+                let headers = headers.collect::<Result<Vec<Header>, Error>>()?;
+                let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
+                Ok::<_, Error>((headers, read_header(of_pairs.of(bytes))?, survey))
+            })??;
+            source.check(&frame, &survey)?;
             self.stages = bench.times(&stages)?;
             let mut grown = pairs.grow(device, found.wanted)?;
-            for (list, header) in buffers.blocks.pairs.iter_mut().flatten().zip(&of_descent) {
+            for (list, header) in source.lists_mut().into_iter().zip(&of_source) {
                 grown |= list.grow(device, header.wanted)?;
             }
             if !grown {
@@ -181,61 +168,5 @@ impl BroadPhase {
         let reading = readback.prepare(device, plan)?;
         submit(device, bench, |recorder| recorder.read(&reading, part, pairs.buffer(), 0))?;
         reading.with(device, |bytes| read_pairs(part.of(bytes)))
-    }
-}
-
-impl Buffers {
-    fn new(device: &Device, method: BroadPhaseMethod, count: [u32; 3]) -> Result<Self, Error> {
-        let [a, within, b] = count;
-        // The tree is over the one set there is, or over the second of two.
-        let n = within.max(b);
-        if method == BroadPhaseMethod::Blocks || n < 2 {
-            return Ok(Self { count, blocks: Tree::new(device, count)?, tree: None });
-        }
-        let usage = U::STORAGE | U::COPY_DST;
-        let loose = (within == 0)
-            .then(|| device.buffer("loose boxes", a as u64 * size_of::<Aabb>() as u64, usage))
-            .transpose()?;
-        Ok(Self {
-            count,
-            blocks: Tree::new(device, [0, n, 0])?,
-            tree: Some(Binary { tree: RadixTree::new(device, n)?, loose }),
-        })
-    }
-
-    /// Everything from boxes to pairs.
-    fn record(&self, recorder: &mut Recorder, pairs: &List, none: &wgpu::Buffer) {
-        let Self { count, blocks, tree } = self;
-        let kind = if count[1] > 0 { 1 } else { 0 };
-        let frame = blocks.frame();
-        blocks.clear_bounds(recorder);
-        recorder.stage("codes");
-        blocks.sort(recorder, &frame, frame.start[3]);
-        recorder.stage("build");
-        blocks.fit(recorder, &frame, none, none);
-        if let Some(Binary { tree, loose }) = tree {
-            tree.build(recorder, &frame, blocks);
-            recorder.stage("pairs");
-            match loose {
-                None => tree.self_pairs(recorder, &frame, pairs),
-                Some(loose) => tree.pairs_with(recorder, &frame, loose, count[0], pairs),
-            }
-            return;
-        }
-        recorder.stage("block pairs");
-        blocks.descend(recorder, &frame, &[kind]);
-        recorder.stage("pairs");
-        let input = blocks.block_pairs(kind as usize);
-        let kernel = ListCandidates {
-            nodes: &blocks.nodes,
-            leaves: &blocks.leaves,
-            bodies: none,
-            keys: none,
-            input: input.buffer(),
-            output: pairs.buffer(),
-        };
-        blocks.each_part(&frame, Pass { kind, level: 1, step: 1 }, input, pairs, |p| {
-            recorder.dispatch(&kernel, p, blocks.groups.min(input.room()));
-        });
     }
 }

@@ -2,91 +2,102 @@
 //! traversed by one thread a query.
 
 use super::block_bvh::Tree;
-use crate::bind::{BranchBoxes, Branches, TraverseAgainst, TraverseHalf};
+use crate::bind::{BranchBoxes, Branches, TraverseFull, TraverseHalf};
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Plain};
+use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::layout::{Blocks, Branch, Dispatch, Frame, Node, Params, Plain, Queries};
 use wgpu::BufferUsages as U;
 
 /// Queries of one dispatch: some milliseconds of a small device, so that no driver thinks that it
 /// hangs.
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
-/// A tree over at least two boxes, which are set 1 of a block tree.
+/// A tree over the second set of a kind of pairs.
 pub struct RadixTree {
+    kind: u32,
     branches: wgpu::Buffer,
     nodes: wgpu::Buffer,
+    /// Leaves.
     n: u32,
 }
 
 impl RadixTree {
-    /// Room for a tree over `n` boxes.
-    pub fn new(device: &Device, n: u32) -> Result<Self, Error> {
+    /// Room for the tree of a kind of pairs between sets of so many boxes.
+    pub fn new(device: &Device, kind: u32, count: [u32; 3]) -> Result<Self, Error> {
+        let n = count[sets(kind)[1]];
         let buffer = |what, bytes: u64| device.buffer(what, bytes, U::STORAGE);
         Ok(Self {
+            kind,
             branches: buffer("branches of the tree", n as u64 * size_of::<Branch>() as u64)?,
             nodes: buffer("nodes of the binary tree", 2 * n as u64 * size_of::<Node>() as u64)?,
             n,
         })
     }
 
-    /// Builds the tree over the boxes of a block tree that is sorted and fitted.
-    pub fn build(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
-        let Self { branches, nodes, n } = self;
-        recorder.stage("branches");
-        let p = Params { frame: *frame, ..Params::default() };
-        recorder.each(&Branches { keys: blocks.sorted()[0], branches }, &p, *n);
-        recorder.stage("boxes of branches");
-        let own = Blocks { level: blocks.levels.top(), ..blocks.record() };
-        let p = Params { frame: *frame, dispatch: Dispatch::default(), own };
-        let kernel =
-            BranchBoxes { branches, block_nodes: &blocks.nodes, leaves: &blocks.leaves, nodes };
-        recorder.each(&kernel, &p, *n);
+    /// The kind of pairs that it is for.
+    pub fn kind(&self) -> u32 {
+        self.kind
     }
 
-    /// Lists all pairs of boxes that overlap.
-    pub fn self_pairs(&self, recorder: &mut Recorder, frame: &Frame, pairs: &List) {
-        let Self { branches, nodes, n } = self;
-        queries(frame, *n, pairs, |p| {
-            recorder.each(
-                &TraverseHalf { nodes, branches, pairs: pairs.buffer() },
-                p,
-                p.dispatch.n,
-            );
-        });
+    /// Children and ranges of all nodes, from the keys of a block tree that is sorted.
+    pub fn branch(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
+        let (keys, branches) = (blocks.sorted()[0], &self.branches);
+        recorder.each(&Branches { keys, branches }, &self.params(frame, blocks), self.n);
     }
 
-    /// Lists all pairs of one of `n` loose boxes with a box of the tree.
-    pub fn pairs_with(
+    /// Boxes of all nodes, from those of a block tree that is fitted.
+    pub fn fit(&self, recorder: &mut Recorder, frame: &Frame, blocks: &Tree) {
+        let Self { branches, nodes, n, .. } = self;
+        let (block_nodes, leaves) = (&blocks.nodes, &blocks.leaves);
+        let kernel = BranchBoxes { branches, block_nodes, leaves, nodes };
+        recorder.each(&kernel, &self.params(frame, blocks), *n);
+    }
+
+    fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
+        let own = Blocks { kind: self.kind, level: blocks.levels.top(), ..blocks.record() };
+        Params { frame: *frame, dispatch: Dispatch::default(), own }
+    }
+
+    /// Lists all pairs within the tree, each query looking only at leaves after its own.
+    pub fn traverse_half(&self, recorder: &mut Recorder, frame: &Frame, pairs: &List) {
+        let Self { branches, nodes, n, .. } = self;
+        for dispatch in parts(*n, pairs) {
+            let p = Params { frame: *frame, dispatch, own: Plain::default() };
+            let kernel = TraverseHalf { nodes, branches, pairs: pairs.buffer() };
+            recorder.each(&kernel, &p, dispatch.n);
+        }
+    }
+
+    /// Lists all pairs of a box of the first set with one of the tree. `sorted`: queries in the
+    /// order of leaves, else in that of input.
+    pub fn traverse_full(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
-        boxes: &wgpu::Buffer,
-        n: u32,
+        blocks: &Tree,
+        sorted: bool,
         pairs: &List,
     ) {
-        let Self { branches, nodes, .. } = self;
-        queries(frame, n, pairs, |p| {
-            recorder.each(
-                &TraverseAgainst { boxes, nodes, branches, pairs: pairs.buffer() },
-                p,
-                p.dispatch.n,
-            );
-        });
+        let Self { branches, nodes, kind, .. } = self;
+        let (boxes, [_, order]) = (&blocks.boxes, blocks.sorted());
+        for dispatch in parts(frame.count[sets(*kind)[0]], pairs) {
+            let own = Queries { kind: *kind, sorted: sorted as u32 };
+            let kernel = TraverseFull { boxes, order, nodes, branches, pairs: pairs.buffer() };
+            recorder.each(&kernel, &Params { frame: *frame, dispatch, own }, dispatch.n);
+        }
     }
 }
 
-/// Calls `run` with the parameters of each dispatch over `n` queries.
-fn queries(frame: &Frame, n: u32, pairs: &List, mut run: impl FnMut(&Params)) {
-    for first in (0..n).step_by(DISPATCH_LIMIT as usize) {
-        let dispatch = Dispatch {
-            n: (n - first).min(DISPATCH_LIMIT),
-            first,
-            room_in: 0,
-            room_out: pairs.room(),
-        };
-        run(&Params { frame: *frame, dispatch, own: Plain::default() });
-    }
+/// The dispatches over `n` queries.
+fn parts(n: u32, pairs: &List) -> impl Iterator<Item = Dispatch> {
+    let room_out = pairs.room();
+    (0..n).step_by(DISPATCH_LIMIT as usize).map(move |first| Dispatch {
+        n: (n - first).min(DISPATCH_LIMIT),
+        first,
+        room_in: 0,
+        room_out,
+    })
 }

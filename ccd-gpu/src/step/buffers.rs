@@ -2,8 +2,10 @@
 
 use super::contact_order::ContactOrder;
 use super::lists::Lists;
+use super::source::Source;
 use super::upload::Positions;
-use crate::broad_phase::block_bvh::Tree;
+use crate::broad_phase::block_bvh::groups;
+use crate::broad_phase::pair_source::frame_of;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
@@ -14,7 +16,10 @@ use wgpu::BufferUsages as U;
 
 /// Everything on the device.
 pub struct Buffers {
-    pub tree: Tree,
+    pub source: Source,
+    count: [u32; 3],
+    /// Most workgroups of a kernel that loops over a list.
+    pub groups: u32,
     pub positions: Positions,
     /// Paths up to the earliest time of impact so far.
     pub shortened: wgpu::Buffer,
@@ -61,7 +66,9 @@ impl Buffers {
         let list = |what, words, room: u32| List::new(device, what, words, room.max(1024));
         let features = count[0] + count[1] + count[2];
         Ok(Self {
-            tree: Tree::new(device, count)?,
+            source: Source::new(device, options.broad_phase, count)?,
+            count,
+            groups: groups(device),
             positions: Positions::new(device, mesh.n_vertices())?,
             shortened: device.buffer(
                 "paths",
@@ -100,7 +107,7 @@ impl Buffers {
             survivors: self.survivors.each_ref(),
             undecided: self.undecided.each_ref(),
             contacts: &self.contacts,
-            descent: self.tree.pairs.each_ref().map(|lists| lists.iter().collect()),
+            source: self.source.lists(),
         }
     }
 
@@ -111,13 +118,13 @@ impl Buffers {
             survivors: self.survivors.each_mut(),
             undecided: self.undecided.each_mut(),
             contacts: &mut self.contacts,
-            descent: self.tree.pairs.each_mut().map(|lists| lists.iter_mut().collect()),
+            source: self.source.lists_mut(),
         }
     }
 
     /// What a frame says to all kernels.
     pub fn describe(&self, options: &Options) -> Frame {
-        let mut frame = self.tree.frame();
+        let mut frame = frame_of(self.count);
         frame.flags |= Frame::FLAG_TOPOLOGY | self.body_flags;
         self.positions.describe(&mut frame, options.min_distance);
         frame

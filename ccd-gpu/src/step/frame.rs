@@ -82,15 +82,16 @@ impl Frames {
 
     /// How the earliest time is looked for in the next frame.
     pub fn goal_of_earliest(&mut self) -> Goal {
-        let goal = if self.at_once > 0 { Goal::EarliestAtOnce } else { Goal::Earliest };
+        let at_once = self.at_once > 0 || !self.buffers.source.samples();
+        let goal = if at_once { Goal::EarliestAtOnce } else { Goal::Earliest };
         self.at_once = self.at_once.saturating_sub(1);
         goal
     }
 
     /// Positions of the next frame.
     pub fn upload(&mut self, device: &Device, given: Given, distance: f64) -> Result<(), Error> {
-        let Buffers { positions, tree, .. } = &mut self.buffers;
-        if positions.upload(device, given, distance, &tree.boxes)? {
+        let Buffers { positions, source, .. } = &mut self.buffers;
+        if positions.upload(device, given, distance, source.boxes())? {
             self.bench.forget();
         }
         Ok(())
@@ -192,6 +193,7 @@ impl Frames {
         let of_sample = plan.part(8);
         let of_lists = buffers.lists().map(|_| plan.part(HEADER_BYTES));
         let of_contacts = plan.part(guess as u64 * size_of::<Touch>() as u64);
+        let of_survey = plan.part(buffers.source.survey().map_or(0, |(_, words)| 4 * words));
         let reading = readback.prepare(device, plan)?;
         let wide = device.info().wide;
         let stages = submit(device, bench, |recorder| {
@@ -203,6 +205,9 @@ impl Frames {
             recorder.read(&reading, of_sample, &buffers.sample, 0);
             let lists = buffers.lists().zip(of_lists.clone());
             lists.map(|(list, part)| recorder.read(&reading, part, list.buffer(), 0));
+            if let Some((words, _)) = buffers.source.survey() {
+                recorder.read(&reading, of_survey, words, 0);
+            }
             match &buffers.order {
                 Some(order) if buffers.to_order > 0 => {
                     recorder.read(&reading, of_contacts, &order.ordered, 0)
@@ -211,7 +216,7 @@ impl Frames {
             }
         })?;
         let mut found = Found::default();
-        let headers = reading.with(device, |bytes| {
+        let (headers, survey) = reading.with(device, |bytes| {
             let [vf, ee] = of_earliest.map(|part| word(part.of(bytes), 0));
             found.earliest = vf.min(ee);
             found.sampled =
@@ -219,8 +224,10 @@ impl Frames {
             let headers = of_lists.try_map(|part| read_header(part.of(bytes)))?;
             let n = headers.contacts.wanted.min(guess) as usize;
             cpu_fallback::take_touches(&of_contacts.of(bytes)[..n * size_of::<Touch>()], contacts);
-            Ok::<_, Error>(headers)
+            let survey: Vec<u32> = bytemuck::pod_collect_to_vec(of_survey.of(bytes));
+            Ok::<_, Error>((headers, survey))
         })??;
+        buffers.source.check(&frame, &survey)?;
         self.stages = bench.times(&stages)?;
         let mut grown = false;
         let lists = buffers.lists_mut().zip(headers.each_ref());

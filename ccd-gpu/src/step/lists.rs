@@ -13,8 +13,8 @@ pub struct Lists<T> {
     pub undecided: [T; 2],
     /// Contacts.
     pub contacts: T,
-    /// Pairs of nodes, a list a level.
-    pub descent: [Vec<T>; 2],
+    /// Those of the source of pairs.
+    pub source: Vec<T>,
 }
 
 impl<T> Lists<T> {
@@ -24,9 +24,8 @@ impl<T> Lists<T> {
         let (candidates, survivors) = (two(self.candidates)?, two(self.survivors)?);
         let undecided = two(self.undecided)?;
         let contacts = f(self.contacts)?;
-        let mut all = |lists: Vec<T>| lists.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>();
-        let [vf, ee] = self.descent;
-        Ok(Lists { candidates, survivors, undecided, contacts, descent: [all(vf)?, all(ee)?] })
+        let source = self.source.into_iter().map(&mut f).collect::<Result<Vec<U>, E>>()?;
+        Ok(Lists { candidates, survivors, undecided, contacts, source })
     }
 
     /// Something else for each list.
@@ -35,17 +34,15 @@ impl<T> Lists<T> {
         lists
     }
 
-    /// Both for each list. Both have as many levels.
+    /// Both for each list. Both have as many of the source.
     pub fn zip<U>(self, other: Lists<U>) -> Lists<(T, U)> {
         let two = |[a, b]: [T; 2], [c, d]: [U; 2]| [(a, c), (b, d)];
-        let all = |a: Vec<T>, b: Vec<U>| a.into_iter().zip(b).collect();
-        let ([vf, ee], [other_vf, other_ee]) = (self.descent, other.descent);
         Lists {
             candidates: two(self.candidates, other.candidates),
             survivors: two(self.survivors, other.survivors),
             undecided: two(self.undecided, other.undecided),
             contacts: (self.contacts, other.contacts),
-            descent: [all(vf, other_vf), all(ee, other_ee)],
+            source: self.source.into_iter().zip(other.source).collect(),
         }
     }
 
@@ -56,7 +53,7 @@ impl<T> Lists<T> {
             survivors: self.survivors.each_ref(),
             undecided: self.undecided.each_ref(),
             contacts: &self.contacts,
-            descent: self.descent.each_ref().map(|lists| lists.iter().collect()),
+            source: self.source.iter().collect(),
         }
     }
 
@@ -74,7 +71,7 @@ mod tests {
 
     fn lists() -> Lists<u32> {
         let (candidates, survivors, undecided) = ([1, 2], [3, 4], [5, 6]);
-        Lists { candidates, survivors, undecided, contacts: 7, descent: [vec![8], vec![9, 10]] }
+        Lists { candidates, survivors, undecided, contacts: 7, source: vec![8, 9, 10] }
     }
 
     #[test]

@@ -7,6 +7,7 @@ pub mod cpu_fallback;
 pub mod frame;
 pub mod lists;
 mod passes;
+pub mod source;
 mod upload;
 
 /// What a frame is for.

@@ -4,11 +4,9 @@ use super::buffers::Buffers;
 use super::upload::{Boxes, Positions};
 use super::{Goal, SAMPLE};
 use crate::bind::{
-    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, FilterEdgeEdge,
-    FilterVertexFace, ListCandidates, PlaceVertices, Shorten, SweepEdges, SweepFaces,
-    SweepVertices,
+    DecideEdgeEdge, DecideEdgeEdgeWide, DecideVertexFace, DecideVertexFaceWide, PlaceVertices,
+    Shorten, SweepEdges, SweepFaces, SweepVertices,
 };
-use crate::broad_phase::block_bvh::Pass;
 use crate::growable_list::HEADER_BYTES;
 use crate::recorder::Recorder;
 use ccd_core::broad_phase::swept_box;
@@ -27,17 +25,19 @@ impl Buffers {
         for earliest in &self.earliest {
             recorder.copy(&self.never, 0, earliest, 0, 4);
         }
-        self.tree.clear_bounds(recorder);
+        self.source.clear(recorder);
         recorder.stage("boxes");
         let paths = &self.positions.paths;
         self.sweep(recorder, frame, paths, self.positions.boxes);
-        self.tree.sort(recorder, frame, frame.count[0]);
-        recorder.stage("build");
-        self.tree.fit(recorder, frame, &self.edges, &self.faces);
+        self.source.order(recorder, frame);
+        self.source.fit(recorder, frame, &self.edges, &self.faces);
         match goal {
             Goal::Candidates => {
-                self.descend(recorder, frame);
-                [0, 1].into_iter().for_each(|kind| self.list(recorder, frame, kind));
+                self.source.find(recorder, frame);
+                for kind in [0, 1] {
+                    recorder.stage(LIST[kind]);
+                    self.list(recorder, frame, kind);
+                }
             }
             Goal::Contacts => {
                 let keep = Frame { flags: frame.flags | Frame::FLAG_KEEP, ..*frame };
@@ -72,7 +72,7 @@ impl Buffers {
         let shortened = &self.shortened;
         recorder.each(&Shorten { paths, of_vf, of_ee, shortened }, &plain(&cut), cut.count[0]);
         self.sweep(recorder, &cut, shortened, Boxes::OfPaths);
-        self.tree.fit(recorder, &cut, &self.edges, &self.faces);
+        self.source.fit(recorder, &cut, &self.edges, &self.faces);
         self.contacts(recorder, &cut, shortened, 1, wide);
     }
 
@@ -89,7 +89,7 @@ impl Buffers {
     ) {
         let ([v, e, f], p) = (frame.count, plain(frame));
         let Positions { wide, keys, .. } = &self.positions;
-        let (edges, faces, boxes) = (&self.edges, &self.faces, &self.tree.boxes);
+        let (edges, faces, boxes) = (&self.edges, &self.faces, self.source.boxes());
         match of_vertices {
             Boxes::OfPaths => recorder.each(&SweepVertices { paths, boxes }, &p, v),
             Boxes::OfPositions => {
@@ -101,28 +101,6 @@ impl Buffers {
         recorder.each(&SweepFaces { faces, boxes }, &p, f);
     }
 
-    fn descend(&self, recorder: &mut Recorder, frame: &Frame) {
-        recorder.stage("block pairs");
-        self.tree.descend(recorder, frame, &[0, 1]);
-    }
-
-    fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: usize) {
-        recorder.stage(LIST[kind]);
-        let (tree, output) = (&self.tree, &self.candidates[kind]);
-        let input = tree.block_pairs(kind);
-        let kernel = ListCandidates {
-            nodes: &tree.nodes,
-            leaves: &tree.leaves,
-            bodies: &self.bodies,
-            keys: &self.positions.keys,
-            input: input.buffer(),
-            output: output.buffer(),
-        };
-        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step: 1 }, input, output, |p| {
-            recorder.dispatch(&kernel, p, tree.groups.min(input.room()));
-        });
-    }
-
     /// Filters candidates of every `step`-th block pair and decides what is left.
     fn contacts(
         &self,
@@ -132,40 +110,12 @@ impl Buffers {
         step: u32,
         wide: bool,
     ) {
-        self.descend(recorder, frame);
-        [0, 1].into_iter().for_each(|kind| self.filter(recorder, frame, paths, kind, step));
+        self.source.find(recorder, frame);
+        for kind in [0, 1] {
+            recorder.stage(FILTER[kind]);
+            self.filter(recorder, frame, paths, kind, step);
+        }
         [0, 1].into_iter().for_each(|kind| self.decide(recorder, frame, kind, wide));
-    }
-
-    fn filter(
-        &self,
-        recorder: &mut Recorder,
-        frame: &Frame,
-        paths: &wgpu::Buffer,
-        kind: usize,
-        step: u32,
-    ) {
-        recorder.stage(FILTER[kind]);
-        let (tree, list) = (&self.tree, &self.survivors[kind]);
-        let pairs = tree.block_pairs(kind);
-        let (nodes, leaves, bodies, keys) =
-            (&tree.nodes, &tree.leaves, &self.bodies, &self.positions.keys);
-        let (input, output) = (pairs.buffer(), list.buffer());
-        let groups = tree.groups.min(pairs.room());
-        tree.each_part(frame, Pass { kind: kind as u32, level: 1, step }, pairs, list, |p| {
-            match kind {
-                0 => recorder.dispatch(
-                    &FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
-                    p,
-                    groups,
-                ),
-                _ => recorder.dispatch(
-                    &FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
-                    p,
-                    groups,
-                ),
-            }
-        });
     }
 
     fn decide(&self, recorder: &mut Recorder, frame: &Frame, kind: usize, wide: bool) {
@@ -174,7 +124,7 @@ impl Buffers {
         let frame = Frame { path_error: self.positions.path_error(), ..*frame };
         let (room_in, room_out) = (input.room(), self.contacts.room());
         let dispatch = Dispatch { n: 0, first: 0, room_in, room_out };
-        let groups = self.tree.groups.min(room_in.div_ceil(Id::DecideVertexFace.threads()));
+        let groups = self.groups.min(room_in.div_ceil(Id::DecideVertexFace.threads()));
         // Where contacts are not kept, a list that stays as it is and that the other kind does not
         // have, so that a device works on both at once.
         let keep = frame.has(Frame::FLAG_KEEP);

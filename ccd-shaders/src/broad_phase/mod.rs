@@ -4,4 +4,5 @@
 pub mod block_bvh;
 pub mod block_pairs;
 pub mod bounds;
+pub mod listed;
 pub mod radix_tree;

@@ -1,0 +1,81 @@
+//! A source of pairs: what every way to find overlapping boxes has in common on a device.
+//!
+//! Boxes of up to three sets lie in one buffer, which the caller fills; a source records dispatches
+//! that list pairs of their ids. What takes the pairs (the caller of a broad phase, or the filters
+//! of a step) serves every source, and a new one is a file and an arm in `method.rs`.
+
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::Aabb;
+use ccd_core::layout::Frame;
+use wgpu::BufferUsages as U;
+
+/// What is looked for in one recording.
+#[derive(Clone, Copy)]
+pub struct Search<'a> {
+    /// How many boxes each set has, and where they begin.
+    pub frame: &'a Frame,
+    /// Which pairs: 0: of set 0 with set 2, 1: within set 1.
+    pub kinds: &'a [u32],
+    /// The first so many boxes have the bounds of all.
+    pub n_bounding: u32,
+    /// By kind: where pairs of ids go.
+    pub pairs: [&'a List; 2],
+}
+
+/// Finds overlapping boxes on a device.
+pub trait PairSource: Send + Sync {
+    /// The boxes of all sets, one set after the other. The caller writes them.
+    fn boxes(&self) -> &wgpu::Buffer;
+
+    /// Records that everything becomes zero to which kernels of the source add, but the headers of
+    /// lists, which the caller clears.
+    fn clear(&self, recorder: &mut Recorder);
+
+    /// Records everything from boxes to pairs: all that overlap, each once, as ids; within a set
+    /// the lesser first. Every dispatch has a bounded part of the work. A list that is too short
+    /// counts what it lacks.
+    fn find(&self, recorder: &mut Recorder, search: &Search);
+
+    /// Lists between the stages of the source, which may have to grow.
+    fn lists(&self) -> Vec<&List> {
+        Vec::new()
+    }
+
+    /// The same, to be replaced by larger ones.
+    fn lists_mut(&mut self) -> Vec<&mut List> {
+        Vec::new()
+    }
+
+    /// Words that kernels leave for [`PairSource::check`], and how many.
+    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
+        None
+    }
+
+    /// Refuses boxes for which the method is not made, by the words of [`PairSource::survey`]; then
+    /// the lists hold nothing.
+    fn check(&self, _frame: &Frame, _words: &[u32]) -> Result<(), Error> {
+        Ok(())
+    }
+}
+
+/// What a frame says of sets of so many boxes; the caller sets the rest.
+pub fn frame_of(count: [u32; 3]) -> Frame {
+    let [v, e, f] = count;
+    Frame { count, start: [0, v, v + e, v + e + f], ..Frame::default() }
+}
+
+/// Room for the boxes of all sets.
+pub fn boxes_of(device: &Device, count: [u32; 3]) -> Result<wgpu::Buffer, Error> {
+    let n: u64 = count.iter().map(|&c| c as u64).sum();
+    let bytes = n * size_of::<Aabb>() as u64;
+    device.buffer("boxes", bytes, U::STORAGE | U::COPY_DST | U::COPY_SRC)
+}
+
+/// The kinds of pairs that there can be between sets of so many boxes.
+pub fn kinds_of(count: [u32; 3]) -> impl Iterator<Item = u32> {
+    let some = [count[0] > 0 && count[2] > 0, count[1] > 1];
+    (0..2).filter(move |&kind| some[kind as usize])
+}

@@ -1,0 +1,260 @@
+//! Where the candidates of a step come from: blocks, whose pairs are filtered as they are found, or
+//! any other source, which lists pairs first.
+
+use super::buffers::Buffers;
+use crate::bind::{
+    FilterEdgeEdge, FilterListedEdgeEdge, FilterListedVertexFace, FilterVertexFace, ListCandidates,
+    ListListedEdgeEdge, ListListedVertexFace,
+};
+use crate::broad_phase::block_bvh::{Pass, Tree, groups};
+use crate::broad_phase::method;
+use crate::broad_phase::pair_source::{PairSource, Search};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Dispatch, Frame, Params, Plain};
+use ccd_core::model::method::BroadPhaseMethod;
+
+/// The source of a session.
+pub enum Source {
+    /// The default, whose pairs are never listed.
+    Blocks(Box<Tree>),
+    /// Any other.
+    Listed(Listed),
+}
+
+/// A source with the pairs that it lists.
+pub struct Listed {
+    source: Box<dyn PairSource>,
+    /// Pairs of boxes that overlap, by kind.
+    pairs: [List; 2],
+    groups: u32,
+}
+
+/// Listed pairs that one dispatch takes at most: some milliseconds of a small device, so that no
+/// driver thinks that it hangs.
+const DISPATCH_LIMIT: u32 = 1 << 22;
+
+impl Source {
+    /// Room for sets of so many boxes.
+    pub fn new(device: &Device, choice: BroadPhaseMethod, count: [u32; 3]) -> Result<Self, Error> {
+        if choice == BroadPhaseMethod::Blocks {
+            return Ok(Self::Blocks(Box::new(Tree::new(device, count)?)));
+        }
+        // A feature overlaps some tens of others on real scenes; a list that is too short grows.
+        let list = |what, n: u32| List::new(device, what, 2, n.saturating_mul(8).max(4096));
+        Ok(Self::Listed(Listed {
+            source: method::source(device, choice, count)?,
+            pairs: [
+                list("overlapping vertices and faces", count[2])?,
+                list("overlapping edges", count[1])?,
+            ],
+            groups: groups(device),
+        }))
+    }
+
+    /// The boxes of all sets.
+    pub fn boxes(&self) -> &wgpu::Buffer {
+        match self {
+            Self::Blocks(tree) => &tree.boxes,
+            Self::Listed(listed) => listed.source.boxes(),
+        }
+    }
+
+    /// Whether a part of the pairs can be filtered before all others.
+    pub fn samples(&self) -> bool {
+        matches!(self, Self::Blocks(_))
+    }
+
+    /// All lists.
+    pub fn lists(&self) -> Vec<&List> {
+        match self {
+            Self::Blocks(tree) => tree.lists().collect(),
+            Self::Listed(listed) => {
+                listed.source.lists().into_iter().chain(&listed.pairs).collect()
+            }
+        }
+    }
+
+    /// The same, to be replaced by larger ones.
+    pub fn lists_mut(&mut self) -> Vec<&mut List> {
+        match self {
+            Self::Blocks(tree) => tree.pairs.iter_mut().flatten().collect(),
+            Self::Listed(listed) => {
+                listed.source.lists_mut().into_iter().chain(&mut listed.pairs).collect()
+            }
+        }
+    }
+
+    /// Words by which [`Source::check`] refuses boxes, and how many.
+    pub fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
+        match self {
+            Self::Blocks(_) => None,
+            Self::Listed(listed) => listed.source.survey(),
+        }
+    }
+
+    /// Refuses boxes for which the method is not made.
+    pub fn check(&self, frame: &Frame, words: &[u32]) -> Result<(), Error> {
+        match self {
+            Self::Blocks(_) => Ok(()),
+            Self::Listed(listed) => listed.source.check(frame, words),
+        }
+    }
+
+    /// What must be zero before [`Source::order`], besides the headers of lists.
+    pub fn clear(&self, recorder: &mut Recorder) {
+        match self {
+            Self::Blocks(tree) => tree.clear_bounds(recorder),
+            Self::Listed(listed) => listed.source.clear(recorder),
+        }
+    }
+
+    /// The order of boxes, as far as it is kept when they shrink.
+    pub fn order(&self, recorder: &mut Recorder, frame: &Frame) {
+        if let Self::Blocks(tree) = self {
+            tree.sort(recorder, frame, frame.count[0]);
+        }
+    }
+
+    /// What is built over boxes.
+    pub fn fit(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        edges: &wgpu::Buffer,
+        faces: &wgpu::Buffer,
+    ) {
+        if let Self::Blocks(tree) = self {
+            recorder.stage("build");
+            tree.fit(recorder, frame, edges, faces);
+        }
+    }
+
+    /// Pairs of blocks, or of boxes, of both kinds.
+    pub fn find(&self, recorder: &mut Recorder, frame: &Frame) {
+        match self {
+            Self::Blocks(tree) => {
+                recorder.stage("block pairs");
+                tree.descend(recorder, frame, &[0, 1]);
+            }
+            Self::Listed(Listed { source, pairs, .. }) => {
+                let n_bounding = frame.count[0];
+                let search = Search { frame, kinds: &[0, 1], n_bounding, pairs: pairs.each_ref() };
+                source.find(recorder, &search);
+            }
+        }
+    }
+}
+
+impl Listed {
+    /// Calls `run` with the parameters of each dispatch over listed pairs, and its workgroups.
+    fn each_part(
+        &self,
+        frame: &Frame,
+        kind: usize,
+        output: &List,
+        mut run: impl FnMut(&Params, u32),
+    ) {
+        let (room_in, room_out) = (self.pairs[kind].room(), output.room());
+        for first in (0..room_in).step_by(DISPATCH_LIMIT as usize) {
+            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, room_in, room_out };
+            let n = (room_in - first).min(DISPATCH_LIMIT);
+            let groups = n.div_ceil(Id::FilterListedEdgeEdge.threads()).min(self.groups);
+            run(&Params { frame: *frame, dispatch, own: Plain::default() }, groups);
+        }
+    }
+}
+
+impl Buffers {
+    /// Lists candidates of a kind.
+    pub fn list(&self, recorder: &mut Recorder, frame: &Frame, kind: usize) {
+        let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.candidates[kind]);
+        let output = list.buffer();
+        match &self.source {
+            Source::Blocks(tree) => {
+                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
+                let input = pairs.buffer();
+                let kernel = ListCandidates { nodes, leaves, bodies, keys, input, output };
+                let pass = Pass { kind: kind as u32, level: 1, step: 1 };
+                tree.each_part(frame, pass, pairs, list, |p| {
+                    recorder.dispatch(&kernel, p, tree.groups.min(pairs.room()));
+                });
+            }
+            Source::Listed(listed) => {
+                let (boxes, input) = (listed.source.boxes(), listed.pairs[kind].buffer());
+                let (faces, edges) = (&self.faces, &self.edges);
+                listed.each_part(frame, kind, list, |p, groups| match kind {
+                    0 => recorder.dispatch(
+                        &ListListedVertexFace { boxes, faces, bodies, keys, input, output },
+                        p,
+                        groups,
+                    ),
+                    _ => recorder.dispatch(
+                        &ListListedEdgeEdge { boxes, edges, bodies, keys, input, output },
+                        p,
+                        groups,
+                    ),
+                });
+            }
+        }
+    }
+
+    /// Filters candidates of a kind. `step`: of every so many-th pair of blocks.
+    pub fn filter(
+        &self,
+        recorder: &mut Recorder,
+        frame: &Frame,
+        paths: &wgpu::Buffer,
+        kind: usize,
+        step: u32,
+    ) {
+        let (bodies, keys, list) = (&self.bodies, &self.positions.keys, &self.survivors[kind]);
+        let output = list.buffer();
+        match &self.source {
+            Source::Blocks(tree) => {
+                let (nodes, leaves, pairs) = (&tree.nodes, &tree.leaves, tree.block_pairs(kind));
+                let (input, groups) = (pairs.buffer(), tree.groups.min(pairs.room()));
+                let pass = Pass { kind: kind as u32, level: 1, step };
+                tree.each_part(frame, pass, pairs, list, |p| match kind {
+                    0 => recorder.dispatch(
+                        &FilterVertexFace { nodes, leaves, bodies, keys, paths, input, output },
+                        p,
+                        groups,
+                    ),
+                    _ => recorder.dispatch(
+                        &FilterEdgeEdge { nodes, leaves, bodies, keys, paths, input, output },
+                        p,
+                        groups,
+                    ),
+                });
+            }
+            Source::Listed(listed) => {
+                let (boxes, input) = (listed.source.boxes(), listed.pairs[kind].buffer());
+                let (faces, edges) = (&self.faces, &self.edges);
+                listed.each_part(frame, kind, list, |p, groups| match kind {
+                    0 => recorder.dispatch(
+                        &FilterListedVertexFace {
+                            boxes,
+                            faces,
+                            bodies,
+                            keys,
+                            paths,
+                            input,
+                            output,
+                        },
+                        p,
+                        groups,
+                    ),
+                    _ => recorder.dispatch(
+                        &FilterListedEdgeEdge { boxes, edges, bodies, keys, paths, input, output },
+                        p,
+                        groups,
+                    ),
+                });
+            }
+        }
+    }
+}

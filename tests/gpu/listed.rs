@@ -1,0 +1,137 @@
+//! The kernels that look at listed pairs, each by itself: what they keep is what those for pairs of
+//! blocks keep; and whole steps by every method, against the CPU.
+
+use crate::pairs::{candidates, filtered};
+use crate::scenes::{check_pairs, check_step};
+use crate::support::{bytes, entries, list, paths, read, room, run, twin};
+use crate::twin::Twin;
+use ccd::gpu::bind::{
+    FilterListedEdgeEdge, FilterListedVertexFace, ListListedEdgeEdge, ListListedVertexFace,
+};
+use ccd::gpu::{Device, Session};
+use ccd::{Bodies, Options, Pair};
+use ccd_core::layout::{Dispatch, LIST_HEADER, Params};
+use ccd_testkit::{brute, compare, generate};
+
+pub const TESTS: crate::Tests = &[
+    ("listed_pairs", check_listed),
+    ("steps_by_every_method", check_steps),
+    ("lists_of_every_method_grow", check_growth),
+];
+
+/// All pairs of boxes that overlap, as a source lists them.
+fn overlaps(twin: &Twin, kind: u32) -> Vec<Pair> {
+    let set = |set: usize| {
+        let [from, to] = [set, set + 1].map(|set| twin.frame.start[set] as usize);
+        &twin.boxes[from..to]
+    };
+    if kind == 0 { brute::pairs(set(0), set(2)) } else { brute::self_pairs(set(1)) }
+}
+
+/// The list that a kernel makes of a part of the listed pairs.
+fn looked_at(
+    device: &Device,
+    twin: &Twin,
+    step: &generate::Step,
+    (kind, filters): (u32, bool),
+    pairs: &[Pair],
+    dispatch: Dispatch,
+) -> Vec<u8> {
+    let (boxes, bodies, keys) = (bytes(&twin.boxes), vec![0; 16], vec![0; 48]);
+    let (faces, edges) = (bytes(step.mesh.faces()), bytes(step.mesh.edges()));
+    let paths = bytes(&paths(step, false));
+    let (input, output) = (list(pairs), room(dispatch.room_out));
+    let dispatch = Dispatch { room_in: pairs.len() as u32, ..dispatch };
+    let p: Params = twin.plain(dispatch);
+    match (kind, filters) {
+        (0, false) => {
+            let k = ListListedVertexFace { boxes, faces, bodies, keys, input, output };
+            run(device, k, &p, 3).output
+        }
+        (0, true) => {
+            let k = FilterListedVertexFace { boxes, faces, bodies, keys, paths, input, output };
+            run(device, k, &p, 3).output
+        }
+        (_, false) => {
+            let k = ListListedEdgeEdge { boxes, edges, bodies, keys, input, output };
+            run(device, k, &p, 3).output
+        }
+        (_, true) => {
+            let k = FilterListedEdgeEdge { boxes, edges, bodies, keys, paths, input, output };
+            run(device, k, &p, 3).output
+        }
+    }
+}
+
+fn check_listed(device: &Device) {
+    let (twin, step) = twin(40, 5);
+    let room_out = 100_000;
+    for kind in [0, 1] {
+        let (pairs, want) = (overlaps(&twin, kind), candidates(&twin, &step, kind));
+        assert!(pairs.len() > want.len() + 1000, "few neighbours show nothing");
+        let blocks = twin.node_pairs(1, kind);
+        let of_blocks = filtered(device, &twin, &paths(&step, false), kind, &blocks, 9);
+        for (filters, want) in [(false, want.clone()), (true, entries(&of_blocks))] {
+            // In two parts, as a dispatch of many pairs is.
+            let n = pairs.len() as u32;
+            let (mut found, mut counted) = (Vec::new(), 0);
+            for (first, n) in [(0, n / 3), (n / 3, n)] {
+                let dispatch = Dispatch { n, first, room_in: 0, room_out };
+                let part = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
+                counted += read::<u32>(&part)[1];
+                found.extend(entries(&part));
+            }
+            assert_eq!(counted, read::<u32>(&of_blocks)[1], "candidates that were counted");
+            let fails = compare::fails(|| {
+                check_pairs("control", want[1..].to_vec(), found.clone());
+            });
+            check_pairs("listed pairs", want.clone(), found);
+            assert!(fails, "a pair too many passes");
+            // A list that is too short counts everything and writes nothing beyond its end.
+            let dispatch = Dispatch { n, first: 0, room_in: 0, room_out: 20 };
+            let short = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
+            assert_eq!(read::<u32>(&short)[0] as usize, want.len());
+            let dispatch = Dispatch { room_out: 0, ..dispatch };
+            let none = looked_at(device, &twin, &step, (kind, filters), &pairs, dispatch);
+            assert_eq!(none.len(), 4 * LIST_HEADER);
+            assert_eq!(read::<u32>(&none)[0] as usize, want.len());
+        }
+    }
+}
+
+/// Contacts, candidates and the earliest time by every method, with bodies and with a distance.
+fn check_steps(device: &Device) {
+    let soup = generate::triangle_soup(150, 0.2, 5);
+    let body: Vec<u32> = (0..soup.mesh.n_vertices() as u32).map(|v| v / 3 % 7).collect();
+    let bodies = Some(Bodies::new(&body, &[true, false, true], true));
+    let sheet = generate::crumpled_sheet(20, 3);
+    for broad_phase in ccd::every("gpu") {
+        let options = Options { broad_phase, ..Options::default() };
+        check_step(device, &soup, Options { bodies: bodies.clone(), ..options.clone() });
+        check_step(device, &sheet, Options { min_distance: 0.01, ..options.clone() });
+        let mut cpu = ccd::Session::new(sheet.mesh.clone(), Options::default()).unwrap();
+        let mut gpu = Session::new(device, sheet.mesh.clone(), options).unwrap();
+        let want = cpu.candidates(&sheet.x0, &sheet.x1).unwrap();
+        let found = gpu.candidates(&sheet.x0, &sheet.x1).unwrap();
+        check_pairs(&format!("{broad_phase} vf"), want.vf.to_vec(), found.vf);
+        check_pairs(&format!("{broad_phase} ee"), want.ee.to_vec(), found.ee);
+    }
+}
+
+/// Lists far too short, of every method: nothing is missing.
+fn check_growth(device: &Device) {
+    let step = generate::crumpled_sheet(24, 7);
+    let want = ccd::step(&step.mesh, &step.x0, &step.x1, &Options::default()).unwrap();
+    for broad_phase in ccd::every("gpu") {
+        let options = Options { broad_phase, ..Options::default() };
+        let mut session = Session::new(device, step.mesh.clone(), options).unwrap();
+        session.reserve(8).unwrap();
+        let got = session.step(&step.x0, &step.x1).unwrap().clone();
+        assert!(session.grown() >= 1, "{broad_phase}: nothing had to grow");
+        assert_eq!(
+            (got.candidates, got.contacts.len()),
+            (want.candidates, want.contacts.len()),
+            "{broad_phase}"
+        );
+    }
+}
