@@ -17,8 +17,8 @@ mod sort;
 mod step;
 mod threads;
 
-pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use broad_phase::pair_list::Pairs;
 pub use broad_phase::tree::TreeStatistics;
+pub use broad_phase::{BroadPhase, BroadPhaseTimes};
 pub use session::{Candidates, Session, earliest_toi, step};
 pub use step::prepare::MAX_LOOSENESS;

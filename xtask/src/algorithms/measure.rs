@@ -1,7 +1,7 @@
 //! One method on one scene at one place.
 
 use super::scenes::Case;
-use ccd::{BroadPhase, BroadPhaseMethod, Error};
+use ccd::{BroadPhase, BroadPhaseMethod, Error, TreeStatistics};
 use std::time::{Duration, Instant};
 
 /// Where a method runs.
@@ -18,6 +18,7 @@ pub struct Measured {
     pub build: f64,
     pub search: f64,
     pub steps: u64,
+    pub tree: Option<TreeStatistics>,
 }
 
 /// A method is measured for so long at most, once at least.
@@ -31,7 +32,7 @@ impl Place {
         if all > 1 {
             places.push(Self::Cpu { threads: all, name: format!("{all} threads") });
         }
-            match ccd::gpu::Device::open(&ccd::gpu::DeviceOptions::default()) {
+        match ccd::gpu::Device::open(&ccd::gpu::DeviceOptions::default()) {
             Ok(device) => {
                 let name = device.info().adapter.name.clone();
                 places.push(Self::Gpu { device, name });
@@ -49,7 +50,7 @@ impl Place {
     pub fn name(&self) -> &str {
         match self {
             Self::Cpu { name, .. } => name,
-                    Self::Gpu { name, .. } => name,
+            Self::Gpu { name, .. } => name,
         }
     }
 }
@@ -68,7 +69,7 @@ pub fn measure(
             Err(Failure::Refused(_)) => Ok(Err("refused")),
             Err(Failure::Wrong(why)) => Err(why),
         },
-            Place::Gpu { device, .. } => on_gpu(device, method, case, runs),
+        Place::Gpu { device, .. } => on_gpu(device, method, case, runs),
     }
 }
 
@@ -102,7 +103,8 @@ fn on_cpu(
         }
     }
     let build = median(times.iter().map(|t| t.build));
-    Ok(Measured { build, search: median(times.iter().map(|t| t.search)), steps: broad.steps() })
+    let (search, steps) = (median(times.iter().map(|t| t.search)), broad.steps());
+    Ok(Measured { build, search, steps, tree: broad.tree_statistics() })
 }
 
 fn on_gpu(
@@ -142,7 +144,7 @@ fn on_gpu(
         }
     }
     let search = median(searches.into_iter());
-    Ok(Ok(Measured { build: median(builds.into_iter()), search, steps: 0 }))
+    Ok(Ok(Measured { build: median(builds.into_iter()), search, steps: 0, tree: None }))
 }
 
 fn check(case: &Case, method: BroadPhaseMethod, found: usize) -> Result<(), String> {

@@ -5,10 +5,11 @@
 //! checked: pairs against the default method, and that against the known count where there is one.
 
 mod measure;
+mod pipelines;
 mod plot;
 mod scenes;
 
-use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions};
+use ccd::{BroadPhaseMethod, Builder, Catalogued, Descent, Traversal, TreeOptions, Volume};
 use measure::{Measured, Place, measure};
 use plot::Bars;
 use scenes::Case;
@@ -31,6 +32,8 @@ pub fn run(root: &Path, runs: usize) -> Result<(), String> {
         ("simultaneous", report.simultaneous(&cases)?),
         ("builders", report.builders(&cases)?),
         ("cloth-and-sphere", report.cloth_and_sphere()?),
+        ("volumes", report.volumes(&cases)?),
+        ("pipelines", pipelines::table(runs)?),
     ];
     for (name, table) in tables {
         text = replaced(&text, name, &table)?;
@@ -163,10 +166,39 @@ impl Report {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, build alone"]);
+            text += &self.head(&["ms, build alone", "cost", "nodes a query", "depth"]);
             for row in Builder::ROWS {
-                let (cells, _) = self.row(tree(row.value, Traversal::Half), case, |m| m.build)?;
-                let _ = writeln!(text, "| {} |{cells}", row.name);
+                let method = tree(row.value, Traversal::Half);
+                let (cells, _) = self.row(method, case, |m| m.build)?;
+                let of_tree = measure(&Place::one_thread(), method, case, 1)?;
+                let figures = match of_tree.ok().and_then(|m| m.tree) {
+                    Some(t) => format!(
+                        "{} | {} | {}",
+                        digits(t.sah_cost),
+                        digits(t.visited_per_query),
+                        t.depth
+                    ),
+                    None => " | | ".to_owned(),
+                };
+                let _ = writeln!(text, "| {} | {figures} |{cells}", row.name);
+            }
+            text.push('\n');
+        }
+        Ok(text)
+    }
+
+    /// Boxes along the axes against oriented ones, in steps and in time.
+    fn volumes(&mut self, cases: &[Case]) -> Result<String, String> {
+        let mut text = String::new();
+        for case in cases {
+            let _ = writeln!(text, "{}\n", case.title());
+            text += &self.head(&["ms, build and search", "steps"]);
+            for row in Volume::ROWS {
+                let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(row.value));
+                let (cells, _) = self.row(method, case, |m| m.build + m.search)?;
+                let steps = measure(&Place::one_thread(), method, case, 1)?
+                    .map_or("-".to_owned(), |m| m.steps.to_string());
+                let _ = writeln!(text, "| {} | {steps} |{cells}", row.name);
             }
             text.push('\n');
         }

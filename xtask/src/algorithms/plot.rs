@@ -4,12 +4,8 @@ use super::measure::Place;
 use plotters::prelude::*;
 use std::path::Path;
 
-const COLOURS: [RGBColor; 4] = [
-    RGBColor(31, 90, 160),
-    RGBColor(110, 170, 220),
-    RGBColor(200, 90, 40),
-    RGBColor(60, 130, 60),
-];
+const COLOURS: [RGBColor; 4] =
+    [RGBColor(31, 90, 160), RGBColor(110, 170, 220), RGBColor(200, 90, 40), RGBColor(60, 130, 60)];
 
 /// A plot of bars; times are on a logarithmic axis.
 pub struct Bars {

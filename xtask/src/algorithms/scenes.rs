@@ -80,7 +80,8 @@ pub fn cloths_on_spheres() -> Result<Vec<Case>, String> {
                 [x, y + 1e-3, z]
             })
             .collect();
-        let (ball, cloth) = (triangles(&of_sphere, &sphere(n_sphere)), triangles(&of_cloth, &cloth));
+        let (ball, cloth) =
+            (triangles(&of_sphere, &sphere(n_sphere)), triangles(&of_cloth, &cloth));
         let name = format!("sphere of {} triangles, cloth of {}", ball.len(), cloth.len());
         cases.push(Case::new(&name, cloth, Some(ball)));
     }
