@@ -195,10 +195,7 @@ fn check_pairs(
 
 /// Pairs, or why they were refused, if that `may` be: because sizes are so unequal that cells of a
 /// grid are crowded. Any other error is one.
-fn taken(
-    may: bool,
-    pairs: Result<Vec<Pair>, Error>,
-) -> Result<Result<Vec<Pair>, String>, String> {
+fn taken(may: bool, pairs: Result<Vec<Pair>, Error>) -> Result<Result<Vec<Pair>, String>, String> {
     match pairs {
         Ok(pairs) => Ok(Ok(pairs)),
         Err(e @ Error::Input(ccd::Error::CrowdedCells { .. })) if may => Ok(Err(e.to_string())),
