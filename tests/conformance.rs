@@ -12,7 +12,7 @@
 
 use ccd::any::{BroadPhase, Choice, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
-use ccd::scenes::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
+use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
 use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, Mesh, Options, Pair, State};
 use ccd_testkit::compare::{agree, recorded_step, step_text};
 use ccd_testkit::{brute, data};
@@ -57,8 +57,9 @@ enum Source {
     Real(&'static data::Scene),
 }
 
-const GENERATED: [(&str, Source); 8] = [
+const GENERATED: [(&str, Source); 9] = [
     ("uniform", Source::Boxes(|| uniform_boxes(20_000))),
+    ("debris", Source::Boxes(debris_boxes)),
     ("crowded", Source::Boxes(|| inflated(&uniform_boxes(2000), 0.05))),
     ("equal", Source::Boxes(|| vec![Aabb { min: [0.5; 3], max: [0.5; 3] }; 300])),
     ("huge", Source::Boxes(huge)),
