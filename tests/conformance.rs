@@ -97,6 +97,12 @@ fn main() {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
             for method in ccd::every(backend) {
+                let choice = &match method {
+                    BroadPhaseMethod::BruteForce => {
+                        choice.clone().and_then(|c| not_too_slow(c, source))
+                    }
+                    _ => choice.clone(),
+                };
                 let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{}/{place}", method));
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_pairs(&loaded, source, choice, method)
