@@ -85,9 +85,12 @@ pub use ccd_core::model::method::{
     BroadPhaseMethod, Builder, Descent, Traversal, TreeOptions, Volume,
 };
 pub use ccd_core::model::options::Options;
-pub use ccd_core::model::report::{Report, Times};
+pub use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+pub use ccd_core::model::report::{Report, Times, TriangleCounts};
 pub use ccd_core::{
     Aabb, Coordinate, EdgeEdge, Error, Real, TOI_TOLERANCE, Verdict, VertexFace, edge_edge,
     vertex_face,
 };
-pub use ccd_cpu::{BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, earliest_toi, step};
+pub use ccd_cpu::{
+    BroadPhase, Candidates, MAX_LOOSENESS, Pairs, Session, TreeStatistics, earliest_toi, step,
+};

@@ -1,7 +1,7 @@
 //! A warm session allocates nothing.
 #![deny(unsafe_code)]
 
-use ccd::{BroadPhaseMethod, Options, Session};
+use ccd::{BroadPhaseMethod, Options, Pipeline, Session};
 use ccd_testkit::generate::crumpled_sheet;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -33,10 +33,11 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// Allocations of each of 40 steps after 12 to warm up.
-fn count(threads: usize, broad_phase: BroadPhaseMethod) -> Vec<usize> {
+fn count(threads: usize, broad_phase: BroadPhaseMethod, pipeline: Pipeline) -> Vec<usize> {
     let step = crumpled_sheet(60, 1);
     let mut session =
-        Session::new(step.mesh, Options { threads, broad_phase, ..Options::default() }).unwrap();
+        Session::new(step.mesh, Options { threads, broad_phase, pipeline, ..Options::default() })
+            .unwrap();
     let one = |session: &mut Session, i: usize| {
         let before = CALLS.load(Ordering::Relaxed);
         // Forwards and backwards in turn; every third time only the earliest time.
@@ -58,12 +59,15 @@ fn count(threads: usize, broad_phase: BroadPhaseMethod) -> Vec<usize> {
 #[test]
 fn warm_sessions_allocate_nothing() {
     for method in ccd::every("cpu") {
-        let alone = count(1, method);
-        assert!(alone.iter().all(|&n| n == 0), "{method}, one thread: {alone:?}");
-        // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and
-        // each worker's own queue may grow once.
-        let shared = count(2, method);
-        assert!(shared.iter().sum::<usize>() <= 4, "{method}, two threads: {shared:?}");
+        for pipeline in [Pipeline::Features, Pipeline::TRIANGLES] {
+            let alone = count(1, method, pipeline);
+            assert!(alone.iter().all(|&n| n == 0), "{method}, {pipeline:?}, one: {alone:?}");
+            // Rayon's queue for calls from outside of the pool grows by one block in 63 calls, and
+            // each worker's own queue may grow once.
+            let shared = count(2, method, pipeline);
+            let sum: usize = shared.iter().sum();
+            assert!(sum <= 4, "{method}, {pipeline:?}, two threads: {shared:?}");
+        }
     }
     // The counter counts.
     let before = CALLS.load(Ordering::Relaxed);

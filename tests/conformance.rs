@@ -8,12 +8,16 @@
 //!
 //! Rows of real scenes are ignored without the data, rows of a GPU without one (with
 //! `CCD_GPU=require` they fail), and steps of the largest scenes on a GPU that is emulated, where
-//! they take minutes and `tests/gpu` makes them: reported with the reason, and counted.
+//! they take minutes and `tests/gpu` makes them: reported with the reason, and counted. So are
+//! rows of scenes that the uniform grid refuses, which must be for the crowding of its cells.
 
-use ccd::any::{BroadPhase, Choice, Session};
+use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
 use ccd::scenes::{Random, Step, crumpled_sheet, triangle_soup, uniform_boxes};
-use ccd::{Aabb, BroadPhaseMethod, Contact, Digest, Mesh, Options, Pair, State};
+use ccd::{
+    Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
+    State,
+};
 use ccd_testkit::compare::{agree, recorded_step, step_text};
 use ccd_testkit::{brute, data};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -97,39 +101,50 @@ fn main() {
         let loaded = Arc::new(Loaded::default());
         for (place, backend, choice) in &places {
             for method in ccd::every(backend) {
-                let choice = &match method {
-                    BroadPhaseMethod::BruteForce => {
-                        choice.clone().and_then(|c| not_too_slow(c, source))
-                    }
-                    _ => choice.clone(),
-                };
-                let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{}/{place}", method));
+                let choice = &choice.clone().and_then(|c| on_request(c, source, method));
+                let (loaded, name) = (loaded.clone(), format!("pairs/{scene}/{method}/{place}"));
                 trials.push(row_of(name, source, choice, move |choice| {
                     check_pairs(&loaded, source, choice, method)
                 }));
             }
-            // By every method in scenes that are made, by the default in real ones.
-            let methods: Vec<BroadPhaseMethod> = match source {
-                Source::Boxes(_) => Vec::new(),
-                Source::Step(_) => ccd::every(backend).collect(),
-                Source::Real(_) => vec![BroadPhaseMethod::default()],
-            };
-            for method in methods {
-                let choice = &choice.clone().and_then(|c| not_too_slow(c, source));
+            for method in ccd::every(backend).filter(|_| !matches!(source, Source::Boxes(_))) {
+                let choice = &choice
+                    .clone()
+                    .and_then(|c| not_too_slow(c, source))
+                    .and_then(|c| on_request(c, source, method));
                 let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{method}/{place}"));
+                let options = Options { threads: 2, broad_phase: method, ..Options::default() };
                 trials.push(row_of(name, source, choice, move |choice| {
-                    check_contacts(&loaded, source, choice, method)
+                    check_contacts(&loaded, source, choice, options)
+                }));
+            }
+            for pipeline in pipelines(source, backend) {
+                let (loaded, name) = (loaded.clone(), format!("contacts/{scene}/{pipeline:?}"));
+                let options = Options { threads: 2, pipeline, ..Options::default() };
+                trials.push(row_of(name, source, choice, move |choice| {
+                    check_contacts(&loaded, source, choice, options)
                 }));
             }
         }
     }
     // A device of its own, which this row loses.
     let own = open(gpu::Path::Wgsl).map(|device| Choice::of_device(&device, true));
-    trials.push(row_of("lost".into(), GENERATED[0].1, &own, check_lost));
+    let lost = |choice: &Choice| check_lost(choice).map(|()| Completion::Completed);
+    trials.push(row_of("lost".into(), GENERATED[0].1, &own, lost));
     let mut arguments = Arguments::from_args();
     // Devices are shared, and a software adapter uses all cores by itself.
     arguments.test_threads.get_or_insert(1);
     libtest_mimic::run(&arguments, trials).exit();
+}
+
+/// Ways to pair features, other than by default.
+fn pipelines(source: Source, backend: &'static str) -> Vec<Pipeline> {
+    let other = |row: &&ccd::Row<Pipeline>| row.value != Pipeline::default();
+    let here = |row: &&ccd::Row<Pipeline>| row.backends.contains(&backend);
+    match source {
+        Source::Boxes(_) => Vec::new(),
+        _ => Pipeline::ROWS.iter().filter(other).filter(here).map(|row| row.value).collect(),
+    }
 }
 
 /// What a row lacks.
@@ -137,6 +152,8 @@ fn main() {
 enum Missing {
     /// A device, and why.
     Device(String),
+    /// The wish: [`WHOLE`].
+    Request,
     /// Minutes.
     Time,
 }
@@ -148,6 +165,20 @@ fn open(path: gpu::Path) -> Result<Device, Missing> {
 
 /// Steps of so many edges are left out where threads of this machine do a GPU's work.
 const MAX_EDGES_EMULATED: usize = 50_000;
+
+/// Set to 1, this variable has real scenes run by every method: hours. Without it they run by the
+/// default and the default tree.
+const WHOLE: &str = "CCD_WHOLE";
+
+fn on_request(choice: Choice, source: Source, method: BroadPhaseMethod) -> Result<Choice, Missing> {
+    let usual = [BroadPhaseMethod::default(), BroadPhaseMethod::TREE].contains(&method);
+    let whole = std::env::var(WHOLE).is_ok_and(|v| v == "1");
+    if whole || usual || !matches!(source, Source::Real(_)) {
+        Ok(choice)
+    } else {
+        Err(Missing::Request)
+    }
+}
 
 fn not_too_slow(choice: Choice, source: Source) -> Result<Choice, Missing> {
     let kind = choice.device().map(|device| device.info().adapter.device_type);
@@ -163,7 +194,7 @@ fn row_of(
     name: String,
     source: Source,
     choice: &Result<Choice, Missing>,
-    check: impl FnOnce(&Choice) -> Result<(), String> + Send + 'static,
+    check: impl FnOnce(&Choice) -> Result<Completion, String> + Send + 'static,
 ) -> Trial {
     let choice = choice.clone();
     Trial::ignorable_test(name, move || {
@@ -171,11 +202,14 @@ fn row_of(
             return Ok(Completion::ignored_with(why));
         }
         match choice {
-            Ok(choice) => check(&choice).map(|()| Completion::Completed).map_err(Failed::from),
+            Ok(choice) => check(&choice).map_err(Failed::from),
             Err(Missing::Device(why)) if std::env::var("CCD_GPU").is_ok_and(|v| v == "require") => {
                 Err(Failed::from(format!("CCD_GPU=require, but there is no device: {why}")))
             }
             Err(Missing::Device(why)) => Ok(Completion::ignored_with(why)),
+            Err(Missing::Request) => {
+                Ok(Completion::ignored_with(format!("real scenes by every method: {WHOLE}=1")))
+            }
             Err(Missing::Time) => Ok(Completion::ignored_with("too slow on an emulated GPU")),
         }
     })
@@ -186,14 +220,48 @@ fn check_pairs(
     source: Source,
     choice: &Choice,
     method: BroadPhaseMethod,
-) -> Result<(), String> {
+) -> Result<Completion, String> {
     let boxes = loaded.boxes.get_or_init(|| load_boxes(source));
     let mut broad = BroadPhase::new(choice, 2, method).map_err(|e| e.to_string())?;
-    let within = broad.self_pairs(&boxes.within).map_err(|e| e.to_string())?.into_vec();
-    same_pairs("within one set", &boxes.want[0], &within)?;
+    let answer = broad.self_pairs(&boxes.within).map(|pairs| pairs.into_vec());
+    let within = taken(source, method, boxes.within.len(), answer)?;
+    if let Ok(within) = &within {
+        same_pairs("within one set", &boxes.want[0], within)?;
+    }
     let [a, b] = &boxes.between;
-    let between = broad.pairs(a, b).map_err(|e| e.to_string())?.into_vec();
-    same_pairs("between two sets", &boxes.want[1], &between)
+    let answer = broad.pairs(a, b).map(|pairs| pairs.into_vec());
+    let between = taken(source, method, a.len().max(b.len()), answer)?;
+    if let Ok(between) = &between {
+        same_pairs("between two sets", &boxes.want[1], between)?;
+    }
+    let refused = |why| Completion::ignored_with(format!("refused: {why}"));
+    Ok(within.and(between).map_or_else(refused, |_| Completion::Completed))
+}
+
+/// Pairs, or why they were refused: for nearest pairs above their limit, where they must be, and for
+/// real scenes whose sizes are so unequal that the cells of a grid are crowded. Any other error is
+/// one.
+fn taken<T>(
+    source: Source,
+    method: BroadPhaseMethod,
+    n: usize,
+    answer: Result<T, Error>,
+) -> Result<Result<T, String>, String> {
+    let limit = match method {
+        BroadPhaseMethod::Tree(tree) => match tree.builder {
+            Builder::NearestPair { limit } => limit as usize,
+            _ => usize::MAX,
+        },
+        _ => usize::MAX,
+    };
+    let may = matches!(source, Source::Real(_)) && method == BroadPhaseMethod::UniformGrid;
+    match answer {
+        Ok(_) if n > limit => Err(format!("{n} boxes were not refused")),
+        Ok(found) => Ok(Ok(found)),
+        Err(e @ Error::Input(ccd::Error::TooMany { .. })) if n > limit => Ok(Err(e.to_string())),
+        Err(e @ Error::Input(ccd::Error::CrowdedCells { .. })) if may => Ok(Err(e.to_string())),
+        Err(e) => Err(e.to_string()),
+    }
 }
 
 /// The same set, no pair twice; and the same comparison fails for sets that differ in one pair.
@@ -285,13 +353,17 @@ fn check_contacts(
     loaded: &Loaded,
     source: Source,
     choice: &Choice,
-    broad_phase: BroadPhaseMethod,
-) -> Result<(), String> {
+    options: Options,
+) -> Result<Completion, String> {
     let Motion { step, want, undecided } = loaded.motion.get_or_init(|| load_motion(source));
     let Step { mesh, x0, x1 } = step;
-    let options = Options { threads: 2, broad_phase, ..Options::default() };
+    let (method, n) = (options.broad_phase, mesh.edges().len().max(mesh.n_vertices()));
     let mut session = Session::new(choice, mesh.clone(), options).map_err(|e| e.to_string())?;
-    let report = session.step(x0, x1).map_err(|e| e.to_string())?.clone();
+    let answer = session.step(x0, x1).map(|report| report.clone());
+    let report = match taken(source, method, n, answer)? {
+        Ok(report) => report,
+        Err(why) => return Ok(Completion::ignored_with(format!("refused: {why}"))),
+    };
     match want {
         Want::Recorded(text, contacts) => {
             agree(contacts, &report.contacts)?;
@@ -318,7 +390,8 @@ fn check_contacts(
     if report.undecided > *undecided {
         return Err(format!("{} contacts are undecided, {undecided} may be", report.undecided));
     }
-    check_earliest(&mut session, mesh, x0, x1, report.toi)
+    check_earliest(&mut session, mesh, x0, x1, report.toi)?;
+    Ok(Completion::Completed)
 }
 
 /// What `agree` must refuse.

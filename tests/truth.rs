@@ -5,8 +5,8 @@
 
 use ccd::io::{Frame, Queries, Query, read_queries};
 use ccd::{
-    BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Real, Report,
-    Session, State, TOI_TOLERANCE, Verdict, VertexFace,
+    BroadPhase, BroadPhaseMethod, Contact, Digest, EdgeEdge, Kind, Options, Pair, Pipeline, Real,
+    Report, Session, State, TOI_TOLERANCE, TriangleOptions, Verdict, VertexFace,
 };
 use ccd_testkit::data::{self, QUERY_SETS, SCENES, Scene};
 use ccd_testkit::{brute, compare};
@@ -38,6 +38,7 @@ fn main() {
             format!("{}_min_distance", scene.name),
             Box::new(|data| check_min_distance(data, scene)),
         );
+        add(format!("{}_triangles", scene.name), Box::new(|data| check_triangles(data, scene)));
         if scene.truth.is_some() {
             add(
                 format!("{}_contacts_f64", scene.name),
@@ -208,6 +209,27 @@ fn check_step(data: &Path, scene: &Scene) {
         scene.undecided
     );
     insta::assert_snapshot!(format!("step_{}", scene.name), compare::step_text(&reports[0]));
+}
+
+/// Pairs of triangles give the same candidates and contacts, however they are expanded.
+fn check_triangles(data: &Path, scene: &Scene) {
+    let [t0, t1] = scene.load(data);
+    let want = run(&t0, &t1, 2);
+    for orphans in [false, true] {
+        let pipeline = Pipeline::Triangles(TriangleOptions::default().orphans(orphans));
+        let options = Options { threads: 2, pipeline, ..Options::default() };
+        let mesh = t0.mesh().unwrap();
+        let got = ccd::step(&mesh, &t0.positions, &t1.positions, &options).unwrap();
+        assert_eq!((got.candidates, got.filtered), (want.candidates, want.filtered), "{orphans}");
+        assert_eq!(got.contacts, want.contacts, "{}, orphan sets: {orphans}", scene.name);
+        let counts = got.triangles.unwrap();
+        println!(
+            "{}: {counts:?}, of {} tests {} are of boxes that overlap",
+            scene.name,
+            counts.all_tests(),
+            got.candidates.total()
+        );
+    }
 }
 
 fn run(t0: &Frame, t1: &Frame, threads: usize) -> Report {

@@ -10,6 +10,7 @@
 //! | [`narrow_phase`] | filters and verdicts of single queries, each with its error bound |
 //! | [`broad_phase`] | swept boxes, trees, traversals, candidates |
 //! | [`model`] | meshes, bodies, positions in `f32`, contacts, reports, errors |
+//! | [`triangle_pairs`] | pairs of triangles as pairs of features, each once |
 //! | [`kernel`] | what runs on a device: the table of kernels, memory, sorting |
 //! | [`layout`] | records that cross between CPU and GPU |
 #![no_std]
@@ -25,6 +26,7 @@ pub mod layout;
 pub mod math;
 pub mod model;
 pub mod narrow_phase;
+pub mod triangle_pairs;
 
 pub use math::aabb::Aabb;
 pub use math::real::{Num, Real};

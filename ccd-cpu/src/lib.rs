@@ -19,5 +19,6 @@ mod threads;
 
 pub use broad_phase::BroadPhase;
 pub use broad_phase::pair_list::Pairs;
+pub use broad_phase::tree::TreeStatistics;
 pub use session::{Candidates, Session, earliest_toi, step};
 pub use step::prepare::MAX_LOOSENESS;

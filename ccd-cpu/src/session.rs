@@ -3,18 +3,17 @@
 
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_list::{Lister, Pairs, Run, order_runs};
-use crate::broad_phase::pair_source::PairSource;
-use crate::step::candidates::{EdgePairs, FacePairs, Given, Scene, Take};
+use crate::step::candidates::{Given, Scene};
+use crate::step::find::{expand, find};
 use crate::step::narrow_phase::Worker;
 use crate::step::prepare::{Positions, Prepared};
 use crate::threads::Threads;
-use ccd_core::model::contact::{Contact, Kind, State};
+use ccd_core::model::contact::{Contact, Kind, PerKind, State};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
 use ccd_core::model::precision::Points;
-use ccd_core::model::report::Report;
+use ccd_core::model::report::{Report, TriangleCounts};
 use ccd_core::{Coordinate, Error};
-use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
 /// Continuous collision detection of one mesh over many steps.
@@ -36,12 +35,15 @@ impl Session {
     pub fn new(mesh: Mesh, options: Options) -> Result<Self, Error> {
         options.check(&mesh)?;
         let method = Method::new(options.broad_phase)?;
+        if let Some(name) = options.pipeline.lacking("cpu") {
+            return Err(Error::Method { name, backend: "cpu" });
+        }
         let threads = Threads::new(options.threads)?;
         Ok(Self {
+            prepared: Prepared::new(&mesh, &options),
             mesh,
             options,
             threads,
-            prepared: Prepared::default(),
             method,
             workers: Vec::new(),
             listers: Default::default(),
@@ -120,14 +122,18 @@ impl Session {
         let (threads, mesh, options) = (&*threads, &*mesh, &*options);
         threads.enter(|| {
             prepared.boxes(threads, mesh, options, &x)?;
-            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), true)?;
+            prepared.leaves(threads, method, mesh, options.bodies.as_ref(), &x)?;
             let scene = prepared.scene(mesh, options, &x, false);
             for (kind, lists) in
                 [Kind::VertexFace, Kind::EdgeEdge].into_iter().zip(listers.iter_mut())
             {
                 lists.resize_with(threads.count(), Lister::default);
                 lists.iter_mut().for_each(Lister::clear);
-                find(kind, threads, method, prepared, &scene, 1, lists);
+                if prepared.triangles.is_some() {
+                    expand(Some(kind), threads, method, prepared, &scene, 1, lists);
+                } else {
+                    find(kind, threads, method, prepared, &scene, 1, lists);
+                }
             }
             for (lists, runs) in listers.iter().zip(runs.iter_mut()) {
                 order_runs(lists, runs);
@@ -237,7 +243,7 @@ fn prepare(
     prepared.boxes(threads, mesh, options, x)?;
     report.times.boxes += milliseconds(start);
     let start = Instant::now();
-    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x.whole())?;
+    let rebuilt = prepared.leaves(threads, method, mesh, options.bodies.as_ref(), x)?;
     report.rebuilt = rebuilt || (report.rebuilt && !x.whole());
     report.times.build += milliseconds(start);
     Ok(())
@@ -261,40 +267,31 @@ fn detect(
     let start = Instant::now();
     let narrow = |workers: &[Worker]| workers.iter().map(|w| w.narrow).sum::<Duration>();
     let before = narrow(workers);
-    for kind in [Kind::VertexFace, Kind::EdgeEdge] {
-        workers.iter_mut().for_each(Worker::start_kind);
-        find(kind, threads, method, prepared, scene, part, workers);
-        // If a sample came before, the last pass counts.
-        *report.candidates.of(kind) = workers.iter().map(|w| w.n_candidates).sum();
-        *report.filtered.of(kind) = workers.iter().map(|w| w.n_filtered).sum();
+    // If a sample came before, the last pass counts.
+    workers.iter_mut().for_each(Worker::restart_counts);
+    if prepared.triangles.is_some() {
+        expand(None, threads, method, prepared, scene, part, workers);
+    } else {
+        find(Kind::VertexFace, threads, method, prepared, scene, part, workers);
+        find(Kind::EdgeEdge, threads, method, prepared, scene, part, workers);
     }
+    count(workers, report, prepared.triangles.is_some());
     let narrow = (narrow(workers) - before).as_secs_f64() * 1e3 / threads.count() as f64;
     report.times.narrow += narrow;
     report.times.traverse += (milliseconds(start) - narrow).max(0.0);
 }
 
-/// Hands the candidates of one kind to the workers.
-fn find<W: Take>(
-    kind: Kind,
-    threads: &Threads,
-    method: &mut Method,
-    prepared: &Prepared,
-    scene: &Scene,
-    part: usize,
-    workers: &mut [W],
-) {
-    let Prepared { vertices, edges, faces, .. } = prepared;
-    let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
-    match kind {
-        Kind::VertexFace => {
-            let sink = FacePairs { scene, vertices, faces, worker: PhantomData };
-            method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
-        }
-        Kind::EdgeEdge => {
-            let sink = EdgePairs { scene, edges, worker: PhantomData };
-            method.find(threads, (&edges.boxes, None), part, &sink, workers);
-        }
+/// Adds up what the workers counted.
+fn count(workers: &[Worker], report: &mut Report, triangles: bool) {
+    let (mut candidates, mut filtered) = (PerKind::default(), PerKind::default());
+    let mut counts = TriangleCounts::default();
+    for worker in workers {
+        candidates = candidates.plus(worker.candidates);
+        filtered = filtered.plus(worker.filtered);
+        counts = counts.plus(worker.triangles);
     }
+    (report.candidates, report.filtered) = (candidates, filtered);
+    report.triangles = triangles.then_some(counts);
 }
 
 /// Joins the workers' contacts in canonical order.

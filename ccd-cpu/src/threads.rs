@@ -79,8 +79,13 @@ impl Threads {
         });
     }
 
+    /// Replaces every `x` by `f(x)`.
+    pub fn update<T: Copy + Send>(&self, items: &mut [T], f: impl Fn(T) -> T + Sync) {
+        self.chunks(items, &|_, part| part.iter_mut().for_each(|x| *x = f(*x)));
+    }
+
     /// Runs `f` for parts of `out` that begin at the given index.
-    fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    pub fn chunks<T: Send>(&self, out: &mut [T], f: &(dyn Fn(usize, &mut [T]) + Sync)) {
         /// Elements a task: small enough to balance, large enough to amortise.
         const CHUNK: usize = 2048;
         if self.count == 1 {

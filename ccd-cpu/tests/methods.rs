@@ -9,6 +9,7 @@ use ccd_core::model::contact::{Contact, PerKind};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::method::BroadPhaseMethod;
 use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
 use ccd_cpu::Session;
 
 /// A mesh, its positions frame by frame, and bodies of which some do not move.
@@ -144,20 +145,26 @@ fn methods() -> impl Iterator<Item = BroadPhaseMethod> {
 fn check_methods<T: Coordinate>(name: &str, scene: &Scene) {
     for bodies in [None, Some(scene.bodies.clone())] {
         for min_distance in [0.0, 0.01] {
-            let of = |broad_phase, threads| Options {
+            let of = |broad_phase, threads, pipeline| Options {
                 min_distance,
                 threads,
                 bodies: bodies.clone(),
                 broad_phase,
+                pipeline,
             };
-            let want = run::<T>(scene, &of(BroadPhaseMethod::default(), 1));
+            let features = Pipeline::Features;
+            let want = run::<T>(scene, &of(BroadPhaseMethod::default(), 1, features));
             let n_contacts: usize = want.iter().map(|found| found.contacts.len()).sum();
             assert!(n_contacts > 10, "{name}: {n_contacts} contacts show nothing");
             for method in methods() {
-                for threads in [1, 2] {
-                    let got = run::<T>(scene, &of(method, threads));
+                let whole = Pipeline::Triangles(TriangleOptions::default().orphans(false));
+                for (threads, pipeline) in
+                    [(1, features), (2, features), (1, whole), (2, Pipeline::TRIANGLES)]
+                {
+                    let got = run::<T>(scene, &of(method, threads, pipeline));
                     let what = format!(
-                        "{name}, {method:?}, {threads} threads, distance {min_distance}, bodies {}",
+                        "{name}, {method:?}, {pipeline:?}, {threads} threads, \
+                         distance {min_distance}, bodies {}",
                         bodies.is_some()
                     );
                     for (i, (got, want)) in got.iter().zip(&want).enumerate() {

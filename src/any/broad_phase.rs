@@ -16,6 +16,7 @@ pub struct BroadPhase {
 impl BroadPhase {
     /// A broad phase where the choice wants it. `threads`: of the CPU.
     pub fn new(choice: &Choice, threads: usize, method: BroadPhaseMethod) -> Result<Self, Error> {
+        let choice = &choice.for_methods(method, crate::Pipeline::default());
         let on_cpu = || crate::BroadPhase::new(threads, method);
         let on_gpu = |device: &_| gpu::BroadPhase::new(device, method);
         let on = Either::new(choice, on_cpu, on_gpu)?;

@@ -135,6 +135,17 @@ impl Choice {
         Self { notice: Some(notice), ..self }
     }
 
+    /// The same, but the CPU at once if the choice was free and a GPU lacks this method or this
+    /// pipeline.
+    fn for_methods(&self, method: crate::BroadPhaseMethod, pipeline: crate::Pipeline) -> Self {
+        let lacking = method.lacking("gpu").or(pipeline.lacking("gpu"));
+        if self.free && lacking.is_some() {
+            Self { notice: self.notice, ..Self::default() }
+        } else {
+            self.clone()
+        }
+    }
+
     /// From now on an error of the GPU is an error.
     pub fn fixed(self) -> Self {
         Self { free: false, ..self }

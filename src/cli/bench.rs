@@ -2,6 +2,7 @@
 //! answer, so every run's answer is checked.
 
 use super::backend::BackendOptions;
+use super::method::MethodOptions;
 use super::{Failure, Outcome, output};
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::Timing;
@@ -15,6 +16,8 @@ use std::time::Instant;
 pub struct Bench {
     #[command(flatten)]
     backend: BackendOptions,
+    #[command(flatten)]
+    method: MethodOptions,
     /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -69,6 +72,9 @@ struct Sheet {
     contacts: PerKind,
     toi: f64,
 }
+
+/// Methods that are timed where none is chosen.
+const DEFAULT: [BroadPhaseMethod; 2] = [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE];
 
 /// Pairs of so many uniform boxes.
 const PAIRS: [(usize, usize); 4] =
@@ -158,8 +164,7 @@ impl Bench {
         let step = crumpled_sheet(want.n, SEED);
         let ([x0, x1], mesh) = (step.rounded(), step.mesh);
         let scene = format!("crumpled sheet, {} vertices", output::thousands(mesh.n_vertices()));
-        let mut session =
-            Session::new(choice, mesh, Options { threads: self.threads, ..Options::default() })?;
+        let mut session = Session::new(choice, mesh, self.options()?)?;
         let pairs = |n: PerKind| {
             format!(
                 "{} vf, {} ee",
@@ -194,6 +199,11 @@ impl Bench {
         Ok(())
     }
 
+    fn options(&self) -> Result<Options, Failure> {
+        let (broad_phase, pipeline) = (self.method.method()?, self.method.pipeline()?);
+        Ok(Options { threads: self.threads, broad_phase, pipeline, ..Options::default() })
+    }
+
     fn boxes(&self, choice: &Choice, n: usize, rows: &mut Vec<Row>) -> Result<(), Failure> {
         let boxes = uniform_boxes(n);
         let want = match PAIRS.iter().find(|known| known.0 == n) {
@@ -204,7 +214,8 @@ impl Bench {
                 .len(),
         };
         let scene = format!("uniform boxes, {}", output::thousands(n));
-        for method in [BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE] {
+        let chosen = self.method.chosen()?;
+        for method in chosen.map_or(DEFAULT.to_vec(), |method| vec![method]) {
             let what = method.row().name;
             let mut broad = BroadPhase::new(choice, self.threads, method)?;
             let timed =

@@ -1,11 +1,11 @@
 //! `ccd boxes`: the broad phase alone.
 
 use super::backend::BackendOptions;
+use super::method::MethodOptions;
 use super::{Failure, Outcome, in_file, output};
+use ccd::Aabb;
 use ccd::any::{BroadPhase, Error, Pairs};
-use ccd::{Aabb, BroadPhaseMethod, Catalogued, Row};
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -20,9 +20,8 @@ pub struct Boxes {
     b: Option<PathBuf>,
     #[command(flatten)]
     backend: BackendOptions,
-    /// How pairs are found; all ways find the same
-    #[arg(long, value_name = "METHOD", default_value = BroadPhaseMethod::default().row().name, value_parser = methods())]
-    method: BroadPhaseMethod,
+    #[command(flatten)]
+    method: MethodOptions,
     /// Number of threads on the CPU; 0 means one per processor
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -33,13 +32,6 @@ pub struct Boxes {
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
-}
-
-/// The names of the library's table, each with its line.
-fn methods() -> impl TypedValueParser<Value = BroadPhaseMethod> {
-    let value = |row: &Row<BroadPhaseMethod>| PossibleValue::new(row.name).help(row.about);
-    PossibleValuesParser::new(BroadPhaseMethod::ROWS.iter().map(value))
-        .try_map(|name| BroadPhaseMethod::named(&name).ok_or("not in the table of methods"))
 }
 
 #[derive(Serialize)]
@@ -63,12 +55,13 @@ struct Times {
 
 impl Boxes {
     pub fn run(&self) -> Outcome {
+        self.method.no_pipeline()?;
         let start = Instant::now();
         let a = read(&self.a)?;
         let b = self.b.as_deref().map(read).transpose()?;
         let load = start.elapsed().as_secs_f64() * 1e3;
         let choice = self.backend.choose(a.len() + b.as_ref().map_or(0, Vec::len))?;
-        let mut broad = BroadPhase::new(&choice, self.threads, self.method)?;
+        let mut broad = BroadPhase::new(&choice, self.threads, self.method.method()?)?;
         let mut times = Vec::new();
         let mut n_pairs = 0;
         for _ in 0..self.runs {

@@ -9,6 +9,7 @@
 
 use super::Failure;
 use super::backend::BackendOptions;
+use super::method::MethodOptions;
 use ccd::any::{Place, Session};
 use ccd::geometry::vec3::{add, dot, lerp, scale, sub};
 use ccd::geometry::{Motion, Patch, closest};
@@ -60,7 +61,7 @@ pub struct Cloth {
 pub const N_CLOTH: usize = N * N;
 
 impl Cloth {
-    pub fn new(backend: &BackendOptions) -> Result<Self, Failure> {
+    pub fn new(backend: &BackendOptions, method: &MethodOptions) -> Result<Self, Failure> {
         let mut x = Vec::new();
         let mut faces: Vec<[u32; 3]> = Vec::new();
         for i in 0..N * N {
@@ -76,12 +77,13 @@ impl Cloth {
         let body: Vec<u32> = (0..x.len()).map(|v| (v >= N_CLOTH) as u32).collect();
         let bodies = Bodies::new(&body, &[false, true], true);
         let choice = backend.choose(mesh.edges().len())?;
+        let (broad_phase, pipeline) = (method.method()?, method.pipeline()?);
         let session = |min_distance| {
             let bodies = Some(bodies.clone());
             Session::new(
                 &choice,
                 mesh.clone(),
-                Options { min_distance, bodies, ..Options::default() },
+                Options { min_distance, bodies, broad_phase, pipeline, ..Options::default() },
             )
         };
         let (push, hold) = (session(PUSH_DISTANCE)?, session(0.0)?);

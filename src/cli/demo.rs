@@ -2,6 +2,7 @@
 
 use super::backend::BackendOptions;
 use super::cloth::{Cloth, N_CLOTH};
+use super::method::MethodOptions;
 use super::{Failure, Outcome, in_file, output, picture, plot};
 use ccd::Mesh;
 use clap::Args;
@@ -18,6 +19,8 @@ pub struct Demo {
     out: PathBuf,
     #[command(flatten)]
     backend: BackendOptions,
+    #[command(flatten)]
+    method: MethodOptions,
 }
 
 /// Steps of the simulation a frame.
@@ -26,7 +29,7 @@ const STEPS: usize = 8;
 impl Demo {
     pub fn run(&self) -> Outcome {
         std::fs::create_dir_all(&self.out).map_err(|e| in_file(&self.out, e))?;
-        let mut cloth = Cloth::new(&self.backend)?;
+        let mut cloth = Cloth::new(&self.backend, &self.method)?;
         output::line("scene", output::MeshSize::from(&cloth.mesh));
         let bar = output::progress(self.frames as usize, "frames");
         let (mut times, mut contacts) = (Vec::new(), Vec::new());

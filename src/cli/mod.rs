@@ -7,6 +7,7 @@ mod check;
 mod cloth;
 mod demo;
 mod info;
+mod method;
 mod output;
 mod picture;
 mod plot;
@@ -55,6 +56,8 @@ enum Command {
     Boxes(boxes::Boxes),
     /// A cloth falls on a sphere; needs no file (the experiment of Tian and Wan)
     Demo(demo::Demo),
+    /// The ways to find pairs: broad phases; builders, traversals, volumes of trees; pipelines
+    List(method::List),
     /// The GPU that would be used, how, and which others there are
     Info(info::InfoCommand),
     /// Times of built-in scenes; needs no file
@@ -86,6 +89,8 @@ impl Precision {
 struct StepOptions {
     #[command(flatten)]
     backend: backend::BackendOptions,
+    #[command(flatten)]
+    method: method::MethodOptions,
     /// Contact means a distance of at most D, in the unit of the coordinates
     #[arg(long, value_name = "D", default_value_t = 0.0, allow_negative_numbers = true)]
     min_distance: f64,
@@ -115,6 +120,8 @@ impl StepOptions {
         let options = ccd::Options {
             min_distance: self.min_distance,
             threads: self.threads,
+            broad_phase: self.method.method()?,
+            pipeline: self.method.pipeline()?,
             ..ccd::Options::default()
         };
         Ok(ccd::any::Session::new(&self.backend.choose(mesh.edges().len())?, mesh, options)?)
@@ -162,6 +169,7 @@ pub fn main() -> ExitCode {
         Command::Boxes(c) => (c.run(), false),
         Command::Demo(c) => (c.run(), false),
         Command::Info(c) => (c.run(), false),
+        Command::List(c) => (c.run(), false),
         Command::Bench(c) => (c.run(), false),
     };
     match outcome {

@@ -3,6 +3,7 @@
 mod backends;
 mod bench;
 mod meshes;
+mod methods;
 mod refusals;
 mod rows;
 
@@ -22,6 +23,12 @@ const ANYWHERE: &[(&str, fn())] = &[
     ("the_demo_ends_without_penetration", meshes::the_demo_ends_without_penetration),
     ("auto_goes_on_with_the_cpu", backends::auto_goes_on_with_the_cpu),
     ("opengl_is_refused", backends::opengl_is_refused),
+    ("the_list_names_every_choice", methods::the_list_names_every_choice),
+    ("every_choice_finds_the_same", methods::every_choice_finds_the_same),
+    (
+        "combinations_that_mean_nothing_are_refused",
+        methods::combinations_that_mean_nothing_are_refused,
+    ),
     ("bench_checks_its_answers", bench::bench_checks_its_answers),
 ];
 /// Tests that need a GPU: without one they are ignored with the reason, and counted.

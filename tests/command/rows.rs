@@ -48,13 +48,13 @@ pub fn boxes_are_paired() {
     );
     let b = write("b.bin", &[[0.5, 0.5, 0.5, 3.0, 0.75, 0.75]]);
     for method in BroadPhaseMethod::ROWS.iter().map(|row| row.name) {
-        let within = json(&ccd(&["boxes", &a, "--json", "--method", method]));
+        let within = json(&ccd(&["boxes", &a, "--json", "--broad-phase", method]));
         assert_eq!((&within["pairs"], &within["boxes"]), (&1.into(), &serde_json::json!([3, 0])));
-        let between = json(&ccd(&["boxes", &a, &b, "--json", "--method", method]));
+        let between = json(&ccd(&["boxes", &a, &b, "--json", "--broad-phase", method]));
         assert_eq!(between["pairs"], 2);
         assert!(between["times_ms"]["median"].as_f64().unwrap() >= 0.0);
     }
-    check_refused(&["boxes", &a, "--method", "by hand"], "by hand");
+    check_refused(&["boxes", &a, "--broad-phase", "by hand"], "by hand");
     let broken = dir.path().join("broken.bin");
     std::fs::write(&broken, [0u8; 25]).unwrap();
     check_refused(&["boxes", broken.to_str().unwrap()], "25 bytes");

@@ -5,12 +5,18 @@ pub mod block_bvh;
 pub mod candidate;
 pub mod key_intervals;
 pub mod morton_key;
+pub mod nearest_pair;
+pub mod node_numbering;
+pub mod oriented_refit;
 pub mod pair_descent;
 pub mod placement;
+pub mod ploc;
 pub mod radix_tree;
 pub mod refit;
+pub mod split_lists;
 pub mod stack_traversal;
 pub mod sweep_and_prune;
+pub mod sweep_in_strips;
 pub mod swept_box;
 #[cfg(test)]
 mod test_trees;

@@ -4,6 +4,7 @@
 //! Changed here: codes are one or two 32-bit words, and the tie-break of equal codes by their index
 //! is part of the same comparison.
 
+use crate::broad_phase::node_numbering::branch_over;
 use crate::kernel::Words;
 use crate::kernel::memory::at;
 use crate::layout::Branch;
@@ -63,7 +64,6 @@ pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
 /// Every loop halves or doubles a length of less than `2^31`, so runs at most 32 times.
 #[inline(always)]
 pub fn branch_from<C: Code>(i: u32, from: u32, n: u32, codes: &[C]) -> Branch {
-    let n_internal = n - 1;
     // The direction of the node's range, and the prefix that all of the range exceeds.
     let (next, last) = (prefix(codes, from, n, i, true, 1), prefix(codes, from, n, i, false, 1));
     let ahead = next > last;
@@ -92,13 +92,8 @@ pub fn branch_from<C: Code>(i: u32, from: u32, n: u32, codes: &[C]) -> Branch {
         }
     }
     let (first, last) = if ahead { (i, i + length) } else { (i - length, i) };
-    let gamma = if ahead { i + split } else { i - split - 1 };
-    Branch {
-        left: if first == gamma { n_internal + gamma } else { gamma },
-        right: if last == gamma + 1 { n_internal + gamma + 1 } else { gamma + 1 },
-        first,
-        last,
-    }
+    let middle = if ahead { i + split + 1 } else { i - split };
+    branch_over(first, middle, last + 1, n - 1)
 }
 
 /// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is

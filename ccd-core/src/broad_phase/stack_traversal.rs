@@ -38,6 +38,23 @@ impl Walk {
         Self { stack: [0; MAX_HEIGHT], height: 0, node: 0, goes_on: true }
     }
 
+    /// The internal node that the next step visits.
+    #[inline(always)]
+    pub fn node(&self) -> u32 {
+        self.node
+    }
+
+    /// Leaves that node and all below it out.
+    #[inline(always)]
+    pub fn skip(&mut self) {
+        if self.height > 0 {
+            self.height -= 1;
+            self.node = self.stack[self.height as usize];
+        } else {
+            self.goes_on = false;
+        }
+    }
+
     /// Visits one internal node and returns those of its children that are leaves and overlap
     /// `query`. `nodes` as in [`Node`], of which the first `n_internal` are internal.
     ///
@@ -76,11 +93,8 @@ impl Walk {
             self.node = branch.left;
         } else if down_right {
             self.node = branch.right;
-        } else if self.height > 0 {
-            self.height -= 1;
-            self.node = self.stack[self.height as usize];
         } else {
-            self.goes_on = false;
+            self.skip();
         }
         found
     }

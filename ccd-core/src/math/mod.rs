@@ -2,5 +2,7 @@
 
 pub mod aabb;
 pub mod morton;
+pub mod obb;
 pub mod real;
+pub mod symmetric_eigen;
 pub mod vec3;

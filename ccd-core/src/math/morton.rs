@@ -60,6 +60,20 @@ impl MortonGrid {
         Self { origin: scene.min, scale, last: cells - 1.0 }
     }
 
+    /// The box in units of two cells from the origin of the grid: what heuristics measure where
+    /// squares of the coordinates themselves would overflow or vanish. The grid must be over a scene
+    /// that holds `b`; 0 if that has no size.
+    #[inline(always)]
+    pub fn in_cells(&self, b: &Aabb<f32>) -> Aabb<f32> {
+        let mut out = Aabb::EMPTY;
+        for k in 0..3 {
+            let origin = self.origin[k] * 0.5;
+            out.min[k] = (b.min[k] * 0.5 - origin) * self.scale;
+            out.max[k] = (b.max[k] * 0.5 - origin) * self.scale;
+        }
+        out
+    }
+
     /// The cell of the centre of `b`.
     #[inline]
     pub fn cell(&self, b: &Aabb<f32>) -> [u32; 3] {

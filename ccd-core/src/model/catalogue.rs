@@ -1,6 +1,7 @@
-//! What there is to choose from: a row for every method, builder, traversal and volume.
+//! What there is to choose from: a row for every method, builder, traversal, volume and pipeline.
 
 use super::method::{BroadPhaseMethod, Builder, Traversal, TreeOptions, Volume};
+use super::pipeline::Pipeline;
 use core::mem::discriminant;
 
 /// What there is to say about a choice.
@@ -56,6 +57,13 @@ impl Catalogued for BroadPhaseMethod {
             backends: BOTH,
         },
         Row {
+            value: Self::SweepInStrips,
+            name: "sweep-in-strips",
+            about: "Sweep and prune in strips along the axis; for many boxes, of any sizes",
+            source: Some("Liu 2010"),
+            backends: CPU,
+        },
+        Row {
             value: Self::UniformGrid,
             name: "uniform-grid",
             about: "Boxes in the cells of a grid; for boxes of about the same size",
@@ -93,21 +101,21 @@ impl Catalogued for Builder {
             name: "split-lists",
             about: "From sorted Morton codes, by lists of where neighbours split",
             source: Some("Lauterbach 2009"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::NEAREST_PAIR,
             name: "nearest-pair",
             about: "Bottom up, every node with its nearest free neighbour; slow",
             source: Some("Tian and Wan"),
-            backends: &[],
+            backends: CPU,
         },
         Row {
             value: Self::PLOC,
             name: "ploc",
             about: "Bottom up, every cluster with its nearest neighbour along the Morton curve",
             source: Some("Meister 2018"),
-            backends: &[],
+            backends: CPU,
         },
     ];
 }
@@ -173,9 +181,36 @@ impl Catalogued for Volume {
             name: "obb",
             about: "Boxes along axes of their own",
             source: Some("Gottschalk 1996"),
-            backends: &[],
+            backends: CPU,
         },
     ];
+}
+
+impl Catalogued for Pipeline {
+    const ROWS: &'static [Row<Self>] = &[
+        Row {
+            value: Self::Features,
+            name: "features",
+            about: "Vertices against faces and edges against edges, by their own boxes",
+            source: None,
+            backends: BOTH,
+        },
+        Row {
+            value: Self::TRIANGLES,
+            name: "triangles",
+            about: "Triangles against triangles, expanded to features that each one represents",
+            source: Some("Curtis 2008"),
+            backends: CPU,
+        },
+    ];
+}
+
+impl Pipeline {
+    /// The name of the pipeline if a backend does not have it.
+    pub fn lacking(self, backend: &str) -> Option<&'static str> {
+        let row = self.row();
+        (!row.backends.contains(&backend)).then_some(row.name)
+    }
 }
 
 impl BroadPhaseMethod {
@@ -237,6 +272,7 @@ mod tests {
         check_rows::<Builder>();
         check_rows::<Traversal>();
         check_rows::<Volume>();
+        check_rows::<Pipeline>();
     }
 
     #[test]

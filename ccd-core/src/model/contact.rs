@@ -86,6 +86,11 @@ impl PerKind {
         self.vf + self.ee
     }
 
+    /// Added kind by kind.
+    pub fn plus(self, other: Self) -> Self {
+        Self { vf: self.vf + other.vf, ee: self.ee + other.ee }
+    }
+
     /// The number for one kind.
     pub fn of(&mut self, kind: Kind) -> &mut u64 {
         match kind {

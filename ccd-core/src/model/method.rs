@@ -12,6 +12,9 @@ pub enum BroadPhaseMethod {
     /// Boxes sorted along the axis of largest variance, each compared with those that begin before
     /// it ends [Cohen 1995], [Karras 2012a].
     SweepAndPrune,
+    /// Boxes in all strips along the axis that they touch, swept within each [Liu 2010]: the sweep
+    /// for many boxes, of any sizes.
+    SweepInStrips,
     /// Boxes sorted into the cells of a grid, each compared with those of its own cell and of the
     /// cells around it [Karras 2012a].
     UniformGrid,

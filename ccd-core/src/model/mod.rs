@@ -11,6 +11,7 @@ pub mod mesh;
 pub mod method;
 #[cfg(feature = "alloc")]
 pub mod options;
+pub mod pipeline;
 pub mod precision;
 pub mod quantization;
 #[cfg(feature = "alloc")]

@@ -4,6 +4,7 @@ use super::bodies::Bodies;
 use super::error::{Error, check_min_distance};
 use super::mesh::Mesh;
 use super::method::BroadPhaseMethod;
+use super::pipeline::Pipeline;
 
 /// What a step looks for and how.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,6 +20,9 @@ pub struct Options {
     /// How pairs whose boxes overlap are found; results do not depend on it. A session of a backend
     /// that does not have the method is refused.
     pub broad_phase: BroadPhaseMethod,
+    /// What is looked for in boxes: pairs of features, or of triangles; results do not depend on
+    /// it. A session of a backend that does not have the pipeline is refused.
+    pub pipeline: Pipeline,
 }
 
 impl Options {

@@ -18,6 +18,47 @@ pub struct Times {
     pub total: f64,
 }
 
+/// Tests of features that pairs of triangles are, before and after each step that takes some away.
+/// What is left then are [`Report::candidates`], whose own boxes overlap, and of these
+/// [`Report::filtered`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TriangleCounts {
+    /// Pairs of triangles whose swept boxes overlap, of bodies that are looked at.
+    pub pairs: u64,
+    /// Those of them that were skipped because they share a vertex.
+    pub adjacent: u64,
+    /// Those of the others that were skipped because both are in a region that certainly does not
+    /// touch itself.
+    pub free: u64,
+    /// Tests of features that the others were expanded to: 15 a pair without representatives.
+    pub represented: u64,
+    /// Tests of features that only pairs with a common vertex have: orphans, listed once per mesh.
+    pub orphans: u64,
+}
+
+impl TriangleCounts {
+    /// Tests of features without any culling: 15 for each pair of triangles.
+    pub fn all_tests(&self) -> u64 {
+        self.pairs * 15
+    }
+
+    /// Tests of features whose boxes were compared.
+    pub fn box_tests(&self) -> u64 {
+        self.represented + self.orphans
+    }
+
+    /// Added number by number.
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            pairs: self.pairs + other.pairs,
+            adjacent: self.adjacent + other.adjacent,
+            free: self.free + other.free,
+            represented: self.represented + other.represented,
+            orphans: self.orphans + other.orphans,
+        }
+    }
+}
+
 /// What a step found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
@@ -32,6 +73,8 @@ pub struct Report {
     pub filtered: PerKind,
     /// Contacts in [`State::Undecided`](super::contact::State::Undecided).
     pub undecided: u64,
+    /// Pairs of triangles and what they were expanded to; `None` if features were paired at once.
+    pub triangles: Option<TriangleCounts>,
     /// Whether trees were built anew rather than refitted.
     pub rebuilt: bool,
     /// Where the time went.

@@ -106,51 +106,26 @@ pub fn advance<R: Real>(
     Advance::Stuck(reach)
 }
 
-/// The vector from the second feature to the first at time `t`, up to rounding.
-#[inline(always)]
-fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
-    closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch)
-}
-
-/// The part of `w` along the first, second or third axis.
-#[inline(always)]
-fn along_axis<R: Real>(w: [R; 3], axis: u32) -> [R; 3] {
-    let zero = R::splat(0.0);
-    [
-        if axis == 1 { w[0] } else { zero },
-        if axis == 2 { w[1] } else { zero },
-        if axis == 3 { w[2] } else { zero },
-    ]
-}
-
-/// The part of a step to try after it failed, from how far separations exceed what is needed at its
-/// start and at its end: almost as far as the line between both says, or half as far where the
-/// features only turned too much.
-#[inline(always)]
-fn shorter<R: Real>(here: R, there: R) -> R {
-    let (least, half, most) = (R::splat(0.0625), R::splat(0.5), R::splat(0.9));
-    if there > R::splat(0.0) {
-        return half;
-    }
-    let part = R::splat(0.95) * (here / (here - there));
-    if part > least { part.min(most) } else { least }
-}
-
 /// What separates two features, but for the direction.
-struct Field<R> {
+#[derive(Clone, Copy, Debug)]
+pub struct Field<R> {
     /// Corners of their difference at `t = 0` and `t = 1`.
-    corners: [[[R; 3]; 4]; 2],
+    pub corners: [[[R; 3]; 4]; 2],
     /// Error of a product of a corner and a direction.
-    slack: R,
-    min_distance: R,
+    pub slack: R,
+    /// How far apart they must stay.
+    pub min_distance: R,
 }
 
 /// How far each corner is along one direction at `t = 0` and `t = 1`, and how far it must be.
-#[derive(Clone, Copy)]
-struct Separation<R> {
-    g0: [R; 4],
-    g1: [R; 4],
-    needed: [R; 4],
+#[derive(Clone, Copy, Debug)]
+pub struct Separation<R> {
+    /// Each corner at `t = 0`.
+    pub g0: [R; 4],
+    /// Each corner at `t = 1`.
+    pub g1: [R; 4],
+    /// What each must exceed, errors included.
+    pub needed: [R; 4],
 }
 
 impl<R: Real> Field<R> {
@@ -163,7 +138,12 @@ impl<R: Real> Field<R> {
         if !(w_sum > R::splat(0.0)) || !w_sum.is_finite_number() {
             return Separation::nothing();
         }
-        let w = scale(w, R::splat(1.0) / w_sum);
+        self.along(scale(w, R::splat(1.0) / w_sum))
+    }
+
+    /// Along `w`, whose components add up to 1, nearly.
+    #[inline(always)]
+    pub fn along(&self, w: [R; 3]) -> Separation<R> {
         let length = dot(w, w).sqrt_up();
         let twelve = R::UNIT * R::splat(12.0);
         let common =
@@ -191,7 +171,7 @@ impl<R: Real> Separation<R> {
 
     /// By how much corner `j` is further along than it must be at time `t`.
     #[inline(always)]
-    fn excess(&self, j: usize, t: R) -> R {
+    pub fn excess(&self, j: usize, t: R) -> R {
         (self.g0[j] + (self.g1[j] - self.g0[j]) * t) - self.needed[j]
     }
 
@@ -233,10 +213,10 @@ impl<R: Real> Separation<R> {
         first.min(second).max(t)
     }
 
-    /// The same for corner `j`. A quotient of two differences is off by less than `6 u`, of which
-    /// 16 are taken away.
+    /// The same for corner `j`. Two differences, their quotient, and what is taken away with its
+    /// product: `1 + 1 + 5 + 1 + 1` of the `16 u` that are taken away.
     #[inline(always)]
-    fn reach_of(&self, j: usize, t: R) -> R {
+    pub fn reach_of(&self, j: usize, t: R) -> R {
         let (g0, g1, needed) = (self.g0[j], self.g1[j], self.needed[j]);
         if g0 > needed && g1 > needed || g1 >= g0 {
             return R::splat(2.0);
@@ -251,10 +231,45 @@ impl<R: Real> Separation<R> {
 
 /// Whether the features certainly are within `min_distance` of each other at time `t`.
 pub fn within<R: Real>(m: &Motion<R>, patch: Patch, t: R, min_distance: R) -> bool {
+    greatest_distance(m, patch, t) <= min_distance
+}
+
+/// An upper bound of the distance of the features at time `t`.
+#[inline(always)]
+pub fn greatest_distance<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> R {
     let x = nearest(m, patch, t);
     // Twice for the interpolation besides the differences, twice for the length of an error in
     // three components.
-    let length = dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0))
-        + m.corner_error() * R::splat(4.0);
-    length <= min_distance
+    dot(x, x).sqrt_up() * (R::splat(1.0) + R::UNIT * R::splat(8.0))
+        + m.corner_error() * R::splat(4.0)
+}
+
+/// The vector from the second feature to the first at time `t`, up to rounding.
+#[inline(always)]
+fn nearest<R: Real>(m: &Motion<R>, patch: Patch, t: R) -> [R; 3] {
+    closest(lerp(m.a[0], m.a[1], t), lerp(m.b[0], m.b[1], t), lerp(m.c[0], m.c[1], t), patch)
+}
+
+/// The part of `w` along the first, second or third axis.
+#[inline(always)]
+fn along_axis<R: Real>(w: [R; 3], axis: u32) -> [R; 3] {
+    let zero = R::splat(0.0);
+    [
+        if axis == 1 { w[0] } else { zero },
+        if axis == 2 { w[1] } else { zero },
+        if axis == 3 { w[2] } else { zero },
+    ]
+}
+
+/// The part of a step to try after it failed, from how far separations exceed what is needed at its
+/// start and at its end: almost as far as the line between both says, or half as far where the
+/// features only turned too much.
+#[inline(always)]
+fn shorter<R: Real>(here: R, there: R) -> R {
+    let (least, half, most) = (R::splat(0.0625), R::splat(0.5), R::splat(0.9));
+    if there > R::splat(0.0) {
+        return half;
+    }
+    let part = R::splat(0.95) * (here / (here - there));
+    if part > least { part.min(most) } else { least }
 }

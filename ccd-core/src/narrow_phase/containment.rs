@@ -81,12 +81,41 @@ pub fn cross2<R: Real>(p: &Ball<R>, q: &Ball<R>, i: usize, j: usize) -> (R, R) {
     (value, error)
 }
 
+/// The middle of an interval inside `[0, 1]` and half of its width, so much wider that all of it is
+/// in between although both are rounded.
+#[inline(always)]
+pub fn around<R: Real>(lo: R, hi: R) -> (R, R) {
+    let half = (hi - lo) * R::splat(0.5);
+    (lo + half, half + (R::UNIT * R::splat(4.0)))
+}
+
+/// What is positive inside the patch and negative outside, each with a bound of its error, from `D`,
+/// `S`, `R` with theirs, of a sign that makes `D` positive.
+#[inline(always)]
+pub fn conditions<R: Real>(
+    patch: Patch,
+    (d, d_error): (R, R),
+    (s, s_error): (R, R),
+    (r, r_error): (R, R),
+) -> [(R, R); 4] {
+    let rounding = (d.abs() + s.abs() + r.abs()) * (R::UNIT * R::splat(4.0));
+    match patch {
+        Patch::Triangle => {
+            let rest = (d - s - r, d_error + s_error + r_error + rounding);
+            [(s, s_error), (r, r_error), rest, rest]
+        }
+        Patch::Parallelogram => [
+            (s, s_error),
+            (r, r_error),
+            (d - s, d_error + s_error + rounding),
+            (d - r, d_error + r_error + rounding),
+        ],
+    }
+}
+
 /// Classifies the interval `[lo, hi]` inside `[0, 1]`.
 pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
-    let half = (hi - lo) * R::splat(0.5);
-    let middle = lo + half;
-    // The middle is rounded: let the ball reach a little further.
-    let half = half + (R::UNIT * R::splat(4.0));
+    let (middle, half) = around(lo, hi);
     let a = Ball::new(&m.a, middle, half, m.error);
     let b = Ball::new(&m.b, middle, half, m.error);
     let c = Ball::new(&m.c, middle, half, m.error);
@@ -106,19 +135,7 @@ pub fn inside<R: Real>(m: &Motion<R>, patch: Patch, lo: R, hi: R) -> Inside {
     let (s, s_error) = cross2(&a, &c, i, j);
     let (r, r_error) = cross2(&b, &a, i, j);
     let (d, s, r) = (d * sign, s * sign, r * sign);
-    let rounding = (d.abs() + s.abs() + r.abs()) * (R::UNIT * R::splat(4.0));
-    let conditions = match patch {
-        Patch::Triangle => {
-            let rest = (d - s - r, d_error + s_error + r_error + rounding);
-            [(s, s_error), (r, r_error), rest, rest]
-        }
-        Patch::Parallelogram => [
-            (s, s_error),
-            (r, r_error),
-            (d - s, d_error + s_error + rounding),
-            (d - r, d_error + r_error + rounding),
-        ],
-    };
+    let conditions = conditions(patch, (d, d_error), (s, s_error), (r, r_error));
     let mut all_inside = true;
     for k in 0..4 {
         let (value, error) = conditions[k];

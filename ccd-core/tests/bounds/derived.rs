@@ -8,6 +8,7 @@ use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
 use ccd_core::narrow_phase::query::solve;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::separating_direction::beside;
 use ccd_core::{Real, TOI_TOLERANCE, Verdict};
 
 /// Rounding of the bounds themselves and of what is computed here.
@@ -69,6 +70,25 @@ fn check_band<R: Real>(error: f64) {
     }
 }
 
+/// What has no size is not known better than flushed operands and results allow.
+fn check_flushed<R: Real>() {
+    let points: Points<R> = [[R::splat(0.0); 3]; 4];
+    let m = Motion::vertex_face(&points, &points, R::splat(0.0));
+    let (plane, zero) = (Coplanarity::new(&m), R::splat(0.0));
+    let ball = Ball::new(&m.a, zero, zero, zero);
+    let bounds = [
+        (plane.bound, 90.0),
+        (plane.normal, 60.0),
+        (m.corner_error(), 22.0),
+        (-beside(&m, Patch::Triangle, zero), 9.0),
+        (cross2(&ball, &ball, 0, 1).1, 15.0),
+    ];
+    for (bound, least) in bounds {
+        let least = least * R::MIN_NORMAL.to_f64();
+        assert!(bound.to_f64() >= least, "{bound:?}, but {least:e}");
+    }
+}
+
 /// A vertex that falls through a face, of points that are known up to an error, is told as soon as
 /// it may touch.
 #[test]
@@ -97,6 +117,8 @@ fn bounds_are_at_least_as_derived() {
         check::<f64>(&mut random, error);
         check::<f32>(&mut random, error);
     }
+    check_flushed::<f64>();
+    check_flushed::<f32>();
     check_band::<f64>(0.0);
     check_band::<f32>(0.0);
     check_band::<f64>(1e-3);

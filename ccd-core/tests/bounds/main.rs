@@ -1,10 +1,15 @@
 //! Bounds and verdicts of the core against exact arithmetic, adversaries and independent
 //! computation; no data needed.
 
+mod advancement;
 mod boxes;
 mod common;
 mod derived;
 mod distance;
+mod input;
+mod normal_cone;
+mod obb;
+mod obb_rounding;
 mod rounding;
 mod tangential;
 mod verdicts;

@@ -4,88 +4,15 @@
 //! A ratio above 1 is a bound that does not hold; each test also reaches the ratio that
 //! docs/ERROR-BOUNDS.md states.
 
-use crate::common::adversary::{Adversarial, UNIT, under, undisturbed};
+use crate::common::adversary::{Adversarial, MIN_NORMAL, UNIT, under, undisturbed};
 use crate::common::ascent::Ascent;
+use crate::common::motion::{Part, V, at, cross, minus, motion, scalar, wrap};
 use ccd_core::math::vec3::{dot, sum_abs};
 use ccd_core::narrow_phase::containment::{Ball, cross2};
 use ccd_core::narrow_phase::coplanarity::Coplanarity;
 use ccd_core::narrow_phase::cubic_roots::Cubic;
-use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
+use ccd_core::narrow_phase::relative_motion::Patch;
 use ccd_core::narrow_phase::separating_direction::beside;
-
-type V = [f64; 3];
-
-fn minus(a: V, b: V) -> V {
-    std::array::from_fn(|k| a[k] - b[k])
-}
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn scalar(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn at(x: &[V; 2], t: f64) -> V {
-    std::array::from_fn(|k| x[0][k] * (1.0 - t) + x[1][k] * t)
-}
-
-fn wrap(x: V) -> [Adversarial; 3] {
-    x.map(Adversarial)
-}
-
-/// Part of the step that a motion is of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Part {
-    Whole,
-    First,
-    Second,
-}
-
-/// Points from 24 inputs; true ones, off by up to `error`, from 24 more. The motion in adversarial
-/// arithmetic, and the true `a b c`.
-fn motion(
-    x: &[f64],
-    patch: Patch,
-    part: Part,
-    size: f64,
-    error: f64,
-) -> (Motion<Adversarial>, [[V; 2]; 3]) {
-    let point = |t: usize, i: usize| -> V { std::array::from_fn(|k| size * x[12 * t + 3 * i + k]) };
-    let off = |t: usize, i: usize| -> V {
-        std::array::from_fn(|k| {
-            point(t, i)[k] + error * x.get(24 + 12 * t + 3 * i + k).unwrap_or(&0.0)
-        })
-    };
-    let given = |t: usize| std::array::from_fn(|i| wrap(point(t, i)));
-    let (t0, t1) = (given(0), given(1));
-    let e = Adversarial(error);
-    let difference =
-        |i: usize, j: usize| [minus(off(0, i), off(0, j)), minus(off(1, i), off(1, j))];
-    let (m, mut exact) = match patch {
-        Patch::Triangle => (
-            Motion::vertex_face(&t0, &t1, e),
-            [difference(0, 1), difference(2, 1), difference(3, 1)],
-        ),
-        Patch::Parallelogram => {
-            (Motion::edge_edge(&t0, &t1, e), [difference(2, 0), difference(1, 0), difference(2, 3)])
-        }
-    };
-    let (first, second) = m.halves();
-    let m = match part {
-        Part::Whole => m,
-        Part::First => {
-            exact = exact.map(|v| [v[0], at(&v, 0.5)]);
-            first
-        }
-        Part::Second => {
-            exact = exact.map(|v| [at(&v, 0.5), v[1]]);
-            second
-        }
-    };
-    (m, exact)
-}
 
 /// Three times a Bernstein value of the cubic.
 fn control([a, b, c]: &[[V; 2]; 3], k: usize) -> f64 {
@@ -136,18 +63,28 @@ fn middles_of_halves() {
 
 #[test]
 fn greatest_normal() {
-    let ratio = |x: &[f64]| {
-        let (m, [_, b, c]) = motion(x, Patch::Triangle, Part::Whole, 1.0, 0.0);
-        let (p, q) = (cross(b[0], c[1]), cross(b[1], c[0]));
-        let middle = std::array::from_fn(|k| 0.5 * (p[k] + q[k]));
-        let normals = [cross(b[0], c[0]), middle, cross(b[1], c[1])];
-        let greatest = normals.map(|n| scalar(n, n).sqrt()).into_iter().fold(0.0, f64::max);
-        let size = m.magnitudes();
-        // What is added to the rounded sums of components.
-        let added = 64.0 * UNIT * size[1].0 * size[2].0;
-        1.0 + (greatest - Coplanarity::new(&m).normal.0) / added
-    };
-    Ascent { n_inputs: 24, flush: false, ratio }.check("normal", 7, [4, 400], 0.27);
+    for (name, size, error, documented) in [
+        ("normal", 1.0, 0.0, 0.27),
+        ("normal, input", 1.0, 0.01, 0.22),
+        ("normal, flushed", 1e-19, 0.0, 0.0099),
+    ] {
+        let ratio = |x: &[f64]| {
+            let (m, [_, b, c]) = motion(x, Patch::Triangle, Part::Whole, size, error);
+            let (p, q) = (cross(b[0], c[1]), cross(b[1], c[0]));
+            let middle = std::array::from_fn(|k| 0.5 * (p[k] + q[k]));
+            let normals = [cross(b[0], c[0]), middle, cross(b[1], c[1])];
+            let greatest = normals.map(|n| scalar(n, n).sqrt()).into_iter().fold(0.0, f64::max);
+            let [_, b, c] = undisturbed(|| m.magnitudes()).map(|x| x.0);
+            // What is added to the rounded sums of components.
+            let added = 64.0 * UNIT * b * c
+                + 6.0 * m.error.0 * (b + c)
+                + 256.0 * MIN_NORMAL * (1.0 + b) * (1.0 + c);
+            1.0 + (greatest - Coplanarity::new(&m).normal.0) / added
+        };
+        let n_inputs = if error > 0.0 { 48 } else { 24 };
+        let ascent = Ascent { n_inputs, flush: size < 1e-6, ratio };
+        ascent.check(name, 7, [4, 400], documented);
+    }
 }
 
 #[test]
@@ -320,6 +257,23 @@ fn balls_and_products_over_an_interval() {
             documented[1],
         );
     }
+}
+
+#[test]
+fn flushed_products_of_balls() {
+    // One vector of any size, the other of about the smallest normal number.
+    let ratio = |x: &[f64]| {
+        let vector = |from: usize, size: f64| -> [V; 2] {
+            [0, 3].map(|i| std::array::from_fn(|k| size * x[from + i + k]))
+        };
+        let (p, q) = (vector(0, 1.0), vector(6, 2.0 * MIN_NORMAL));
+        let t = 0.5 + 0.5 * x[12];
+        let ball =
+            |v: [V; 2]| Ball::new(&v.map(wrap), Adversarial(t), Adversarial(0.0), Adversarial(0.0));
+        let (value, bound) = cross2(&ball(p), &ball(q), 0, 1);
+        (value.0 - cross(at(&p, t), at(&q, t))[2]) / bound.0
+    };
+    Ascent { n_inputs: 13, flush: true, ratio }.check("product, flushed", 21, [2, 200], 0.004);
 }
 
 #[test]

@@ -58,8 +58,7 @@ impl LeafBoxes {
     /// The box of a leaf.
     #[inline]
     pub fn get(&self, leaf: usize) -> Aabb<f32> {
-        let (block, j) = (&self.blocks[leaf / WIDTH], leaf % WIDTH);
-        Aabb { min: block.min.map(|x| x.0[j]), max: block.max.map(|x| x.0[j]) }
+        get_lane(&self.blocks[leaf / WIDTH], leaf % WIDTH)
     }
 
     /// The ids of block `b`; lanes past the end repeat the last id.
@@ -105,6 +104,12 @@ impl LeafBoxes {
             block
         });
     }
+}
+
+/// The box in lane `j`.
+#[inline]
+pub fn get_lane(block: &Block, j: usize) -> Aabb<f32> {
+    Aabb { min: block.min.map(|x| x.0[j]), max: block.max.map(|x| x.0[j]) }
 }
 
 /// Puts a box into lane `j`.

@@ -2,12 +2,14 @@
 
 use crate::broad_phase::block_pairs::BlockSource;
 use crate::broad_phase::brute_force::BruteForce;
+use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::pair_source::{
     Order, PairSink, PairSource, Row, RowSource, Rows, Scratch, Sides,
 };
 use crate::broad_phase::scheduler::share;
 use crate::broad_phase::sweep_and_prune::SweepAndPrune;
-use crate::broad_phase::tree::TreeSource;
+use crate::broad_phase::sweep_in_strips::SweepInStrips;
+use crate::broad_phase::tree::{TreeSource, TreeStatistics};
 use crate::broad_phase::uniform_grid::UniformGrid;
 use crate::simd::{RowSimd, WIDTH, Work};
 use crate::threads::{Own, Threads};
@@ -35,6 +37,7 @@ impl Method {
             BroadPhaseMethod::Blocks => return Ok(Self::Blocks(BlockSource::default())),
             BroadPhaseMethod::BruteForce => Box::new(BruteForce),
             BroadPhaseMethod::SweepAndPrune => Box::new(SweepAndPrune::default()),
+            BroadPhaseMethod::SweepInStrips => Box::new(SweepInStrips::default()),
             BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(options)?),
             BroadPhaseMethod::UniformGrid => Box::new(UniformGrid::default()),
             other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
@@ -47,6 +50,14 @@ impl Method {
         match self {
             Self::Blocks(_) => 0,
             Self::Listed(source) => source.buffers.iter().map(|Own((own, _))| own.steps).sum(),
+        }
+    }
+
+    /// See [`RowSource::tree_statistics`].
+    pub fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        match self {
+            Self::Blocks(_) => None,
+            Self::Listed(Listed { source, .. }) => source.tree_statistics(threads, leaves),
         }
     }
 }

@@ -24,10 +24,13 @@ pub mod pair_list;
 pub mod pair_source;
 mod pair_tree;
 mod scheduler;
+#[cfg(test)]
+mod sorted_tests;
 mod sweep_and_prune;
+mod sweep_in_strips;
 #[cfg(test)]
 mod tests;
-mod tree;
+pub mod tree;
 mod uniform_grid;
 
 use crate::simd::RowSimd;
@@ -107,6 +110,12 @@ impl BroadPhase {
     /// tree.
     pub fn steps(&self) -> u64 {
         self.method.steps()
+    }
+
+    /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`], or
+    /// the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has none.
+    pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
+        self.method.tree_statistics(&self.threads, &self.b.leaves)
     }
 
     #[inline(never)]

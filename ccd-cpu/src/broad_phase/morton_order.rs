@@ -19,15 +19,8 @@ pub struct MortonOrder {
 }
 
 impl MortonOrder {
-    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others.
-    /// Returns the grid of the codes.
-    pub fn sort(
-        &mut self,
-        threads: &Threads,
-        boxes: &[Aabb<f32>],
-        last: Option<&(dyn Fn(usize) -> bool + Sync)>,
-        order: &mut Vec<u32>,
-    ) -> MortonGrid {
+    /// The grid over the boxes.
+    pub fn grid(&mut self, threads: &Threads, boxes: &[Aabb<f32>]) -> MortonGrid {
         self.chunks.resize(boxes.len().div_ceil(CHUNK), Aabb::EMPTY);
         threads.fill(&mut self.chunks, |i| {
             (0..CHUNK / morton_key::CHUNK).fold(Aabb::EMPTY, |all, k| {
@@ -40,7 +33,19 @@ impl MortonOrder {
             })
         });
         let scene = self.chunks.iter().fold(Aabb::EMPTY, |all, b| all.union(b));
-        let grid = MortonGrid::new(&scene, BITS);
+        MortonGrid::new(&scene, BITS)
+    }
+
+    /// Fills `order` with the ids of the boxes; those for which `last(i)` come after all others.
+    /// Returns the grid of the codes.
+    pub fn sort(
+        &mut self,
+        threads: &Threads,
+        boxes: &[Aabb<f32>],
+        last: Option<&(dyn Fn(usize) -> bool + Sync)>,
+        order: &mut Vec<u32>,
+    ) -> MortonGrid {
+        let grid = self.grid(threads, boxes);
         let key = |i: usize| {
             let [low, high] = morton_key::morton(i, boxes, &grid);
             let code = (high as u64) << 32 | low as u64;

@@ -8,6 +8,7 @@
 //! compiled once: for all others.
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
+use crate::broad_phase::tree::TreeStatistics;
 use crate::simd::RowSimd;
 use crate::threads::Threads;
 use ccd_core::{Aabb, Error};
@@ -35,6 +36,8 @@ pub trait Order: Debug + Send + Sync {
     }
 
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
+    /// A box may have several leaves, of which no two are ever emitted with each other, if the order
+    /// does not outlast motion.
     fn sort(
         &mut self,
         threads: &Threads,
@@ -104,6 +107,11 @@ pub trait RowSource: Order {
     /// Most threads that take tasks.
     fn max_threads(&self) -> usize {
         usize::MAX
+    }
+
+    /// Figures of the binary tree over a set that is searched, if the source has one.
+    fn tree_statistics(&self, _threads: &Threads, _leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        None
     }
 }
 

@@ -18,7 +18,7 @@ use ccd_core::{Aabb, Error, Num};
 /// Blocks of leaves a task.
 const TASK: usize = 16;
 /// Boxes whose moments are merged by one thread, in the same order for any number of threads.
-const CHUNK: usize = 1024;
+const CHUNK: usize = 4096;
 
 /// The axes, and buffers of the sort.
 #[derive(Debug, Default)]
@@ -31,14 +31,7 @@ pub struct SweepAndPrune {
 
 impl Order for SweepAndPrune {
     fn survey(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
-        let all = sets.iter().fold(Moments::none(), |all, boxes| {
-            self.chunks.resize(boxes.len().div_ceil(CHUNK), Moments::none());
-            threads.fill(&mut self.chunks, |i| {
-                let part = &boxes[i * CHUNK..((i + 1) * CHUNK).min(boxes.len())];
-                part.iter().fold(Moments::none(), |sum, b| sum.merged(&Moments::of(b)))
-            });
-            self.chunks.iter().fold(all, |all, part| all.merged(part))
-        });
+        let all = moments(threads, sets, &mut self.chunks);
         self.axes = all.axes();
         Ok(())
     }
@@ -83,13 +76,28 @@ impl RowSource for SweepAndPrune {
     }
 }
 
+/// Moments of the boxes of all sets.
+pub fn moments(
+    threads: &Threads,
+    sets: &[&[Aabb<f32>]],
+    chunks: &mut Vec<Moments<f64>>,
+) -> Moments<f64> {
+    sets.iter().fold(Moments::none(), |all, boxes| {
+        chunks.resize(boxes.len().div_ceil(CHUNK), Moments::none());
+        threads.each(chunks, &|i, part| {
+            *part = Moments::of(i * CHUNK, (boxes.len() - i * CHUNK).min(CHUNK), boxes);
+        });
+        chunks.iter().fold(all, |all, part| all.merged(part))
+    })
+}
+
 fn n_tasks(of: &LeafBoxes) -> usize {
     of.blocks().len().div_ceil(TASK)
 }
 
 /// Which set a leaf that looks for others belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Role {
+pub enum Role {
     /// The only one.
     Only,
     /// The first of two.
@@ -162,7 +170,7 @@ impl<S: RowSimd> Work<S> for Forward<'_, '_> {
                 let lane = near.trailing_zeros() as usize / 8;
                 near &= !(0xff << (8 * lane));
                 let mask = simd.overlaps(block, lane, other) & sweep.finds(simd, lane, b);
-                emit(&sweep, lane, b, mask, rows);
+                emit(sweep.role, sweep.block, lane, b, mask, rows);
             }
             b += 1;
         }
@@ -196,17 +204,17 @@ fn near<S: RowSimd>(simd: S, a: &Block, b: &Block, axis: usize, rows: u32) -> u6
     out
 }
 
-/// Adds what leaf `lane` found in block `b`: a row of its own if it is of the first set, else one
-/// for each of the leaves found.
+/// Adds what lane `lane` of block `a` found in block `b`: a row of its own if it is of the first
+/// set, else one for each of the leaves found.
 #[inline(always)]
-fn emit(sweep: &Sweep, lane: usize, b: usize, mut mask: u32, rows: &mut Rows) {
-    if sweep.role != Role::Second {
-        rows.push(sweep.block * WIDTH + lane, b, mask);
+pub fn emit(role: Role, a: usize, lane: usize, b: usize, mut mask: u32, rows: &mut Rows) {
+    if role != Role::Second {
+        rows.push(a * WIDTH + lane, b, mask);
         return;
     }
     while mask != 0 {
         let j = mask.trailing_zeros() as usize;
         mask &= mask - 1;
-        rows.push(b * WIDTH + j, sweep.block, 1 << lane);
+        rows.push(b * WIDTH + j, a, 1 << lane);
     }
 }

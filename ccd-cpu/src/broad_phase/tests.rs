@@ -3,7 +3,7 @@
 use super::*;
 use ccd_core::layout::Pair;
 use ccd_core::model::catalogue::{Catalogued, every};
-use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions};
+use ccd_core::model::method::{Builder, Descent, Traversal, TreeOptions, Volume};
 
 /// Bounds at and beyond the greatest that a rounded box has, and ordinary ones.
 const BOUNDS: [f32; 13] = [
@@ -195,5 +195,30 @@ fn huge_and_infinite_bounds_are_compared_as_they_are() {
                 check_pairs(&all(&boxes), &all(&others));
             }
         }
+    }
+}
+
+/// A slanted strand of boxes against one that lies beside it, and in parts on it.
+#[test]
+fn oriented_boxes_spare_steps_where_things_are_slanted() {
+    let at = |i: i32, offset: f32| {
+        let x = i as f32 / 64.0;
+        let min = [x + offset, x - offset, x + offset];
+        Aabb { min, max: min.map(|c| c + 0.017) }
+    };
+    let strand = Vec::from_iter((0..1000).map(|i| at(i, 0.0)));
+    let beside = Vec::from_iter((0..1000).map(|i| at(i, if i % 50 == 0 { 0.0 } else { 0.05 })));
+    let traversals = [Traversal::Recursive, Traversal::Half, Traversal::SIMULTANEOUS];
+    for traversal in traversals.into_iter().chain([Traversal::CUT]) {
+        let [aabb, obb] = [Volume::Aabb, Volume::Obb].map(|volume| {
+            let tree = TreeOptions::default().traversal(traversal).volume(volume);
+            let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
+            let n_pairs = broad.pairs(&beside, &strand).unwrap().len();
+            (n_pairs, broad.steps())
+        });
+        assert!(aabb.0 == obb.0 && aabb.0 > 50, "{traversal:?}: {aabb:?} {obb:?}");
+        // The cut counts the pairs with which it begins.
+        let most = if traversal == Traversal::CUT { aabb.1 } else { aabb.1 / 2 };
+        assert!(obb.1 <= most, "{traversal:?}: {aabb:?} {obb:?}");
     }
 }

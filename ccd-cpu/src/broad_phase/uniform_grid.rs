@@ -19,9 +19,9 @@ use std::ops::Range;
 /// Leaves a task.
 const TASK: usize = 512;
 /// Boxes whose sizes one thread takes together.
-const CHUNK: usize = 1024;
+const CHUNK: usize = 4096;
 /// Boxes of a set whose cells are counted to estimate how full cells are.
-const SAMPLE: usize = 1 << 15;
+const SAMPLE: usize = 1 << 13;
 
 /// The grid, and the cell of every leaf.
 #[derive(Debug)]
@@ -55,37 +55,48 @@ impl UniformGrid {
             |all: (Sizes, f64), part: &(Sizes, f64)| (all.0.merged(&part.0), all.1 + part.1);
         sets.iter().fold(none, |all, boxes| {
             self.chunks.resize(boxes.len().div_ceil(CHUNK), none);
-            threads.fill(&mut self.chunks, |i| {
+            threads.each(&mut self.chunks, &|i, slot| {
                 let part = &boxes[i * CHUNK..((i + 1) * CHUNK).min(boxes.len())];
-                part.iter().fold(none, |all, b| {
+                *slot = part.iter().fold(none, |all, b| {
                     let sizes = Sizes::of(b);
                     merged(all, &(sizes, largest_side(&sizes)))
-                })
+                });
             });
             self.chunks.iter().fold(all, merged)
         })
     }
 
-    /// About the sum of the squares of the numbers of boxes a cell, and about the greatest of these
-    /// numbers: exactly up to [`SAMPLE`] boxes, from as many of them if there are more.
+    /// About how many boxes of a set are in the cells around each in the mean, and about how many
+    /// in the fullest cell: exactly up to [`SAMPLE`] boxes, from as many of them if there are more.
     fn fullness(&mut self, boxes: &[Aabb<f32>]) -> (f64, u64) {
         let Self { grid, sample, .. } = self;
         let (n, m) = (boxes.len() as u64, boxes.len().min(SAMPLE) as u64);
         sample.clear();
         // One of each of so many parts of the list; which one follows no pattern of the input.
         let one = |j: u64| {
-            let part = j as u32;
-            let offset = part.wrapping_mul(0x9e37_79b9) as u64 * n >> 32;
+            let offset = (j as u32).wrapping_mul(0x9e37_79b9) as u64 * n >> 32;
             if n == m { j } else { (j * n + offset) / m }
         };
         sample.extend((0..m).map(|j| cells::key(grid.cell(&boxes[one(j) as usize]))));
         sample.sort_unstable();
-        let counts = sample.chunk_by(|a, b| a == b).map(|cell| cell.len() as u64);
-        let (pairs, fullest) = counts.fold((0, 0), |(p, f), c| (p + c * (c - 1), f.max(c)));
-        // Of all ordered pairs of boxes, the sample has this part.
-        let part = (m * m.saturating_sub(1)) as f64 / (n * n.saturating_sub(1)).max(1) as f64;
-        let pairs = if part > 0.0 { pairs as f64 / part } else { 0.0 };
-        (n as f64 + pairs, if m > 0 { fullest * n / m } else { 0 })
+        let mut runs = [const { 0..0 }; ROWS as usize];
+        let (mut pairs, mut fullest) = (0, 0);
+        for cell in sample.chunk_by(|a, b| a == b) {
+            let mut around = 0;
+            for (row, run) in (0..ROWS).zip(&mut runs) {
+                let [first, last] = cells::row(cells::cell_of(cell[0]), row, false);
+                if first <= last {
+                    advance(run, sample, first, last);
+                    around += run.len() as u64;
+                }
+            }
+            pairs += cell.len() as u64 * (around - 1);
+            fullest = fullest.max(cell.len() as u64);
+        }
+        // A box of the sample has this part of the others around it.
+        let part = m.saturating_sub(1) as f64 / n.saturating_sub(1).max(1) as f64;
+        let tests = if part > 0.0 { pairs as f64 / m as f64 / part } else { 0.0 };
+        (tests, if m > 0 { fullest * n / m } else { 0 })
     }
 }
 
@@ -99,21 +110,24 @@ impl Order for UniformGrid {
     fn survey(&mut self, threads: &Threads, sets: &[&[Aabb<f32>]]) -> Result<(), Error> {
         let (sizes, sum) = self.measure(threads, sets);
         self.grid = cells::UniformGrid::new(&sizes);
-        let n: usize = sets.iter().map(|boxes| boxes.len()).sum();
-        let (squares, fullest) = sets.iter().fold((0.0, 0), |(squares, fullest), boxes| {
-            let (more, here) = self.fullness(boxes);
-            (squares + more, here.max(fullest))
-        });
-        let tests = cells::most_tests(squares) / n.max(1) as f64;
-        if tests <= TESTS_A_BOX {
+        let (mut tests, mut fullest) = (0.0, 0);
+        // Fewer boxes than that cannot take as many tests.
+        for boxes in sets.iter().filter(|boxes| boxes.len() as u64 > TESTS_A_BOX) {
+            let (of_set, cell) = self.fullness(boxes);
+            if of_set > tests {
+                (tests, fullest) = (of_set, cell);
+            }
+        }
+        if tests <= TESTS_A_BOX as f64 {
             return Ok(());
         }
+        let n: usize = sets.iter().map(|boxes| boxes.len()).sum();
         Err(Error::CrowdedCells {
             largest: largest_side(&sizes),
             mean: sum / n as f64,
             fullest,
             tests: tests as u64,
-            limit: TESTS_A_BOX as u64,
+            limit: TESTS_A_BOX,
         })
     }
 
@@ -175,9 +189,9 @@ impl RowSource for UniformGrid {
                     start..start
                 });
                 advance(&mut run, keys, first, last);
-                if !run.is_empty() {
-                    // Leaves of the cell itself look at those after themselves.
-                    let after = forward && row == OWN_ROW;
+                // Leaves of the cell itself look at those after themselves.
+                let after = forward && row == OWN_ROW;
+                if run.end > if after { leaf + 1 } else { run.start } {
                     let (queries, of, others) = (leaf..leaf + n, a.blocks(), other.blocks());
                     let compare = Compare { of, queries, others, run: run.clone(), after, rows };
                     crate::simd::run_rows!(compare);

@@ -9,11 +9,13 @@ use crate::simd::{Bits, Block, Mask, RowSimd, WIDTH};
 use crate::step::leaves::Leaves;
 use ccd_core::broad_phase::candidate::{Ids, is_corner, share_vertex};
 use ccd_core::broad_phase::swept_box;
+use ccd_core::layout::Pair;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::contact::Kind;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::{Points, Precision, Slices};
 use ccd_core::model::quantization::margin;
+use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::separating_direction::axis_separated;
 use ccd_core::{Aabb, Num, Real};
 use std::marker::PhantomData;
@@ -42,13 +44,13 @@ pub struct Scene<'a> {
 impl Scene<'_> {
     /// The gap that two features must keep along an axis to be apart: 1.0001 covers the rounding of
     /// this line and of the gap.
-    fn needed_gap(&self) -> f32 {
+    pub fn needed_gap(&self) -> f32 {
         (self.table_distance + 2.0 * self.table_error) * 1.0001
     }
 
     /// Whether the swept boxes of two features overlap in the precision of the input.
     #[inline(never)]
-    fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
+    pub fn boxes_overlap<const A: usize, const B: usize>(&self, a: [u32; A], b: [u32; B]) -> bool {
         match self.given {
             Precision::F32(x) => boxes_overlap(x, self.min_distance, &a, &b),
             Precision::F64(x) => boxes_overlap(x, self.min_distance, &a, &b),
@@ -70,7 +72,9 @@ pub trait Take: Send {
     /// Whether pairs that an axis separates throughout may be left out after they were counted.
     const FILTERED: bool;
     /// Counts candidates.
-    fn count(&mut self, n: u64);
+    fn count(&mut self, kind: Kind, n: u64);
+    /// Counts pairs of triangles.
+    fn count_triangles(&mut self, counts: TriangleCounts);
     /// Takes the pairs of `id` with the lanes `mask` of `ids`.
     fn take<S: RowSimd>(
         &mut self,
@@ -81,6 +85,8 @@ pub trait Take: Send {
         ids: &[u32; WIDTH],
         mask: u32,
     );
+    /// Takes one pair, of edges the lesser id first.
+    fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair);
     /// A task begins.
     fn begin(&mut self, task: usize);
     /// No further candidate comes.
@@ -91,7 +97,10 @@ impl Take for Lister {
     const FILTERED: bool = false;
 
     #[inline(always)]
-    fn count(&mut self, _n: u64) {}
+    fn count(&mut self, _kind: Kind, _n: u64) {}
+
+    #[inline(always)]
+    fn count_triangles(&mut self, _counts: TriangleCounts) {}
 
     #[inline(always)]
     fn take<S: RowSimd>(
@@ -107,6 +116,11 @@ impl Take for Lister {
             Kind::VertexFace => simd.append::<false>(&mut self.pairs, id, ids, mask),
             Kind::EdgeEdge => simd.append::<true>(&mut self.pairs, id, ids, mask),
         }
+    }
+
+    #[inline(always)]
+    fn take_one(&mut self, _scene: &Scene, _kind: Kind, pair: Pair) {
+        self.pairs.push(pair);
     }
 
     fn begin(&mut self, task: usize) {
@@ -166,7 +180,7 @@ impl<W: Take> PairSink for EdgePairs<'_, W> {
                     });
             }
         }
-        worker.count(mask.count_ones() as u64);
+        worker.count(Kind::EdgeEdge, mask.count_ones() as u64);
         if W::FILTERED {
             mask &= !separated(
                 simd,
@@ -228,7 +242,7 @@ impl<W: Take> PairSink for FacePairs<'_, W> {
                 mask = mask & sure | keep(unsure, |j| self.scene.boxes_overlap([vertex], of(j)));
             }
         }
-        worker.count(mask.count_ones() as u64);
+        worker.count(Kind::VertexFace, mask.count_ones() as u64);
         if W::FILTERED {
             mask &= !separated(
                 simd,
@@ -270,7 +284,13 @@ impl<S: RowSimd> Ids for Row<'_, S> {
 /// Lanes of `b` that an axis keeps further than `needed` from lane `i` of `a` during the whole
 /// step.
 #[inline(always)]
-fn separated<S: RowSimd>(simd: S, a: &[Block; 2], i: usize, b: &[Block; 2], needed: f32) -> u32 {
+pub fn separated<S: RowSimd>(
+    simd: S,
+    a: &[Block; 2],
+    i: usize,
+    b: &[Block; 2],
+    needed: f32,
+) -> u32 {
     let (a0, a1) = (bounds(simd.one(&a[0], i)), bounds(simd.one(&a[1], i)));
     let (b0, b1) = (bounds(simd.boxes(&b[0])), bounds(simd.boxes(&b[1])));
     axis_separated(&a0, &a1, &b0, &b1, S::Lanes::splat(needed)).bits()

@@ -37,10 +37,13 @@ impl<const N: usize> Leaves<N> {
     pub fn place(&mut self, threads: &Threads, table: &[[f32; WIDTH]]) {
         let vertices = &self.vertices;
         self.ends.resize(vertices.len(), [EMPTY; 2]);
-        threads.fill(&mut self.ends, |i| {
-            crate::simd::run_rows!(Place { table, vertices: &vertices[i] })
-        });
+        threads.fill(&mut self.ends, |i| ends(table, &vertices[i]));
     }
+}
+
+/// The boxes of eight features at both ends, from the table of positions.
+pub fn ends<const N: usize>(table: &[[f32; WIDTH]], vertices: &[[u32; WIDTH]; N]) -> [Block; 2] {
+    crate::simd::run_rows!(Place { table, vertices })
 }
 
 /// The boxes of eight features at both ends.

@@ -7,8 +7,9 @@
 use crate::simd::{MAX_WIDTH, Mask, RowSimd, Simd, WIDTH, Work};
 use crate::step::candidates::{Scene, Take};
 use ccd_core::layout::Pair;
-use ccd_core::model::contact::{Contact, Kind};
+use ccd_core::model::contact::{Contact, Kind, PerKind};
 use ccd_core::model::precision::Precision;
+use ccd_core::model::report::TriangleCounts;
 use ccd_core::narrow_phase::relative_motion::{Motion, Patch};
 use ccd_core::narrow_phase::{cascade, decide};
 use ccd_core::{Num, Real, Verdict};
@@ -22,42 +23,48 @@ const QUEUE: usize = 512;
 #[derive(Debug, Default)]
 #[repr(align(128))]
 pub struct Worker {
-    queue: Vec<Pair>,
+    queues: [Vec<Pair>; 2],
     pub contacts: Vec<Contact>,
     pub toi: Option<f64>,
-    pub n_candidates: u64,
-    pub n_filtered: u64,
+    pub candidates: PerKind,
+    pub filtered: PerKind,
+    pub triangles: TriangleCounts,
     pub narrow: Duration,
 }
 
 impl Worker {
     /// Forgets the last step, keeps buffers.
     pub fn reset(&mut self) {
-        self.queue.clear();
-        self.queue.reserve(QUEUE + WIDTH);
+        for queue in &mut self.queues {
+            queue.clear();
+            queue.reserve(QUEUE + WIDTH);
+        }
         self.contacts.clear();
         self.toi = None;
-        self.start_kind();
+        self.restart_counts();
         self.narrow = Duration::ZERO;
     }
 
-    /// Starts counting another kind of pair.
-    pub fn start_kind(&mut self) {
-        self.n_candidates = 0;
-        self.n_filtered = 0;
+    /// Counts from zero.
+    pub fn restart_counts(&mut self) {
+        self.candidates = PerKind::default();
+        self.filtered = PerKind::default();
+        self.triangles = TriangleCounts::default();
     }
 
     /// Filters and decides what is queued.
     #[inline(never)]
     fn flush(&mut self, scene: &Scene, kind: Kind) {
         let start = Instant::now();
-        let pairs = &mut self.queue;
+        let mut queue = std::mem::take(&mut self.queues[kind as usize]);
+        let pairs = &mut queue;
         crate::simd::run!(Filter { pairs, scene, kind });
-        self.n_filtered += self.queue.len() as u64;
-        for i in 0..self.queue.len() {
-            self.decide(scene, kind, self.queue[i]);
+        *self.filtered.of(kind) += queue.len() as u64;
+        for &pair in &queue {
+            self.decide(scene, kind, pair);
         }
-        self.queue.clear();
+        queue.clear();
+        self.queues[kind as usize] = queue;
         self.narrow += start.elapsed();
     }
 
@@ -83,8 +90,13 @@ impl Take for Worker {
     const FILTERED: bool = true;
 
     #[inline(always)]
-    fn count(&mut self, n: u64) {
-        self.n_candidates += n;
+    fn count(&mut self, kind: Kind, n: u64) {
+        *self.candidates.of(kind) += n;
+    }
+
+    #[inline(always)]
+    fn count_triangles(&mut self, counts: TriangleCounts) {
+        self.triangles = self.triangles.plus(counts);
     }
 
     #[inline(always)]
@@ -97,11 +109,21 @@ impl Take for Worker {
         ids: &[u32; WIDTH],
         mask: u32,
     ) {
+        let queue = &mut self.queues[kind as usize];
         match kind {
-            Kind::VertexFace => simd.append::<false>(&mut self.queue, id, ids, mask),
-            Kind::EdgeEdge => simd.append::<true>(&mut self.queue, id, ids, mask),
+            Kind::VertexFace => simd.append::<false>(queue, id, ids, mask),
+            Kind::EdgeEdge => simd.append::<true>(queue, id, ids, mask),
         }
-        if self.queue.len() >= QUEUE {
+        if queue.len() >= QUEUE {
+            self.flush(scene, kind);
+        }
+    }
+
+    #[inline(always)]
+    fn take_one(&mut self, scene: &Scene, kind: Kind, pair: Pair) {
+        let queue = &mut self.queues[kind as usize];
+        queue.push(pair);
+        if queue.len() >= QUEUE {
             self.flush(scene, kind);
         }
     }
@@ -110,7 +132,7 @@ impl Take for Worker {
     fn begin(&mut self, _task: usize) {}
 
     fn finish(&mut self, scene: &Scene, kind: Kind) {
-        if !self.queue.is_empty() {
+        if !self.queues[kind as usize].is_empty() {
             self.flush(scene, kind);
         }
     }

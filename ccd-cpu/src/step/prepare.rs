@@ -7,11 +7,13 @@ use crate::broad_phase::pair_source::{Fixed, PairSource};
 use crate::simd::WIDTH;
 use crate::step::candidates::{Given, Scene};
 use crate::step::leaves::Leaves;
+use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::bodies::Bodies;
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::Pipeline;
 use ccd_core::model::precision::Precision;
 use ccd_core::model::quantization::{Scan, Table};
 use ccd_core::{Aabb, Error, Real};
@@ -74,6 +76,8 @@ pub struct Prepared {
     pub vertices: Feature<1>,
     pub edges: Feature<2>,
     pub faces: Feature<3>,
+    /// If pairs of triangles are looked for.
+    pub triangles: Option<TriangleLeaves>,
 }
 
 /// Boxes and leaves of one kind of feature with `N` vertices.
@@ -104,8 +108,14 @@ impl<const N: usize> Feature<N> {
     }
 }
 
-impl Default for Prepared {
-    fn default() -> Self {
+impl Prepared {
+    /// For steps of a mesh.
+    pub fn new(mesh: &Mesh, options: &Options) -> Self {
+        let distance = options.min_distance;
+        let triangles = match options.pipeline {
+            Pipeline::Triangles(options) => Some(TriangleLeaves::new(mesh, options, distance)),
+            _ => None,
+        };
         Self {
             built: false,
             scans: Vec::new(),
@@ -116,11 +126,10 @@ impl Default for Prepared {
             vertices: Feature::new(0, false),
             edges: Feature::new(1, true),
             faces: Feature::new(2, true),
+            triangles,
         }
     }
-}
 
-impl Prepared {
     /// Checks coordinates, fills the table and sweeps all boxes.
     pub fn boxes(
         &mut self,
@@ -229,7 +238,7 @@ impl Prepared {
     }
 
     /// Has the method take the boxes: in the order that it has, or in a new one if it has none yet
-    /// or has become too loose. Returns whether the order is new. Boxes of less than the `whole`
+    /// or has become too loose. Returns whether the order is new. Boxes of less than the whole
     /// step say nothing about looseness and never bring a new order.
     pub fn leaves(
         &mut self,
@@ -237,8 +246,18 @@ impl Prepared {
         method: &mut Method,
         mesh: &Mesh,
         bodies: Option<&Bodies>,
-        whole: bool,
+        x: &Positions,
     ) -> Result<bool, Error> {
+        let whole = x.whole();
+        let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
+        let any = bodies.is_some_and(Bodies::any_fixed);
+        if let Some(triangles) = &mut self.triangles {
+            // What is free during the whole step is free during a shorter one.
+            if whole {
+                triangles.certify(threads, mesh, x.given);
+            }
+            return self.triangle_leaves(threads, method, any.then_some(&fixed), whole);
+        }
         let Self { vertices, edges, faces, table, .. } = self;
         let mut loose = !self.built || !method.order().outlasts_motion();
         if !loose {
@@ -253,8 +272,6 @@ impl Prepared {
             let sets: [&[_]; 3] = [&vertices.boxes, &edges.boxes, &faces.boxes];
             method.order().survey(threads, &sets)?;
             self.built = true;
-            let fixed = |v: u32| bodies.is_some_and(|b| b.is_fixed(v));
-            let any = bodies.is_some_and(Bodies::any_fixed);
             let (of_vertex, of_edge, of_face) = (
                 |i: usize| fixed(i as u32),
                 |i: usize| fixed(mesh.edges()[i][0]),
@@ -268,5 +285,36 @@ impl Prepared {
         edges.leaves.place(threads, table);
         faces.leaves.place(threads, table);
         Ok(loose)
+    }
+
+    /// The same for triangles; `fixed`: whether a vertex stands still.
+    fn triangle_leaves(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
+        whole: bool,
+    ) -> Result<bool, Error> {
+        let Self { vertices, edges, faces, triangles, table, built, .. } = self;
+        let of =
+            FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes };
+        let Some(leaves) = triangles else { return Ok(false) };
+        leaves.sweep(threads, of.vertices);
+        let mut loose = !*built || !method.order().outlasts_motion();
+        if !loose {
+            loose = leaves.refit(threads, method) > MAX_LOOSENESS && whole;
+        }
+        if loose {
+            leaves.build(threads, method, fixed)?;
+            *built = true;
+        }
+        leaves.place(threads, of, table);
+        Ok(loose)
+    }
+
+    /// Swept boxes of all features.
+    pub fn feature_boxes(&self) -> FeatureBoxes<'_> {
+        let Self { vertices, edges, faces, .. } = self;
+        FeatureBoxes { vertices: &vertices.boxes, edges: &edges.boxes, faces: &faces.boxes }
     }
 }

@@ -22,7 +22,7 @@ fn parts(x: f64) -> (i64, i32) {
 }
 
 /// All numbers times one power of two that makes them integers.
-fn integers<const N: usize>(x: [f64; N]) -> [BigInt; N] {
+pub fn integers<const N: usize>(x: [f64; N]) -> [BigInt; N] {
     let parts = x.map(parts);
     let least = parts.iter().filter(|p| p.0 != 0).map(|p| p.1).min().unwrap_or(0);
     parts

@@ -4,8 +4,10 @@ pub mod adversary;
 pub mod ascent;
 pub mod distance;
 pub mod exact;
+pub mod motion;
 #[path = "../../../../ccd-testkit/src/oracle.rs"]
 pub mod oracle;
+pub mod oriented;
 pub mod random;
 pub mod tangential;
 

@@ -6,16 +6,22 @@
 //! child has the number of its last leaf, one that is a right child that of its first: no two have
 //! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
 //! id of its box.
+//!
+//! Every node has a box along the axes. By [`Volume::Obb`] an internal node has an oriented box
+//! around the same leaves as well, and what does not reach into it is not looked for below: a second
+//! test, of those that the first lets through.
 
 use crate::broad_phase::leaf_boxes::LeafBoxes;
+use crate::broad_phase::tree::shared_words::Shared;
 use crate::threads::Threads;
 use ccd_core::Aabb;
 use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
-use ccd_core::broad_phase::{radix_tree, refit};
-use ccd_core::kernel::Words;
+use ccd_core::broad_phase::{oriented_refit, radix_tree, refit};
 use ccd_core::layout::{Branch, Node};
+use ccd_core::math::obb::Obb;
+use ccd_core::model::method::Volume;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::AtomicU32;
 
 /// A tree over boxes and what its refit needs; fewer than two boxes give a tree without internal
 /// nodes.
@@ -27,30 +33,50 @@ pub struct BinaryTree {
     visits: Vec<AtomicU32>,
     boxes: Vec<AtomicU32>,
     nodes: Vec<Node>,
+    volume: Volume,
+    oriented_words: Vec<AtomicU32>,
+    oriented: Vec<Obb>,
     extents: Vec<f64>,
     looseness_at_build: Option<f64>,
 }
 
-/// Atomic words as kernels see them.
-#[derive(Clone, Copy)]
-struct Shared<'a>(&'a [AtomicU32]);
-
-impl Words for Shared<'_> {
-    fn load(&self, i: usize) -> u32 {
-        self.0[i].load(Ordering::Relaxed)
-    }
-    fn store(&self, i: usize, value: u32) {
-        self.0[i].store(value, Ordering::Relaxed);
-    }
-    fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
-        self.0[i].fetch_add(value, Ordering::AcqRel)
-    }
-}
-
 impl BinaryTree {
+    /// No tree yet; what will bound its nodes.
+    pub fn new(volume: Volume) -> Self {
+        Self { volume, ..Self::default() }
+    }
+
     /// All nodes, with the boxes of the last fit.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
+    }
+
+    /// Oriented boxes of all internal nodes, by [`Volume::Obb`].
+    #[cfg(test)]
+    pub fn oriented(&self) -> &[Obb] {
+        &self.oriented
+    }
+
+    /// Whether leaves below an internal node, whose box along the axes overlaps the query, may do so,
+    /// as far as its oriented box tells.
+    #[inline]
+    pub fn reaches(&self, node: u32, query: &Aabb<f32>) -> bool {
+        match self.oriented.get(node as usize) {
+            Some(b) => !b.separated_from_box(query),
+            None => true,
+        }
+    }
+
+    /// The same of the leaves below a node and those below a node of another tree.
+    #[inline]
+    pub fn reach(&self, node: u32, other: &Self, node_of_other: u32) -> bool {
+        let (i, j) = (node as usize, node_of_other as usize);
+        match (self.oriented.get(i), other.oriented.get(j)) {
+            (Some(a), Some(b)) => !a.separated(b),
+            (Some(_), None) => self.reaches(node, &other.nodes[j].aabb()),
+            (None, Some(_)) => other.reaches(node_of_other, &self.nodes[i].aabb()),
+            (None, None) => true,
+        }
     }
 
     /// The leaves below a node.
@@ -77,6 +103,10 @@ impl BinaryTree {
         ] {
             words.resize_with(len, AtomicU32::default);
         }
+        if self.volume == Volume::Obb {
+            let len = n_internal * oriented_refit::STRIDE;
+            self.oriented_words.resize_with(len, AtomicU32::default);
+        }
         let parents = Shared(&self.parents);
         threads
             .fill(&mut vec![(); n_internal], |i| radix_tree::link(i, &self.branches[i], &parents));
@@ -101,9 +131,24 @@ impl BinaryTree {
             };
             Node { min: b.min, left, max: b.max, right }
         });
+        if self.volume == Volume::Obb {
+            self.orient(threads, n);
+        }
         let looseness = self.looseness(threads);
         let before = *self.looseness_at_build.get_or_insert(looseness);
         if before > 0.0 { looseness / before } else { 1.0 }
+    }
+
+    /// Oriented boxes of all internal nodes, from the boxes of the leaves.
+    fn orient(&mut self, threads: &Threads, n: usize) {
+        self.visits.iter_mut().for_each(|visit| *visit.get_mut() = 0);
+        let (parents, visits, words) =
+            (Shared(&self.parents), Shared(&self.visits), Shared(&self.oriented_words));
+        threads.fill(&mut vec![(); n], |i| {
+            oriented_refit::refit(i, &self.nodes, &self.branches, &parents, &visits, &words)
+        });
+        self.oriented.resize(self.branches.len(), Obb::everything());
+        threads.fill(&mut self.oriented, |i| oriented_refit::load(&words, i));
     }
 
     /// Sum of the side lengths of all inner nodes, relative to that of the leaves; the order of
@@ -128,90 +173,15 @@ impl BinaryTree {
         }
         let (mut walk, mut steps) = (Walk::new(), 0);
         while walk.goes_on {
+            if !self.reaches(walk.node(), query) {
+                walk.skip();
+                continue;
+            }
             steps += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
             out.extend(found.into_iter().filter(|&leaf| leaf != NONE));
         }
         steps
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::broad_phase::leaf_boxes::Set;
-    use crate::broad_phase::tree::TreeSource;
-    use ccd_core::broad_phase::radix_tree::MAX_DEPTH;
-    use ccd_core::model::method::TreeOptions;
-
-    /// Children split the range of their parent and have the numbers that traversals rely on, boxes
-    /// are exactly those of the leaves below, every box is one leaf, no path is too long.
-    fn check_well_formed(tree: &BinaryTree, order: &[u32], boxes: &[Aabb<f32>]) {
-        let n_internal = boxes.len() as u32 - 1;
-        let mut seen = vec![false; boxes.len()];
-        let range = |node: u32| (tree.range(node).start, tree.range(node).end - 1);
-        let mut stack = vec![(0u32, 1usize)];
-        while let Some((node, depth)) = stack.pop() {
-            assert!(depth <= MAX_DEPTH, "a path of {depth} nodes");
-            let (first, last) = range(node);
-            let leaves = (first..=last).map(|leaf| &boxes[order[leaf as usize] as usize]);
-            let want = leaves.fold(Aabb::EMPTY, |all, b| all.union(b));
-            assert_eq!(tree.nodes[node as usize].aabb(), want, "box of node {node}");
-            match tree.branches.get(node as usize) {
-                Some(branch) => {
-                    let (left, right) = (range(branch.left), range(branch.right));
-                    assert_eq!(
-                        (left.0, left.1 + 1, right.1),
-                        (first, right.0, last),
-                        "children of node {node}"
-                    );
-                    let number = |child, leaf| {
-                        child == if child < n_internal { leaf } else { n_internal + leaf }
-                    };
-                    assert!(
-                        number(branch.left, left.1) && number(branch.right, right.0),
-                        "numbers of the children of node {node}"
-                    );
-                    stack.extend([(branch.left, depth + 1), (branch.right, depth + 1)]);
-                }
-                None => {
-                    assert!(tree.nodes[node as usize].is_leaf());
-                    assert_eq!(tree.nodes[node as usize].left, first, "place of a leaf");
-                    let id = order[first as usize] as usize;
-                    assert!(!std::mem::replace(&mut seen[id], true), "box {id} is two leaves");
-                }
-            }
-        }
-        assert!(seen.iter().all(|&s| s), "a box is no leaf");
-    }
-
-    #[test]
-    fn trees_are_well_formed() {
-        let mut x = 5u32;
-        let mut unit = || {
-            x = x.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-            (x >> 8) as f32 / 16_777_216.0
-        };
-        for n in [2usize, 3, 10, 1000, 5000] {
-            let random: Vec<_> = (0..n).map(|_| Aabb::of_point([unit(), unit(), unit()])).collect();
-            // Codes that differ in one bit each, and codes that do not differ at all: the deepest
-            // trees.
-            let powers: Vec<_> =
-                (0..n).map(|i| Aabb::of_point([0.5f32.powi(i as i32 % 21), 0.0, 0.0])).collect();
-            let equal = vec![Aabb::of_point([1.0; 3]); n];
-            for mut boxes in [random, powers, equal] {
-                for threads in [1, 2] {
-                    let mut source = TreeSource::new(TreeOptions::default()).unwrap();
-                    let mut leaves = LeafBoxes::new(Set { index: 0, searched: true });
-                    let threads = Threads::new(threads).unwrap();
-                    threads.enter(|| leaves.build(&threads, &mut source, &boxes, None));
-                    check_well_formed(source.tree(0), leaves.order(), &boxes);
-                    boxes.iter_mut().for_each(|b| b.max[1] += unit());
-                    threads.enter(|| leaves.refit(&threads, &mut source, &boxes));
-                    check_well_formed(source.tree(0), leaves.order(), &boxes);
-                }
-            }
-        }
     }
 }

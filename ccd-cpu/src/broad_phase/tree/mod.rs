@@ -6,14 +6,20 @@
 
 mod binary_tree;
 mod builder;
+mod shared_words;
+mod statistics;
+#[cfg(test)]
+mod tests;
 mod traversal;
 
 use crate::broad_phase::leaf_boxes::{LeafBoxes, Set};
 use crate::broad_phase::pair_source::{Fixed, Order, RowSource, Rows, Scratch, Sides};
 use crate::threads::Threads;
+pub use statistics::TreeStatistics;
+
 use binary_tree::BinaryTree;
 use builder::TreeBuilder;
-use ccd_core::model::method::TreeOptions;
+use ccd_core::model::method::{TreeOptions, Volume};
 use ccd_core::{Aabb, Error};
 use traversal::{Traverse, Trees};
 
@@ -23,6 +29,7 @@ pub struct TreeSource {
     builder: Box<dyn TreeBuilder>,
     traversal: Box<dyn Traverse>,
     trees: Vec<BinaryTree>,
+    volume: Volume,
 }
 
 impl TreeSource {
@@ -30,7 +37,7 @@ impl TreeSource {
     pub fn new(options: TreeOptions) -> Result<Self, Error> {
         let builder = builder::new(options.builder)?;
         let traversal = traversal::new(options.traversal)?;
-        Ok(Self { builder, traversal, trees: Vec::new() })
+        Ok(Self { builder, traversal, trees: Vec::new(), volume: options.volume })
     }
 
     /// Whether this set has a tree.
@@ -61,7 +68,7 @@ impl Order for TreeSource {
         order: &mut Vec<u32>,
     ) {
         if self.trees.len() <= set.index {
-            self.trees.resize_with(set.index + 1, BinaryTree::default);
+            self.trees.resize_with(set.index + 1, || BinaryTree::new(self.volume));
         }
         if self.has_tree(set) {
             let tree = &mut self.trees[set.index];
@@ -93,6 +100,10 @@ impl RowSource for TreeSource {
 
     fn max_threads(&self) -> usize {
         self.traversal.max_threads()
+    }
+    fn tree_statistics(&self, threads: &Threads, leaves: &LeafBoxes) -> Option<TreeStatistics> {
+        let tree = self.trees.get(leaves.set().index)?;
+        Some(TreeStatistics::of(tree, threads, leaves))
     }
 }
 

@@ -1,6 +1,10 @@
 //! Builders of binary trees: boxes in, an order of leaves and the branches over them out.
 
+pub mod bottom_up;
 mod lbvh;
+mod nearest_pair;
+mod ploc;
+mod split_lists;
 
 use crate::threads::Threads;
 use ccd_core::layout::Branch;
@@ -34,6 +38,9 @@ pub trait TreeBuilder: Debug + Send + Sync {
 pub fn new(choice: Builder) -> Result<Box<dyn TreeBuilder>, Error> {
     Ok(match choice {
         Builder::Lbvh => Box::new(lbvh::Lbvh::default()),
+        Builder::SplitLists => Box::new(split_lists::SplitLists::default()),
+        Builder::NearestPair { limit } => Box::new(nearest_pair::NearestPair::new(limit)),
+        Builder::Ploc { radius } => Box::new(ploc::Ploc::new(radius)),
         other => return Err(Error::Method { name: other.row().name, backend: "cpu" }),
     })
 }

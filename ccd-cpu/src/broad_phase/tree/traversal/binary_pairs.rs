@@ -5,19 +5,19 @@ use super::Trees;
 use crate::broad_phase::pair_source::{IntoRows, PairSink, Rows, Scratch};
 use crate::broad_phase::pair_tree::PairTree;
 use crate::broad_phase::scheduler::DepthFirst;
+use crate::broad_phase::tree::binary_tree::BinaryTree;
 use crate::simd::{RowSimd, WIDTH};
 use ccd_core::broad_phase::pair_descent::{NO_PAIR, NodePair, expand};
-use ccd_core::layout::Node;
 use ccd_core::model::method::Descent;
 
 /// The pair at which a traversal begins.
 pub const ROOTS: NodePair = [0, 0];
 
-/// The nodes of the trees that are descended, equal if pairs are sought `within` one.
+/// The trees that are descended, the same if pairs are sought `within` one.
 #[derive(Clone, Copy)]
 pub struct BinaryPairs<'a> {
-    a: &'a [Node],
-    b: &'a [Node],
+    a: &'a BinaryTree,
+    b: &'a BinaryTree,
     within: bool,
     descent: Descent,
 }
@@ -25,17 +25,17 @@ pub struct BinaryPairs<'a> {
 impl<'a> BinaryPairs<'a> {
     /// The trees of both sides, neither empty.
     pub fn new(trees: Trees<'a>, within: bool, descent: Descent) -> Self {
-        let a = trees.a.unwrap_or(trees.b);
-        Self { a: a.nodes(), b: trees.b.nodes(), within, descent }
+        Self { a: trees.a.unwrap_or(trees.b), b: trees.b, within, descent }
     }
 
-    /// Whether there may be pairs of leaves below this pair: its boxes overlap; of a leaf with
+    /// Whether there may be pairs of leaves below this pair: its volumes overlap; of a leaf with
     /// itself there is none.
     pub fn is_wanted(&self, [i, j]: NodePair) -> bool {
         if self.within && i == j {
-            (i as usize) < n_internal(self.a)
+            (i as usize) < self.a.branches.len()
         } else {
-            self.a[i as usize].aabb().overlaps(&self.b[j as usize].aabb())
+            let (a, b) = (&self.a.nodes()[i as usize], &self.b.nodes()[j as usize]);
+            a.aabb().overlaps(&b.aabb()) && self.a.reach(i, self.b, j)
         }
     }
 
@@ -49,12 +49,6 @@ impl<'a> BinaryPairs<'a> {
     }
 }
 
-/// Internal nodes among all nodes of a tree.
-#[inline(always)]
-fn n_internal(nodes: &[Node]) -> usize {
-    nodes.len() / 2
-}
-
 impl PairTree for BinaryPairs<'_> {
     type Pair = NodePair;
 
@@ -64,13 +58,16 @@ impl PairTree for BinaryPairs<'_> {
 
     #[inline(always)]
     fn is_leaf(self, [i, j]: NodePair) -> bool {
-        i as usize >= n_internal(self.a) && j as usize >= n_internal(self.b)
+        i as usize >= self.a.branches.len() && j as usize >= self.b.branches.len()
     }
 
     #[inline(always)]
     fn expand<S: RowSimd>(self, _simd: S, pair: NodePair, out: &mut Vec<NodePair>) {
-        for child in expand(self.descent, self.within, self.a, self.b, pair) {
-            if child != NO_PAIR {
+        let (a, b) = (self.a.nodes(), self.b.nodes());
+        for child in expand(self.descent, self.within, a, b, pair) {
+            let [i, j] = child;
+            let is_one = self.within && i == j;
+            if child != NO_PAIR && (is_one || self.a.reach(i, self.b, j)) {
                 out.push(child);
             }
         }
@@ -84,7 +81,7 @@ impl PairTree for BinaryPairs<'_> {
         sink: &K,
         worker: &mut K::Worker,
     ) {
-        let (i, j) = (i as usize - n_internal(self.a), j as usize - n_internal(self.b));
+        let (i, j) = (i as usize - self.a.branches.len(), j as usize - self.b.branches.len());
         sink.row(worker, simd, i / WIDTH, i % WIDTH, j / WIDTH, 1 << (j % WIDTH));
     }
 }

@@ -41,6 +41,9 @@ impl Query for Recursive {
 fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32>) -> u64 {
     let mut steps = 0;
     loop {
+        if !tree.reaches(node, query) {
+            return steps;
+        }
         steps += 1;
         let Branch { left, right, .. } = tree.branches[node as usize];
         let mut goes_down = |child: u32| {

@@ -1,0 +1,258 @@
+//! Meet: the numbers that all builders give the nodes of a binary tree, whatever order they made
+//! the nodes in.
+//!
+//! Of `n` leaves, counted from left to right, leaf `i` is node `n - 1 + i`; internal nodes are `0 ..
+//! n - 1`, of which 0 is the root. An internal node that is a left child has the number of its last
+//! leaf, one that is a right child that of its first [Karras 2012]:
+//!
+//! ```text
+//!            0
+//!          /   \           The node over leaves 0 to 1 is a left child: its number is 1. That
+//!        1       2         over leaves 2 to 4 is a right child: 2. That over 3 to 4: 3.
+//!       / \     / \
+//!      a   b   c   3
+//!                 / \
+//!                d   e
+//! leaf 0   1   2  3   4
+//! ```
+//!
+//! So a node's number, its range of leaves and both of its children follow from three counts of
+//! leaves: of those before it, those below its left child, and those below it. A builder from sorted
+//! codes knows them; one that joins nodes bottom up knows the two latter when it joins, and every
+//! thread then finds the first by itself, on its way up to the root, where it adds what lies below
+//! the left siblings of the nodes that it passes. The cost is the depth of each node; there is no
+//! order between threads.
+
+use crate::kernel::Words;
+use crate::layout::Branch;
+
+/// In an [`ancestry`](join): of the root.
+pub const NO_PARENT: u32 = u32::MAX;
+
+/// Words per node of an ancestry: its parent, and how many leaves are below its left sibling (0 if
+/// it is a left child).
+pub const ANCESTRY: usize = 2;
+
+/// Words per internal node of the splits: leaves below its left child, and below it.
+pub const SPLIT: usize = 2;
+
+/// Makes `parent`, of any number below `n - 1`, the parent of two nodes, with so many leaves below
+/// each; leaves are numbered from `n - 1` on in any order.
+///
+/// Thread of `parent`: no other writes these words.
+#[inline(always)]
+pub fn join(
+    parent: u32,
+    children: [u32; 2],
+    leaves: [u32; 2],
+    ancestry: &impl Words,
+    splits: &impl Words,
+) {
+    let (left, right) = (children[0] as usize * ANCESTRY, children[1] as usize * ANCESTRY);
+    ancestry.store(left, parent);
+    ancestry.store(left + 1, 0);
+    ancestry.store(right, parent);
+    ancestry.store(right + 1, leaves[0]);
+    splits.store(parent as usize * SPLIT, leaves[0]);
+    splits.store(parent as usize * SPLIT + 1, leaves[0] + leaves[1]);
+}
+
+/// Makes `node` the root.
+#[inline(always)]
+pub fn make_root(node: u32, ancestry: &impl Words) {
+    ancestry.store(node as usize * ANCESTRY, NO_PARENT);
+    ancestry.store(node as usize * ANCESTRY + 1, 0);
+}
+
+/// How many leaves are left of all leaves of `node`: of a leaf its place, of an internal node its
+/// first leaf.
+///
+/// A way up passes every internal node at most once, so `n_internal` bounds the loop.
+#[inline(always)]
+pub fn leaves_before(node: u32, n_internal: u32, ancestry: &impl Words) -> u32 {
+    let (mut node, mut before) = (node as usize, 0);
+    for _ in 0..n_internal {
+        let parent = ancestry.load(node * ANCESTRY);
+        if parent == NO_PARENT {
+            break;
+        }
+        before += ancestry.load(node * ANCESTRY + 1);
+        node = parent as usize;
+    }
+    before
+}
+
+/// The number of internal node `node`, and what it has below it.
+#[inline(always)]
+pub fn numbered(
+    node: u32,
+    n_internal: u32,
+    ancestry: &impl Words,
+    splits: &impl Words,
+) -> (u32, Branch) {
+    let (at, split) = (node as usize * ANCESTRY, node as usize * SPLIT);
+    let first = leaves_before(node, n_internal, ancestry);
+    let (left, all) = (splits.load(split), splits.load(split + 1));
+    let branch = branch_over(first, first + left, first + all, n_internal);
+    let number = if ancestry.load(at) == NO_PARENT {
+        0
+    } else if ancestry.load(at + 1) == 0 {
+        branch.last
+    } else {
+        first
+    };
+    (number, branch)
+}
+
+/// The node over leaves `first .. end`, of which those from `middle` on are below its right child.
+#[inline(always)]
+pub fn branch_over(first: u32, middle: u32, end: u32, n_internal: u32) -> Branch {
+    let (last_of_left, last) = (middle - 1, end - 1);
+    Branch {
+        left: if first == last_of_left { n_internal + first } else { last_of_left },
+        right: if middle == last { n_internal + middle } else { middle },
+        first,
+        last,
+    }
+}
+
+/// Words per branch.
+pub const BRANCH: usize = 4;
+
+/// Writes a branch to its place among words.
+#[inline(always)]
+pub fn store_branch(number: u32, branch: &Branch, branches: &impl Words) {
+    let at = number as usize * BRANCH;
+    branches.store(at, branch.left);
+    branches.store(at + 1, branch.right);
+    branches.store(at + 2, branch.first);
+    branches.store(at + 3, branch.last);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+    use alloc::vec::Vec;
+    use core::cell::Cell;
+
+    struct Plain(Vec<Cell<u32>>);
+
+    impl Plain {
+        fn new(n: usize) -> Self {
+            Self(vec![Cell::new(0xdead); n])
+        }
+    }
+
+    impl Words for Plain {
+        fn load(&self, i: usize) -> u32 {
+            self.0[i].get()
+        }
+        fn store(&self, i: usize, value: u32) {
+            self.0[i].set(value);
+        }
+        fn add_acquire_release(&self, i: usize, value: u32) -> u32 {
+            self.0[i].replace(self.0[i].get() + value)
+        }
+    }
+
+    /// Children of internal nodes, the last of which is the root; `n_internal + k` is leaf `k`.
+    type Children = Vec<[u32; 2]>;
+
+    /// A walk from left to right: places of leaves, and every internal node with its number and its
+    /// branch.
+    fn walk(children: &Children) -> (Vec<u32>, Vec<(u32, Branch)>) {
+        /// Numbers the subtree of `node`; returns its number.
+        fn visit(
+            node: u32,
+            children: &Children,
+            side: Option<usize>,
+            places: &mut Vec<u32>,
+            found: &mut Vec<(u32, Branch)>,
+            next: &mut u32,
+        ) -> u32 {
+            let n_internal = children.len() as u32;
+            if node >= n_internal {
+                places[(node - n_internal) as usize] = *next;
+                *next += 1;
+                return n_internal + *next - 1;
+            }
+            let [left, right] = children[node as usize];
+            let first = *next;
+            let left = visit(left, children, Some(0), places, found, next);
+            let right = visit(right, children, Some(1), places, found, next);
+            let last = *next - 1;
+            let number = match side {
+                None => 0,
+                Some(0) => last,
+                Some(_) => first,
+            };
+            found[node as usize] = (number, Branch { left, right, first, last });
+            number
+        }
+        let n_internal = children.len();
+        let none = (0, Branch { left: 0, right: 0, first: 0, last: 0 });
+        let (mut places, mut found) = (vec![0; n_internal + 1], vec![none; n_internal]);
+        let root = n_internal as u32 - 1;
+        visit(root, children, None, &mut places, &mut found, &mut 0);
+        (places, found)
+    }
+
+    /// What the threads find, each by itself.
+    fn by_threads(children: &Children) -> (Vec<u32>, Vec<(u32, Branch)>) {
+        let n_internal = children.len() as u32;
+        let (ancestry, splits) =
+            (Plain::new((2 * children.len() + 1) * ANCESTRY), Plain::new(children.len() * SPLIT));
+        let mut leaves = vec![1u32; 2 * children.len() + 1];
+        for (node, &[left, right]) in children.iter().enumerate() {
+            let below = [leaves[left as usize], leaves[right as usize]];
+            leaves[node] = below[0] + below[1];
+            join(node as u32, [left, right], below, &ancestry, &splits);
+        }
+        make_root(n_internal - 1, &ancestry);
+        let places = (0..=n_internal).map(|k| leaves_before(n_internal + k, n_internal, &ancestry));
+        let found = (0..n_internal).map(|i| numbered(i, n_internal, &ancestry, &splits));
+        (places.collect(), found.collect())
+    }
+
+    /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of the
+    /// latest are joined with each other (2: a chain).
+    fn random_tree(n: usize, spread: usize, mut state: u32) -> Children {
+        let mut random = |n: usize| {
+            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            (state >> 8) as usize % n
+        };
+        let n_internal = n as u32 - 1;
+        let mut free: Vec<u32> = (0..n as u32).map(|k| n_internal + k).collect();
+        let mut children = Children::new();
+        for node in 0..n_internal {
+            let mut take = || {
+                let among = free.len().min(spread);
+                let k = free.len() - 1 - random(among);
+                free.swap_remove(k)
+            };
+            children.push([take(), take()]);
+            free.push(node);
+        }
+        children
+    }
+
+    #[test]
+    fn threads_find_what_a_walk_finds() {
+        for n in [2, 3, 4, 10, 100, 1000] {
+            for (spread, seed) in [(2, 1), (3, 2), (n, 3), (n, 4)] {
+                let children = random_tree(n, spread, seed);
+                let (want, found) = (walk(&children), by_threads(&children));
+                assert_eq!(found, want, "{children:?}");
+                // Every number is that of one node.
+                let mut numbers: Vec<u32> = found.1.iter().map(|(number, _)| *number).collect();
+                numbers.sort_unstable();
+                assert!(numbers.iter().enumerate().all(|(i, &k)| k == i as u32), "{children:?}");
+                // The comparison sees children that changed sides.
+                let mut other = children.clone();
+                other[0].swap(0, 1);
+                assert_ne!(by_threads(&other).0, want.0, "{children:?}");
+            }
+        }
+    }
+}

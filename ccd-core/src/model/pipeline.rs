@@ -1,0 +1,61 @@
+//! The ways from boxes to pairs of features, as choices: what each is is said in
+//! [`catalogue`](super::catalogue).
+
+/// What pairs a step looks for first; contacts do not depend on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Pipeline {
+    /// Pairs of features: vertices against faces, edges against edges.
+    #[default]
+    Features,
+    /// Pairs of triangles, each then expanded into those of its features that no other pair tests
+    /// [Curtis 2008].
+    Triangles(TriangleOptions),
+}
+
+/// How pairs of triangles are found and expanded.
+///
+/// ```
+/// use ccd_core::model::pipeline::TriangleOptions;
+///
+/// let few = TriangleOptions::default().orphans(true).cones(true);
+/// assert!(few.orphans && few.cones);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct TriangleOptions {
+    /// Skip triangles that share a vertex, and test what only they would test from a list made once
+    /// per mesh [Tang 2008]. Where that list would be too long (see
+    /// [`OrphanSets::new`](crate::triangle_pairs::orphans::OrphanSets::new)) they are not skipped.
+    pub orphans: bool,
+    /// Skip pairs within regions of the mesh that certainly do not touch themselves during the step
+    /// [Volino 1994], see [`normal_cone`](crate::triangle_pairs::normal_cone). Their pairs of
+    /// features are no candidates. Without effect where a minimum distance is asked for.
+    ///
+    /// A pair of features that would have been [undecided](super::contact::State::Undecided), and
+    /// is certified to be free in this way, is no contact.
+    pub cones: bool,
+}
+
+impl TriangleOptions {
+    /// The same with or without orphan sets.
+    pub const fn orphans(self, orphans: bool) -> Self {
+        Self { orphans, ..self }
+    }
+
+    /// The same with or without normal cones.
+    pub const fn cones(self, cones: bool) -> Self {
+        Self { cones, ..self }
+    }
+}
+
+impl Default for TriangleOptions {
+    fn default() -> Self {
+        Self { orphans: true, cones: false }
+    }
+}
+
+impl Pipeline {
+    /// [`Pipeline::Triangles`] as it is by default.
+    pub const TRIANGLES: Self = Self::Triangles(TriangleOptions { orphans: true, cones: false });
+}

@@ -1,0 +1,53 @@
+//! Candidates on their way from the source of pairs to the workers, by the pipeline that was chosen.
+
+use crate::broad_phase::method::Method;
+use crate::broad_phase::pair_source::PairSource;
+use crate::step::candidates::{EdgePairs, FacePairs, Scene, Take};
+use crate::step::prepare::Prepared;
+use crate::step::triangle_pairs::TrianglePairs;
+use crate::threads::Threads;
+use ccd_core::model::contact::Kind;
+use std::marker::PhantomData;
+
+/// Hands the candidates that pairs of triangles contain to the workers: of one kind, or of both.
+pub fn expand<W: Take>(
+    only: Option<Kind>,
+    threads: &Threads,
+    method: &mut Method,
+    prepared: &Prepared,
+    scene: &Scene,
+    part: usize,
+    workers: &mut [W],
+) {
+    let Some(leaves) = &prepared.triangles else { return };
+    let boxes = prepared.feature_boxes();
+    let sink = TrianglePairs { scene, leaves, boxes, only, worker: PhantomData };
+    method.find(threads, (&leaves.boxes, None), part, &sink, workers);
+    if part == 1 {
+        sink.orphans(threads, workers);
+    }
+}
+
+/// Hands the candidates of one kind to the workers.
+pub fn find<W: Take>(
+    kind: Kind,
+    threads: &Threads,
+    method: &mut Method,
+    prepared: &Prepared,
+    scene: &Scene,
+    part: usize,
+    workers: &mut [W],
+) {
+    let Prepared { vertices, edges, faces, .. } = prepared;
+    let (vertices, edges, faces) = (&vertices.leaves, &edges.leaves, &faces.leaves);
+    match kind {
+        Kind::VertexFace => {
+            let sink = FacePairs { scene, vertices, faces, worker: PhantomData };
+            method.find(threads, (&vertices.boxes, Some(&faces.boxes)), part, &sink, workers);
+        }
+        Kind::EdgeEdge => {
+            let sink = EdgePairs { scene, edges, worker: PhantomData };
+            method.find(threads, (&edges.boxes, None), part, &sink, workers);
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Triangles in the order of the method that was chosen, eight side by side, with the boxes of the
+//! features that each represents: what pairs of triangles are expanded from.
+//!
+//! A feature that a triangle does not represent has the empty box there, which overlaps nothing, so
+//! that no test asks who represents what.
+
+use crate::broad_phase::leaf_boxes::{LeafBoxes, Set, set_lane};
+use crate::broad_phase::method::Method;
+use crate::broad_phase::pair_source::{Fixed, PairSource};
+use crate::simd::{Block, EMPTY, WIDTH};
+use crate::step::candidates::Given;
+use crate::step::free_regions::FreeRegions;
+use crate::step::leaves::ends;
+use crate::step::stand_ins::StandIns;
+use crate::threads::Threads;
+use ccd_core::broad_phase::swept_box;
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::pipeline::TriangleOptions;
+use ccd_core::triangle_pairs::orphans::OrphanSets;
+use ccd_core::triangle_pairs::representatives::Triangles;
+use ccd_core::{Aabb, Error};
+
+/// The triangles of a mesh, their leaves, and what belongs to these.
+#[derive(Debug)]
+pub struct TriangleLeaves {
+    pub triangles: Triangles,
+    /// `None`: neighbours are expanded like all others.
+    pub orphans: Option<OrphanSets>,
+    pub stand_ins: StandIns,
+    /// Pairs in one of them are skipped.
+    pub regions: Option<FreeRegions>,
+    swept: Vec<Aabb<f32>>,
+    pub boxes: LeafBoxes,
+    pub blocks: Vec<TriangleBlock>,
+    /// Boxes of represented features during the step: three corners, three sides.
+    pub features: Vec<[Block; 6]>,
+    /// Boxes at the start and at the end, of the positions in the table: corners, sides, the face.
+    pub ends: Vec<Ends>,
+}
+
+/// Features of eight triangles.
+#[derive(Clone, Copy, Debug)]
+pub struct TriangleBlock {
+    /// The triangles; those that are faces have their ids.
+    pub ids: [u32; WIDTH],
+    /// Vertices.
+    pub corners: [[u32; WIDTH]; 3],
+    /// Edges, from corner 0 to 1, 1 to 2, 2 to 0.
+    pub sides: [[u32; WIDTH]; 3],
+    /// Bits of the triangles that represent each corner, then each side.
+    pub represents: [u32; 6],
+    /// Bits of the triangles that are faces.
+    pub faces: u32,
+}
+
+impl TriangleBlock {
+    const NONE: Self = Self {
+        ids: [0; WIDTH],
+        corners: [[0; WIDTH]; 3],
+        sides: [[0; WIDTH]; 3],
+        represents: [0; 6],
+        faces: 0,
+    };
+
+    /// The vertices of side `k` of each.
+    #[inline(always)]
+    pub fn side(&self, k: usize) -> [&[u32; WIDTH]; 2] {
+        [&self.corners[k], &self.corners[(k + 1) % 3]]
+    }
+}
+
+/// Boxes at both ends of the features of eight triangles.
+#[derive(Clone, Copy, Debug)]
+pub struct Ends {
+    pub corners: [[Block; 2]; 3],
+    pub sides: [[Block; 2]; 3],
+    pub face: [Block; 2],
+}
+
+/// Swept boxes of all features of a mesh.
+#[derive(Clone, Copy)]
+pub struct FeatureBoxes<'a> {
+    pub vertices: &'a [Aabb<f32>],
+    pub edges: &'a [Aabb<f32>],
+    pub faces: &'a [Aabb<f32>],
+}
+
+impl TriangleLeaves {
+    /// The triangles of a mesh, without boxes yet.
+    pub fn new(mesh: &Mesh, options: TriangleOptions, min_distance: f64) -> Self {
+        let triangles = Triangles::new(mesh);
+        let orphans = options.orphans.then(|| OrphanSets::new(mesh, &triangles)).flatten();
+        let cones = options.cones && min_distance == 0.0;
+        let regions = cones.then(|| FreeRegions::new(mesh, &triangles));
+        Self {
+            triangles,
+            orphans,
+            stand_ins: StandIns::default(),
+            regions,
+            swept: Vec::new(),
+            boxes: LeafBoxes::new(Set { index: 0, searched: true }),
+            blocks: Vec::new(),
+            features: Vec::new(),
+            ends: Vec::new(),
+        }
+    }
+
+    /// Boxes of all triangles.
+    pub fn sweep(&mut self, threads: &Threads, vertices: &[Aabb<f32>]) {
+        let corners = self.triangles.all_corners();
+        self.swept.resize(corners.len(), Aabb::EMPTY);
+        threads.fill(&mut self.swept, |i| swept_box::face(i, corners, vertices));
+    }
+
+    /// A new order of leaves; `fixed`: whether a vertex stands still.
+    pub fn build(
+        &mut self,
+        threads: &Threads,
+        method: &mut Method,
+        fixed: Option<&(dyn Fn(u32) -> bool + Sync)>,
+    ) -> Result<(), Error> {
+        method.order().survey(threads, &[&self.swept])?;
+        let corners = self.triangles.all_corners();
+        let of_triangle = |t: usize| fixed.is_some_and(|fixed| fixed(corners[t][0]));
+        let fixed: Option<Fixed> = if fixed.is_some() { Some(&of_triangle) } else { None };
+        self.boxes.build(threads, method.order(), &self.swept, fixed);
+        let Self { triangles, orphans, stand_ins, boxes, blocks, .. } = self;
+        if let Some(sets) = orphans {
+            stand_ins.order(sets, boxes);
+        }
+        blocks.resize(boxes.len().div_ceil(WIDTH), TriangleBlock::NONE);
+        threads.fill(blocks, |i| block(triangles, boxes, i));
+        Ok(())
+    }
+
+    /// The same order for boxes that moved; returns how much looser the source has become.
+    pub fn refit(&mut self, threads: &Threads, method: &mut Method) -> f64 {
+        self.boxes.refit(threads, method.order(), &self.swept)
+    }
+
+    /// Certifies regions for a whole step.
+    pub fn certify(&mut self, threads: &Threads, mesh: &Mesh, given: Given) {
+        if let Some(regions) = &mut self.regions {
+            regions.certify(threads, mesh, given);
+        }
+    }
+
+    /// Boxes of features, during the step and at its ends, and regions.
+    pub fn place(&mut self, threads: &Threads, of: FeatureBoxes, table: &[[f32; WIDTH]]) {
+        if let Some(regions) = &mut self.regions {
+            regions.place(threads, &self.boxes);
+        }
+        let blocks = &self.blocks;
+        self.features.resize(blocks.len(), [EMPTY; 6]);
+        threads.fill(&mut self.features, |i| features(&blocks[i], of));
+        let none = Ends { corners: [[EMPTY; 2]; 3], sides: [[EMPTY; 2]; 3], face: [EMPTY; 2] };
+        self.ends.resize(blocks.len(), none);
+        threads.fill(&mut self.ends, |i| {
+            let [a, b, c] = blocks[i].corners;
+            Ends {
+                corners: [ends(table, &[a]), ends(table, &[b]), ends(table, &[c])],
+                sides: [ends(table, &[a, b]), ends(table, &[b, c]), ends(table, &[c, a])],
+                face: ends(table, &[a, b, c]),
+            }
+        });
+    }
+}
+
+/// The features of block `i`; lanes past the end repeat the last triangle and represent nothing.
+fn block(triangles: &Triangles, boxes: &LeafBoxes, i: usize) -> TriangleBlock {
+    let mut block = TriangleBlock { ids: boxes.ids(i), ..TriangleBlock::NONE };
+    for (j, t) in block.ids.into_iter().enumerate() {
+        let (corners, sides) = (triangles.corners(t), triangles.sides(t));
+        for k in 0..3 {
+            block.corners[k][j] = corners[k];
+            block.sides[k][j] = sides[k];
+        }
+        if i * WIDTH + j < boxes.len() {
+            for (k, bits) in block.represents.iter_mut().enumerate() {
+                *bits |= (triangles.represents(t) as u32 >> k & 1) << j;
+            }
+            block.faces |= (triangles.is_face(t) as u32) << j;
+        }
+    }
+    block
+}
+
+/// Boxes of what the triangles of a block represent.
+fn features(block: &TriangleBlock, of: FeatureBoxes) -> [Block; 6] {
+    let mut out = [EMPTY; 6];
+    for (k, into) in out.iter_mut().enumerate() {
+        let mut rest = block.represents[k];
+        while rest != 0 {
+            let j = rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            let aabb = if k < 3 {
+                &of.vertices[block.corners[k][j] as usize]
+            } else {
+                &of.edges[block.sides[k - 3][j] as usize]
+            };
+            set_lane(into, j, aabb);
+        }
+    }
+    out
+}

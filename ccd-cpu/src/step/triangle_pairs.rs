@@ -1,0 +1,374 @@
+//! Pairs of triangles on their way to pairs of features: each row is expanded into the tests that
+//! its triangles represent, eight at a time; what stands in for them and orphans come one by one.
+//!
+//! A test becomes a candidate by the rule that holds for pairs of features: no common vertex,
+//! bodies that are wanted, boxes of its own that overlap in the precision of the input. Candidates
+//! and contacts are those of the other pipeline.
+
+use crate::broad_phase::keep;
+use crate::broad_phase::pair_source::PairSink;
+use crate::simd::{Block, RowSimd, WIDTH};
+use crate::step::candidates::{Scene, Take, separated};
+use crate::step::free_regions::NONE;
+use crate::step::triangle_leaves::{FeatureBoxes, TriangleLeaves};
+use crate::threads::Threads;
+use ccd_core::broad_phase::candidate::{is_corner, share_vertex};
+use ccd_core::layout::Pair;
+use ccd_core::model::contact::Kind;
+use ccd_core::model::report::TriangleCounts;
+use ccd_core::narrow_phase::separating_direction::axis_separated;
+use ccd_core::triangle_pairs::Test;
+use ccd_core::{Aabb, Num};
+use std::marker::PhantomData;
+
+/// Triangles against triangles.
+pub struct TrianglePairs<'a, W> {
+    pub scene: &'a Scene<'a>,
+    pub leaves: &'a TriangleLeaves,
+    pub boxes: FeatureBoxes<'a>,
+    /// The one kind that is wanted, or both.
+    pub only: Option<Kind>,
+    pub worker: PhantomData<fn(W)>,
+}
+
+/// One feature of each of eight triangles.
+#[derive(Clone, Copy)]
+struct Side<'a, const N: usize> {
+    vertices: [&'a [u32; WIDTH]; N],
+    ids: &'a [u32; WIDTH],
+    boxes: &'a Block,
+    ends: &'a [Block; 2],
+}
+
+impl<W: Take> PairSink for TrianglePairs<'_, W> {
+    type Worker = W;
+
+    #[inline(always)]
+    fn row<S: RowSimd>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        a: usize,
+        lane: usize,
+        b: usize,
+        mut mask: u32,
+    ) {
+        let (of_a, of_b) = (&self.leaves.blocks[a], &self.leaves.blocks[b]);
+        let [a0, a1, a2] = [0, 1, 2].map(|k| of_a.corners[k][lane]);
+        if let Some(bodies) = self.scene.bodies {
+            mask = keep(mask, |j| bodies.wants(a0, of_b.corners[0][j]));
+        }
+        let n_pairs = mask.count_ones();
+        let mut near = 0;
+        for ids in &of_b.corners {
+            near |= simd.equals(ids, [a0, a1]) | simd.equals(ids, [a2, a2]);
+        }
+        near &= mask;
+        if self.leaves.orphans.is_some() {
+            mask &= !near;
+        }
+        let n_apart = mask.count_ones();
+        if let Some(regions) = &self.leaves.regions {
+            let region = regions.of_leaf[a][lane];
+            if region != NONE {
+                mask &= !simd.equals(&regions.of_leaf[b], [region; 2]);
+            }
+        }
+        let counts = TriangleCounts {
+            pairs: n_pairs as u64,
+            adjacent: (n_pairs - n_apart) as u64,
+            free: (n_apart - mask.count_ones()) as u64,
+            ..TriangleCounts::default()
+        };
+        if mask == 0 {
+            worker.count_triangles(counts);
+            return;
+        }
+        near &= mask;
+        let mut represented = 0;
+        let own = |k: usize| of_a.represents[k] >> lane & 1 == 1;
+        if self.wants(Kind::VertexFace) {
+            let faces = mask & of_b.faces;
+            let is_face = of_a.faces >> lane & 1 == 1;
+            for k in 0..3 {
+                if own(k) && faces != 0 {
+                    represented += faces.count_ones();
+                    let (vertex, face) = (self.corner(a, k), self.face(b));
+                    let hits = self.hits(simd, &vertex, lane, &face, faces, near);
+                    self.hand_on(worker, simd, Kind::VertexFace, (&vertex, lane), &face, hits);
+                }
+                let vertices = mask & of_b.represents[k];
+                if is_face && vertices != 0 {
+                    represented += vertices.count_ones();
+                    let (face, vertex) = (self.face(a), self.corner(b, k));
+                    let mut hits = self.hits(simd, &face, lane, &vertex, vertices, near);
+                    worker.count(Kind::VertexFace, hits.count_ones() as u64);
+                    if W::FILTERED && hits != 0 {
+                        let gap = self.scene.needed_gap();
+                        hits &= !separated(simd, face.ends, lane, vertex.ends, gap);
+                    }
+                    while hits != 0 {
+                        let j = hits.trailing_zeros() as usize;
+                        hits &= hits - 1;
+                        let pair = Pair { a: vertex.ids[j], b: face.ids[lane] };
+                        worker.take_one(self.scene, Kind::VertexFace, pair);
+                    }
+                }
+            }
+        }
+        if self.wants(Kind::EdgeEdge) {
+            for i in 0..3 {
+                if !own(3 + i) {
+                    continue;
+                }
+                let edge = self.side(a, i);
+                for j in 0..3 {
+                    let edges = mask & of_b.represents[3 + j];
+                    if edges != 0 {
+                        represented += edges.count_ones();
+                        let other = self.side(b, j);
+                        let hits = self.hits(simd, &edge, lane, &other, edges, near);
+                        self.hand_on(worker, simd, Kind::EdgeEdge, (&edge, lane), &other, hits);
+                    }
+                }
+            }
+        }
+        if self.leaves.orphans.is_some() {
+            let stand_ins = &self.leaves.stand_ins;
+            for group in stand_ins.groups(a * WIDTH + lane) {
+                let mut rest = stand_ins.of_block(simd, group, b);
+                while rest != 0 {
+                    let other = stand_ins.get(group, rest.trailing_zeros() as usize);
+                    rest &= rest - 1;
+                    if mask >> other.lane & 1 == 1 {
+                        let pair = [of_a.ids[lane], other.id];
+                        represented += self.stand_in(worker, pair, other.tests);
+                    }
+                }
+            }
+        }
+        worker.count_triangles(TriangleCounts { represented: represented as u64, ..counts });
+    }
+
+    fn begin(&self, worker: &mut W, task: usize) {
+        worker.begin(task);
+    }
+
+    fn end(&self, worker: &mut W) {
+        worker.finish(self.scene, Kind::VertexFace);
+        worker.finish(self.scene, Kind::EdgeEdge);
+    }
+}
+
+impl<'a, W: Take> TrianglePairs<'a, W> {
+    #[inline(always)]
+    fn wants(&self, kind: Kind) -> bool {
+        self.only.is_none_or(|only| only == kind)
+    }
+
+    /// Corner `k` of each triangle of a block.
+    #[inline(always)]
+    fn corner(&self, block: usize, k: usize) -> Side<'a, 1> {
+        let of = &self.leaves.blocks[block];
+        Side {
+            vertices: [&of.corners[k]],
+            ids: &of.corners[k],
+            boxes: &self.leaves.features[block][k],
+            ends: &self.leaves.ends[block].corners[k],
+        }
+    }
+
+    /// Side `k` of each triangle of a block.
+    #[inline(always)]
+    fn side(&self, block: usize, k: usize) -> Side<'a, 2> {
+        let of = &self.leaves.blocks[block];
+        Side {
+            vertices: of.side(k),
+            ids: &of.sides[k],
+            boxes: &self.leaves.features[block][3 + k],
+            ends: &self.leaves.ends[block].sides[k],
+        }
+    }
+
+    /// The triangles of a block.
+    #[inline(always)]
+    fn face(&self, block: usize) -> Side<'a, 3> {
+        let [a, b, c] = &self.leaves.blocks[block].corners;
+        Side {
+            vertices: [a, b, c],
+            ids: &self.leaves.blocks[block].ids,
+            boxes: &self.leaves.boxes.blocks()[block],
+            ends: &self.leaves.ends[block].face,
+        }
+    }
+
+    /// Lanes of `mask` in which two features are candidates; `near`: those in which they may have a
+    /// common vertex.
+    #[inline(always)]
+    fn hits<S: RowSimd, const N: usize, const M: usize>(
+        &self,
+        simd: S,
+        a: &Side<N>,
+        lane: usize,
+        b: &Side<M>,
+        mut mask: u32,
+        near: u32,
+    ) -> u32 {
+        mask &= simd.overlaps(a.boxes, lane, b.boxes);
+        if mask & near != 0 {
+            for k in 0..N {
+                let v = a.vertices[k][lane];
+                for m in 0..M {
+                    mask &= !simd.equals(b.vertices[m], [v; 2]);
+                }
+            }
+        }
+        if let Some(slack) = self.scene.slack
+            && mask != 0
+        {
+            let sure = simd.overlaps_surely(a.boxes, lane, b.boxes, slack);
+            let unsure = mask & !sure;
+            if unsure != 0 {
+                let a = a.vertices.map(|ids| ids[lane]);
+                mask = mask & sure
+                    | keep(unsure, |j| self.scene.boxes_overlap(a, b.vertices.map(|ids| ids[j])));
+            }
+        }
+        mask
+    }
+
+    /// Counts candidates, and hands those on that no axis separates.
+    #[inline(always)]
+    fn hand_on<S: RowSimd, const N: usize, const M: usize>(
+        &self,
+        worker: &mut W,
+        simd: S,
+        kind: Kind,
+        (a, lane): (&Side<N>, usize),
+        b: &Side<M>,
+        mut hits: u32,
+    ) {
+        if hits == 0 {
+            return;
+        }
+        worker.count(kind, hits.count_ones() as u64);
+        if W::FILTERED {
+            hits &= !separated(simd, a.ends, lane, b.ends, self.scene.needed_gap());
+        }
+        if hits != 0 {
+            worker.take(simd, self.scene, kind, a.ids[lane], b.ids, hits);
+        }
+    }
+
+    /// Makes tests besides those that two triangles represent; returns how many.
+    #[inline(never)]
+    fn stand_in(&self, worker: &mut W, [first, second]: [u32; 2], tests: u16) -> u32 {
+        let mut n = 0;
+        for test in Test::all(tests) {
+            let (kind, pair) = test.features(&self.leaves.triangles, first, second);
+            if self.wants(kind) {
+                n += 1;
+                self.test(worker, kind, pair);
+            }
+        }
+        n
+    }
+
+    /// Makes the tests of all orphans, in the order in which they are listed.
+    pub fn orphans(&self, threads: &Threads, workers: &mut [W]) {
+        let Some(sets) = &self.leaves.orphans else { return };
+        let (n_vf, n_workers) = (sets.vf().len(), workers.len());
+        let n = n_vf + sets.ee().len();
+        threads.each(workers, &|k, worker| {
+            // After all tasks of the source, in the order of the list for any number of workers.
+            worker.begin(usize::MAX - n_workers + k);
+            let mut orphans = 0;
+            for i in n * k / n_workers..n * (k + 1) / n_workers {
+                let (kind, pair) = if i < n_vf {
+                    (Kind::VertexFace, sets.vf()[i])
+                } else {
+                    (Kind::EdgeEdge, sets.ee()[i - n_vf])
+                };
+                let skipped = self.in_free_region(kind, pair);
+                if self.wants(kind) && !skipped && self.of_wanted_bodies(kind, pair) {
+                    orphans += 1;
+                    self.test(worker, kind, pair);
+                }
+            }
+            worker.count_triangles(TriangleCounts { orphans, ..TriangleCounts::default() });
+            self.end(worker);
+        });
+    }
+
+    fn in_free_region(&self, kind: Kind, pair: Pair) -> bool {
+        let Some(regions) = &self.leaves.regions else { return false };
+        let triangles = &self.leaves.triangles;
+        let (a, b) = match kind {
+            Kind::VertexFace => (triangles.of_vertex(pair.a)[0], pair.b),
+            Kind::EdgeEdge => (triangles.of_edge(pair.a)[0], triangles.of_edge(pair.b)[0]),
+        };
+        regions.hold_both(a, b)
+    }
+
+    fn of_wanted_bodies(&self, kind: Kind, pair: Pair) -> bool {
+        let v = self.scene.mesh.vertices_of(kind, pair);
+        let second = if kind == Kind::VertexFace { 1 } else { 2 };
+        self.scene.bodies.is_none_or(|bodies| bodies.wants(v[0], v[second]))
+    }
+
+    /// One test of two features of wanted bodies without a common vertex.
+    fn test(&self, worker: &mut W, kind: Kind, pair: Pair) {
+        let [v0, v1, v2, v3] = self.scene.mesh.vertices_of(kind, pair);
+        match kind {
+            Kind::VertexFace => {
+                debug_assert!(!is_corner(v0, [v1, v2, v3]));
+                let boxes =
+                    [&self.boxes.vertices[pair.a as usize], &self.boxes.faces[pair.b as usize]];
+                self.test_of(worker, kind, pair, boxes, [v0], [v1, v2, v3]);
+            }
+            Kind::EdgeEdge => {
+                debug_assert!(!share_vertex([v0, v1], [v2, v3]));
+                let edges = self.boxes.edges;
+                let boxes = [&edges[pair.a as usize], &edges[pair.b as usize]];
+                self.test_of(worker, kind, pair, boxes, [v0, v1], [v2, v3]);
+            }
+        }
+    }
+
+    fn test_of<const N: usize, const M: usize>(
+        &self,
+        worker: &mut W,
+        kind: Kind,
+        pair: Pair,
+        boxes: [&Aabb<f32>; 2],
+        a: [u32; N],
+        b: [u32; M],
+    ) {
+        if !boxes[0].overlaps(boxes[1])
+            || self.scene.slack.is_some() && !self.scene.boxes_overlap(a, b)
+        {
+            return;
+        }
+        worker.count(kind, 1);
+        let table = self.scene.table;
+        let apart = || {
+            let (a0, b0) = (bounds(table, a, 0), bounds(table, b, 0));
+            let (a1, b1) = (bounds(table, a, 4), bounds(table, b, 4));
+            axis_separated(&a0, &a1, &b0, &b1, self.scene.needed_gap())
+        };
+        if !(W::FILTERED && apart()) {
+            worker.take_one(self.scene, kind, pair);
+        }
+    }
+}
+
+/// `[min, max]` of positions in the table, from its component `k` on.
+fn bounds<const N: usize>(table: &[[f32; WIDTH]], ids: [u32; N], k: usize) -> [[f32; 3]; 2] {
+    let at = |v: u32| [0, 1, 2].map(|axis| table[v as usize][k + axis]);
+    let first = at(ids[0]);
+    ids.iter().skip(1).fold([first; 2], |[min, max], &v| {
+        let p = at(v);
+        let lesser = [0, 1, 2].map(|axis| Num::min(min[axis], p[axis]));
+        [lesser, [0, 1, 2].map(|axis| Num::max(max[axis], p[axis]))]
+    })
+}

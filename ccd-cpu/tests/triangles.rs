@@ -1,0 +1,239 @@
+//! Pairs of triangles give what pairs of features give, on any mesh: non-manifold, degenerate, with
+//! wires and loose vertices; and what they say about their tests adds up.
+
+use ccd_core::layout::Pair;
+use ccd_core::model::bodies::Bodies;
+use ccd_core::model::contact::{Contact, PerKind};
+use ccd_core::model::mesh::Mesh;
+use ccd_core::model::options::Options;
+use ccd_core::model::pipeline::{Pipeline, TriangleOptions};
+use ccd_core::model::report::TriangleCounts;
+use ccd_cpu::Session;
+
+/// Random numbers, the same on every machine.
+struct Random(u32);
+
+impl Random {
+    fn bits(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        self.0 >> 8
+    }
+
+    fn below(&mut self, n: usize) -> u32 {
+        self.bits() % n as u32
+    }
+
+    /// In [0, 1).
+    fn unit(&mut self) -> f64 {
+        self.bits() as f64 / 16_777_216.0
+    }
+
+    fn point(&mut self) -> [f64; 3] {
+        [self.unit(), self.unit(), self.unit()]
+    }
+}
+
+/// Positions at both ends of a step.
+type Ends = [Vec<[f64; 3]>; 2];
+
+/// What a step finds.
+#[derive(Debug, PartialEq)]
+struct Found {
+    pairs: [Vec<Pair>; 2],
+    contacts: Vec<Contact>,
+    candidates: PerKind,
+    filtered: PerKind,
+    toi: Option<f64>,
+}
+
+fn run(mesh: &Mesh, x: &Ends, options: Options) -> (Found, Option<TriangleCounts>) {
+    let mut session = Session::new(mesh.clone(), options).expect("a session");
+    let listed = session.candidates(&x[0], &x[1]).expect("candidates");
+    let mut pairs = [listed.vf.to_vec(), listed.ee.to_vec()];
+    pairs.iter_mut().for_each(|pairs| pairs.sort_unstable());
+    let report = session.step(&x[0], &x[1]).expect("a step").clone();
+    let earliest = session.earliest_toi(&x[0], &x[1]).expect("a step");
+    // A shorter step may have its contacts decided a little earlier.
+    assert!(earliest <= report.toi && earliest.is_some() == report.toi.is_some());
+    let counts = report.triangles;
+    if let Some(counts) = counts {
+        let sum = |p: PerKind| p.total();
+        assert!(sum(report.filtered) <= sum(report.candidates));
+        assert!(sum(report.candidates) <= counts.box_tests(), "{counts:?}");
+        assert!(counts.represented <= counts.all_tests(), "{counts:?}");
+        assert!(counts.adjacent <= counts.pairs);
+    }
+    let found = Found {
+        pairs,
+        contacts: report.contacts,
+        candidates: report.candidates,
+        filtered: report.filtered,
+        toi: report.toi,
+    };
+    (found, counts)
+}
+
+fn triangles(orphans: bool) -> Pipeline {
+    Pipeline::Triangles(TriangleOptions::default().orphans(orphans))
+}
+
+fn with_cones(orphans: bool) -> Pipeline {
+    Pipeline::Triangles(TriangleOptions::default().orphans(orphans).cones(true))
+}
+
+/// All pipelines find the same; returns the number of contacts and what the one with orphans
+/// counted.
+fn check(mesh: &Mesh, x: &Ends, bodies: Option<&Bodies>, what: &str) -> (usize, TriangleCounts) {
+    let (mut n, mut seen) = (0, TriangleCounts::default());
+    for min_distance in [0.0, 0.02] {
+        let of = |pipeline, threads| Options {
+            min_distance,
+            threads,
+            bodies: bodies.cloned(),
+            pipeline,
+            ..Options::default()
+        };
+        let (want, none) = run(mesh, x, of(Pipeline::Features, 1));
+        assert_eq!(none, None);
+        let (plain, plain_counts) = run(mesh, x, of(triangles(false), 1));
+        let (got, counts) = run(mesh, x, of(triangles(true), 2));
+        assert!(plain == want, "{what}, distance {min_distance}: {plain:?}\n{want:?}");
+        assert!(got == want, "{what}, distance {min_distance}: {got:?}\n{want:?}");
+        let (plain, counts) = (plain_counts.expect("counts"), counts.expect("counts"));
+        assert_eq!((plain.pairs, plain.adjacent, plain.orphans), (counts.pairs, 0, 0), "{what}");
+        let mut free = [0; 2];
+        for (orphans, threads) in [(false, 2), (true, 1)] {
+            let (culled, counts) = run(mesh, x, of(with_cones(orphans), threads));
+            let counts = counts.expect("counts");
+            free[orphans as usize] = counts.free;
+            if counts.free == 0 && !orphans {
+                assert_eq!(culled.candidates, want.candidates, "{what}");
+            }
+            assert!(min_distance == 0.0 || counts.free == 0, "{counts:?}");
+            assert_eq!((&culled.contacts, culled.toi), (&want.contacts, want.toi), "{what}");
+            for (few, all) in culled.pairs.iter().zip(&want.pairs) {
+                assert!(few.iter().all(|pair| all.binary_search(pair).is_ok()), "{what}");
+            }
+        }
+        assert!(free[0] >= free[1], "{what}: {free:?}");
+        n += want.contacts.len();
+        seen = seen.plus(TriangleCounts { free: free[1], ..counts });
+    }
+    (n, seen)
+}
+
+#[test]
+fn any_mesh_gives_what_features_give() {
+    let mut random = Random(5);
+    let (mut n, mut seen) = (0, TriangleCounts::default());
+    for round in 0..80 {
+        let n_vertices = 4 + random.below(40) as usize;
+        let n_faces = random.below(2 * n_vertices);
+        let mut corner = || random.below(n_vertices);
+        let mut faces: Vec<[u32; 3]> =
+            (0..n_faces).map(|_| [corner(), corner(), corner()]).collect();
+        // A face twice, one with a corner twice, three at an edge, two with two edges in common.
+        faces.extend([[0, 1, 2], [2, 1, 0], [0, 1, 3], [3, 3, 1], [2, 2, 2]]);
+        let wires: Vec<[u32; 2]> = (0..6).map(|_| [corner(), corner()]).collect();
+        let mesh = Mesh::with_edges(n_vertices, &faces, &wires).expect("a mesh");
+        let x0: Vec<_> = (0..n_vertices).map(|_| random.point()).collect();
+        let speed = [0.1, 0.5, 2.0][round % 3];
+        let x1: Vec<[f64; 3]> = x0
+            .iter()
+            .map(|p| {
+                let q = random.point();
+                [0, 1, 2].map(|k| p[k] + speed * (q[k] - 0.5))
+            })
+            .collect();
+        let what = format!("faces {faces:?}, wires {wires:?}");
+        let (contacts, counts) = check(&mesh, &[x0, x1], None, &what);
+        n += contacts;
+        seen = seen.plus(counts);
+    }
+    println!("{n} contacts, {seen:?}");
+    assert!(n > 1000 && seen.adjacent > 1000 && seen.orphans > 1000, "{n}, {seen:?} show nothing");
+}
+
+/// A sheet of `n` by `n` vertices, rough, that folds over itself.
+fn folded(n: usize, fold: f64) -> (Mesh, Ends) {
+    let mut random = Random(9);
+    let mut x = Vec::new();
+    for k in 0..n * n {
+        let [i, j] = [k / n, k % n].map(|i| i as f64 / n as f64);
+        x.push([i, j, 0.5 / n as f64 * random.unit()]);
+    }
+    let mut faces = Vec::new();
+    for k in 0..((n - 1) * (n - 1)) as u32 {
+        let n = n as u32;
+        let at = k / (n - 1) * n + k % (n - 1);
+        faces.extend([[at, at + 1, at + n], [at + 1, at + n + 1, at + n]]);
+    }
+    // The right half comes over the left one.
+    let moved = |p: &[f64; 3]| {
+        let over = (p[0] - 0.5).max(0.0);
+        [p[0] - 2.0 * fold * over, p[1] + 0.03 * over, p[2] + over * (1.0 - over) * 0.2]
+    };
+    let y = x.iter().map(moved).collect();
+    (Mesh::new(n * n, &faces).expect("a mesh"), [x, y])
+}
+
+#[test]
+fn sheets_with_bodies_and_without() {
+    let (mesh, x) = folded(14, 1.0);
+    let (n, counts) = check(&mesh, &x, None, "a sheet");
+    println!("{n} contacts, {counts:?}");
+    assert!(n > 100 && counts.orphans > 0, "{n}, {counts:?}");
+    // While it comes up a little, it is certain not to touch itself; the parts that go over the
+    // others are, each by itself.
+    for (fold, least) in [(0.1, 200), (0.5, 100), (0.9, 50)] {
+        let (mesh, x) = folded(14, fold);
+        let (n, counts) = check(&mesh, &x, None, "a sheet that folds");
+        println!("fold {fold}: {n} contacts, {counts:?}");
+        assert!(counts.free > least, "{fold}: {counts:?}");
+    }
+    // Two sheets that go through each other, tested against each other only or also within; one
+    // does not move.
+    let n_vertices = mesh.n_vertices() as u32;
+    let second = mesh.faces().iter().map(|f| f.map(|v| v + n_vertices));
+    let faces: Vec<_> = mesh.faces().iter().copied().chain(second).collect();
+    let both = Mesh::new(2 * n_vertices as usize, &faces).expect("a mesh");
+    let fixed = x[0].iter().map(|p| [p[0] + 0.01, p[2] + 0.3, p[1]]);
+    let y = [0, 1].map(|k| x[k].iter().copied().chain(fixed.clone()).collect());
+    let body_of: Vec<u32> = (0..2 * n_vertices).map(|v| v / n_vertices).collect();
+    for self_contact in [false, true] {
+        let bodies = Bodies::new(&body_of, &[false, true], self_contact);
+        let (some, counts) = check(&both, &y, Some(&bodies), "two sheets");
+        assert!(some > 50 && (counts.orphans > 0) == self_contact, "{some}, {counts:?}");
+    }
+}
+
+/// Where orphan sets would be too long, neighbours are expanded like all others.
+#[test]
+fn fans_have_no_orphan_sets() {
+    let mut random = Random(3);
+    let n = 260;
+    let faces: Vec<[u32; 3]> = (1..=n).map(|i| [0, i, i % n + 1]).collect();
+    let mesh = Mesh::new(n as usize + 1, &faces).expect("a mesh");
+    let x: Ends = [0, 1].map(|_| {
+        let at = |i: u32| [i as f64 / n as f64, 0.1 * random.unit(), 0.1 * random.unit()];
+        (0..=n).map(at).collect()
+    });
+    let (contacts, counts) = check(&mesh, &x, None, "a fan");
+    assert!(contacts > 20, "{contacts}");
+    assert_eq!((counts.adjacent, counts.orphans), (0, 0));
+}
+
+#[test]
+fn comparisons_can_fail() {
+    let (mesh, x) = folded(14, 1.0);
+    let of = |pipeline| Options { threads: 1, pipeline, ..Options::default() };
+    let (want, _) = run(&mesh, &x, of(Pipeline::Features));
+    // A face less.
+    let fewer = Mesh::new(mesh.n_vertices(), &mesh.faces()[1..]).expect("a mesh");
+    assert_ne!(run(&fewer, &x, of(triangles(true))).0, want);
+    // A vertex elsewhere.
+    let mut y = x.clone();
+    y[1][100][2] -= 0.3;
+    let (got, _) = run(&mesh, &y, of(triangles(true)));
+    assert_ne!(got.pairs, want.pairs);
+}

@@ -1,0 +1,245 @@
+//! Options that choose how pairs are found, and `ccd list`, which says what there is to choose from.
+
+use super::{Failure, Outcome, output};
+use ccd::{
+    BroadPhaseMethod, Builder, Catalogued, Descent, Pipeline, Row, Traversal, TreeOptions, Volume,
+};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+/// Options of every command that looks for pairs.
+#[derive(Args)]
+#[command(next_help_heading = "How pairs are found (all ways find the same; see `ccd list`)")]
+pub struct MethodOptions {
+    /// Broad phase
+    #[arg(long, value_name = "NAME", value_parser = named::<BroadPhaseMethod>())]
+    #[arg(hide_possible_values = true)]
+    broad_phase: Option<BroadPhaseMethod>,
+    /// How a tree is built; implies --broad-phase tree, as do the other options of trees
+    #[arg(long, value_name = "NAME", value_parser = named::<Builder>(), hide_possible_values = true)]
+    builder: Option<Builder>,
+    /// How pairs are found in a tree
+    #[arg(long, value_name = "NAME", value_parser = named::<Traversal>())]
+    #[arg(hide_possible_values = true)]
+    traversal: Option<Traversal>,
+    /// What bounds the nodes of a tree
+    #[arg(long, value_name = "NAME", value_parser = named::<Volume>(), hide_possible_values = true)]
+    volume: Option<Volume>,
+    /// Neighbours to either side that --builder ploc looks at
+    #[arg(long, value_name = "N")]
+    radius: Option<u32>,
+    /// Most boxes for --builder nearest-pair, whose time grows with their square
+    #[arg(long, value_name = "N")]
+    limit: Option<u32>,
+    /// Nodes of the cut that --traversal cut starts from
+    #[arg(long, value_name = "N")]
+    cut: Option<u32>,
+    /// What is paired first, features or triangles
+    #[arg(long, value_name = "NAME", value_parser = named::<Pipeline>())]
+    #[arg(hide_possible_values = true)]
+    pipeline: Option<Pipeline>,
+    /// Whether --pipeline triangles skips triangles that share a vertex, and tests their features
+    /// from a list
+    #[arg(long, value_enum)]
+    orphans: Option<OnOff>,
+    /// Whether --pipeline triangles skips regions that certainly do not touch themselves
+    #[arg(long, value_enum)]
+    cones: Option<OnOff>,
+    /// Which of two nodes --traversal simultaneous and cut expand
+    #[arg(long, value_enum)]
+    descent: Option<DescentName>,
+}
+
+/// Which of two nodes is expanded.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum DescentName {
+    /// The larger one
+    Larger,
+    /// Both
+    Both,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum OnOff {
+    On,
+    Off,
+}
+
+/// The names of a table, each with its line.
+fn named<T: Catalogued + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let value = |row: &Row<T>| PossibleValue::new(row.name).help(row.about);
+    PossibleValuesParser::new(T::ROWS.iter().map(value))
+        .try_map(|name| T::named(&name).ok_or("not in the table"))
+}
+
+impl MethodOptions {
+    /// What was chosen; without an option the default.
+    pub fn method(&self) -> Result<BroadPhaseMethod, Failure> {
+        Ok(self.chosen()?.unwrap_or_default())
+    }
+
+    /// What was chosen, if anything was.
+    pub fn chosen(&self) -> Result<Option<BroadPhaseMethod>, Failure> {
+        let Some(of_tree) = self.first_of_tree() else { return Ok(self.broad_phase) };
+        match self.broad_phase {
+            None | Some(BroadPhaseMethod::Tree(_)) => {}
+            Some(other) => {
+                let name = other.row().name;
+                let why = format!("{of_tree} is for --broad-phase tree; {name} has none");
+                return Err(Failure(why));
+            }
+        }
+        let tree = TreeOptions::default()
+            .builder(self.builder()?)
+            .traversal(self.traversal()?)
+            .volume(self.volume.unwrap_or_default());
+        Ok(Some(BroadPhaseMethod::Tree(tree)))
+    }
+
+    /// What is paired first.
+    pub fn pipeline(&self) -> Result<Pipeline, Failure> {
+        let (orphans, cones) = [self.orphans, self.cones].map(|o| o.map(|o| o == OnOff::On)).into();
+        match self.pipeline.unwrap_or_default() {
+            Pipeline::Triangles(own) => Ok(Pipeline::Triangles(
+                own.orphans(orphans.unwrap_or(own.orphans)).cones(cones.unwrap_or(own.cones)),
+            )),
+            other if orphans.or(cones).is_some() => {
+                let (name, of) = (if orphans.is_some() { "orphans" } else { "cones" }, other.row());
+                Err(Failure(format!("--{name} is for --pipeline triangles, not {}", of.name)))
+            }
+            other => Ok(other),
+        }
+    }
+
+    /// Nothing, or why a command that pairs boxes alone has no pipeline.
+    pub fn no_pipeline(&self) -> Result<(), Failure> {
+        match self.pipeline()? {
+            Pipeline::Features => Ok(()),
+            other => Err(Failure(format!(
+                "--pipeline {} pairs features of a mesh; boxes alone have none",
+                other.row().name
+            ))),
+        }
+    }
+
+    /// The first of the options given that only trees have.
+    fn first_of_tree(&self) -> Option<&'static str> {
+        [
+            (self.builder.is_some(), "--builder"),
+            (self.traversal.is_some(), "--traversal"),
+            (self.volume.is_some(), "--volume"),
+            (self.radius.is_some(), "--radius"),
+            (self.limit.is_some(), "--limit"),
+            (self.cut.is_some(), "--cut"),
+            (self.descent.is_some(), "--descent"),
+        ]
+        .into_iter()
+        .find_map(|(given, name)| given.then_some(name))
+    }
+
+    fn builder(&self) -> Result<Builder, Failure> {
+        let builder = self.builder.unwrap_or_default();
+        let name = builder.row().name;
+        match (builder, self.radius, self.limit) {
+            (Builder::Ploc { .. }, Some(radius), None) => Ok(Builder::Ploc { radius }),
+            (Builder::NearestPair { .. }, None, Some(limit)) => Ok(Builder::NearestPair { limit }),
+            (_, None, None) => Ok(builder),
+            (_, Some(_), _) => Err(Failure(format!("--radius is for --builder ploc, not {name}"))),
+            (_, _, Some(_)) => {
+                Err(Failure(format!("--limit is for --builder nearest-pair, not {name}")))
+            }
+        }
+    }
+
+    fn traversal(&self) -> Result<Traversal, Failure> {
+        let traversal = self.traversal.unwrap_or_default();
+        let name = traversal.row().name;
+        let descent = self.descent.map(|descent| match descent {
+            DescentName::Larger => Descent::Larger,
+            DescentName::Both => Descent::Both,
+        });
+        match (traversal, self.cut, descent) {
+            (Traversal::Simultaneous(own), None, descent) => {
+                Ok(Traversal::Simultaneous(descent.unwrap_or(own)))
+            }
+            (Traversal::Cut { nodes, descent: own }, cut, descent) => {
+                Ok(Traversal::Cut { nodes: cut.unwrap_or(nodes), descent: descent.unwrap_or(own) })
+            }
+            (_, None, None) => Ok(traversal),
+            (_, Some(_), _) => Err(Failure(format!("--cut is for --traversal cut, not {name}"))),
+            (_, _, Some(_)) => Err(Failure(format!(
+                "--descent is for --traversal simultaneous and cut, not {name}"
+            ))),
+        }
+    }
+}
+
+/// `ccd list`
+#[derive(Args)]
+pub struct List {
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// A row of the catalogue.
+#[derive(Serialize)]
+struct Entry {
+    name: &'static str,
+    about: &'static str,
+    source: Option<&'static str>,
+    backends: &'static [&'static str],
+}
+
+#[derive(Serialize)]
+struct Json {
+    broad_phases: Vec<Entry>,
+    traversals: Vec<Entry>,
+    builders: Vec<Entry>,
+    volumes: Vec<Entry>,
+    pipelines: Vec<Entry>,
+}
+
+fn entries<T: Catalogued>() -> Vec<Entry> {
+    let entry = |row: &Row<T>| {
+        let &Row { name, about, source, backends, .. } = row;
+        Entry { name, about, source, backends }
+    };
+    T::ROWS.iter().map(entry).collect()
+}
+
+impl List {
+    pub fn run(&self) -> Outcome {
+        let all = Json {
+            broad_phases: entries::<BroadPhaseMethod>(),
+            traversals: entries::<Traversal>(),
+            builders: entries::<Builder>(),
+            volumes: entries::<Volume>(),
+            pipelines: entries::<Pipeline>(),
+        };
+        if self.json {
+            output::json(&all)?;
+        } else {
+            print::<BroadPhaseMethod>("Broad phases, --broad-phase NAME", &all.broad_phases);
+            print::<Builder>("Builders of trees, --builder NAME", &all.builders);
+            print::<Traversal>("Traversals of trees, --traversal NAME", &all.traversals);
+            print::<Volume>("Volumes of trees, --volume NAME", &all.volumes);
+            print::<Pipeline>("Pipelines, --pipeline NAME", &all.pipelines);
+            println!("* what is used without the option");
+        }
+        output::flush();
+        Ok(false)
+    }
+}
+
+fn print<T: Catalogued + Default>(title: &str, entries: &[Entry]) {
+    let of_default = T::default().row().name;
+    println!("{title}");
+    for Entry { name, about, source, backends } in entries {
+        let source = source.map_or(String::new(), |source| format!(" [{source}]"));
+        let mark = if *name == of_default { '*' } else { ' ' };
+        println!("{mark} {name:<16} {:<8} {about}{source}", backends.join(" "));
+    }
+    println!();
+}
