@@ -124,8 +124,15 @@ fn centre<T: Real>(b: &Aabb<f32>, axis: usize) -> T {
 /// Where a box begins along the axis, as an integer of the same order.
 #[inline(always)]
 pub fn begin_key(b: &Aabb<f32>, axis: usize) -> u32 {
-    // Zeros of both signs are one place.
-    order_key(b.min[axis] + 0.0)
+    axis_key(b.min[axis])
+}
+
+/// A place on the axis as an integer of the same order; zeros of both signs are one place. By bits,
+/// because a compiler may think that adding zero does nothing.
+#[inline(always)]
+pub fn axis_key(x: f32) -> u32 {
+    let bits = x.to_bits();
+    order_key(f32::from_bits(if bits == 1 << 31 { 0 } else { bits }))
 }
 
 /// Whether boxes that end at `end` are past all that begin at `begin` or later: they touch those

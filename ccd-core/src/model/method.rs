@@ -111,6 +111,7 @@ impl Traversal {
 
 /// How a pair of nodes that overlap is expanded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Descent {
     /// The larger of the two into its children.
     #[default]
