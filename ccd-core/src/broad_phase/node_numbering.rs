@@ -1,9 +1,9 @@
 //! Meet: the numbers that all builders give the nodes of a binary tree, whatever order they made
 //! the nodes in.
 //!
-//! Of `n` leaves, counted from left to right, leaf `i` is node `n - 1 + i`; internal nodes are `0 ..
-//! n - 1`, of which 0 is the root. An internal node that is a left child has the number of its last
-//! leaf, one that is a right child that of its first [Karras 2012]:
+//! Of `n` leaves, counted from left to right, leaf `i` is node `n - 1 + i`; internal nodes have the
+//! numbers below `n - 1`, of which 0 is the root. An internal node that is a left child has the
+//! number of its last leaf, one that is a right child that of its first [Karras 2012]:
 //!
 //! ```text
 //!            0
@@ -17,12 +17,12 @@
 //! ```
 //!
 //! So a node's number, its range of leaves and both of its children follow from three counts of
-//! leaves: of those before it, those below its left child, and those below it. A builder from sorted
-//! codes knows them; one that joins nodes bottom up knows the two latter when it joins. Then a thread
-//! a leaf finds its place by itself, on its way up to the root, where it adds what lies below the
-//! left siblings of the nodes that it passes; that is also the first leaf of those nodes from which
-//! it came as the left child, always, and of them it writes the branches. The cost is the depth of
-//! each leaf; there is no order between threads.
+//! leaves: of those before it, those below its left child, and those below it. A builder from
+//! sorted codes knows them; one that joins nodes bottom up knows the two latter when it joins. Then
+//! a thread a leaf finds its place by itself, on its way up to the root, where it adds what lies
+//! below the left siblings of the nodes that it passes. As long as it comes from a left child, its
+//! place is also the first leaf of the node above, and it writes the branch of that. The cost is
+//! the depth of each leaf; there is no order between threads.
 
 use crate::kernel::Words;
 use crate::layout::Branch;
@@ -229,8 +229,8 @@ mod tests {
         (places, (0..children.len()).map(branch).collect())
     }
 
-    /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of the
-    /// latest are joined with each other (2: a chain).
+    /// A tree by joining random ones of the nodes that have no parent yet; `spread`: how many of
+    /// the latest are joined with each other (2: a chain).
     fn random_tree(n: usize, spread: usize, mut state: u32) -> Children {
         let mut random = |n: usize| {
             state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);

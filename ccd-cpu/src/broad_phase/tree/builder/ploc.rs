@@ -4,13 +4,13 @@
 //! ```text
 //! along the curve   a b c d e f g        each looks `radius` to either side for the neighbour with
 //! nearest           b a b e d g f        which its common box has the least surface
-//! joined            ab  c  de  fg        who is each other's nearest is joined, and takes the place
-//! next round        ab  c  de  fg        of the first; the others wait
+//! joined            ab  c  de  fg        who is each other's nearest is joined, and takes the
+//! next round        ab  c  de  fg        place of the first; the others wait
 //! ```
 //!
-//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some three to
-//! four times as many clusters in all rounds together as boxes. What is joined in a round, and how
-//! many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where one
+//! Cost: the sort, then `2 radius + 1` boxes looked at per cluster and round; there are some three
+//! to four times as many clusters in all rounds together as boxes. What is joined in a round, and
+//! how many rounds there may be, is in [`ccd_core::broad_phase::ploc`]. When to choose it: where one
 //! tree serves so many queries or refits that fewer visited nodes pay for the build, which takes
 //! several times that of [`super::lbvh`]; figures are in benches/NOTES.md.
 
