@@ -94,7 +94,7 @@ macro_rules! kernels {
             SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
             /// One pass of the sort.
-            SortScatter = sort_scatter(128 threads, 28 barriers, f32, Params<SortPass>)
+            SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Leaves in order and the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
