@@ -290,7 +290,7 @@ pub struct Plain {
 pub struct Blocks {
     /// First node of each set on each level, then the first of the next level.
     pub slots: [[u32; 4]; MAX_LEVELS],
-    /// 0: vertices against faces, 1: edges against edges.
+    /// 0: vertices against faces, 1: edges against edges; the set, for a kernel that is about one.
     pub kind: u32,
     /// Level that a kernel reads.
     pub level: u32,
@@ -308,6 +308,36 @@ pub struct Queries {
     pub kind: u32,
     /// 1: queries in the order of leaves, 0: in that of input.
     pub sorted: u32,
+}
+
+/// What the kernels of methods by keys are told; see
+/// [`key_intervals`](crate::broad_phase::key_intervals).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Intervals {
+    /// A constant of that module.
+    pub method: u32,
+    /// 0: vertices against faces, 1: edges against edges.
+    pub kind: u32,
+    /// Which intervals.
+    pub row: u32,
+    /// Above this sum of the squares of the numbers of boxes a cell nothing is done: two words, the
+    /// low one first.
+    pub most: [u32; 2],
+}
+
+/// What the descent of pairs of nodes is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct NodeDescent {
+    /// 0: vertices against faces, 1: edges against edges; the set, for a kernel that is about one.
+    pub kind: u32,
+    /// 1: the larger of two nodes into its children, 0: both.
+    pub larger: u32,
+    /// Nodes of a cut.
+    pub nodes: u32,
+    /// Entries that the list of pairs of nodes has room for.
+    pub room_nodes: u32,
 }
 
 /// What one pass of the radix sort is told.
@@ -340,7 +370,8 @@ const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
 const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
-const _: () = assert!(size_of::<Queries>() == 8);
+const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 20);
+const _: () = assert!(size_of::<NodeDescent>() == 16);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);

@@ -88,44 +88,43 @@ var<storage> leaves: type_18;
 var<storage, read_write> nodes: type_27;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_106_: array<u32, 2>;
-    var phi_136_: type_9;
-    var phi_139_: type_22;
-    var phi_141_: u32;
-    var phi_143_: u32;
-    var phi_137_: type_9;
-    var phi_166_: type_9;
-    var phi_185_: u32;
-    var phi_195_: bool;
-    var phi_199_: u32;
-    var phi_200_: u32;
-    var phi_203_: type_9;
-    var phi_206_: type_22;
-    var phi_204_: type_9;
-    var phi_229_: type_9;
-    var phi_267_: f32;
-    var phi_274_: f32;
+    var phi_128_: type_9;
+    var phi_131_: type_22;
+    var phi_133_: u32;
+    var phi_135_: u32;
+    var phi_129_: type_9;
+    var phi_158_: type_9;
+    var phi_177_: u32;
+    var phi_187_: bool;
+    var phi_191_: u32;
+    var phi_192_: u32;
+    var phi_195_: type_9;
+    var phi_198_: type_22;
+    var phi_196_: type_9;
+    var phi_221_: type_9;
+    var phi_259_: f32;
+    var phi_266_: f32;
+    var phi_273_: f32;
     var phi_281_: f32;
-    var phi_289_: f32;
-    var phi_296_: f32;
-    var phi_303_: f32;
-    var phi_207_: type_22;
-    var phi_308_: type_9;
-    var phi_311_: type_22;
-    var phi_309_: type_9;
-    var phi_334_: type_9;
-    var phi_372_: f32;
-    var phi_379_: f32;
+    var phi_288_: f32;
+    var phi_295_: f32;
+    var phi_199_: type_22;
+    var phi_300_: type_9;
+    var phi_303_: type_22;
+    var phi_301_: type_9;
+    var phi_326_: type_9;
+    var phi_364_: f32;
+    var phi_371_: f32;
+    var phi_378_: f32;
     var phi_386_: f32;
-    var phi_394_: f32;
-    var phi_401_: f32;
-    var phi_408_: f32;
-    var phi_312_: type_22;
-    var phi_415_: u32;
-    var phi_420_: u32;
-    var phi_140_: type_22;
-    var phi_142_: u32;
-    var phi_144_: u32;
+    var phi_393_: f32;
+    var phi_400_: f32;
+    var phi_304_: type_22;
+    var phi_407_: u32;
+    var phi_412_: u32;
+    var phi_132_: type_22;
+    var phi_134_: u32;
+    var phi_136_: u32;
     var local: type_22;
     var local_1: type_22;
     var local_2: type_22;
@@ -137,244 +136,238 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e22 = id_2;
-    let _e23 = n_2;
-    let _e24 = lane_2;
-    let _e36 = ((((_e22.y * _e23.x) + _e22.x) * 256u) + _e24);
-    let _e39 = params.member.member_2.member_1;
-    if (_e39 == 0u) {
-        phi_106_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_106_ = array<u32, 2>(1u, 1u);
-    }
-    let _e42 = phi_106_;
-    let _e47 = params.member.member.member[_e42[1]];
-    if ((_e36 + 1u) < _e47) {
-        let _e51 = branches.member[_e36];
-        phi_136_ = type_9(0u, 8u);
-        phi_139_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
-        phi_141_ = (_e51.member_3 + 1u);
-        phi_143_ = _e51.member_2;
+    let _e20 = id_2;
+    let _e21 = n_2;
+    let _e22 = lane_2;
+    let _e34 = ((((_e20.y * _e21.x) + _e20.x) * 256u) + _e22);
+    let _e37 = params.member.member_2.member_1;
+    let _e41 = params.member.member.member[_e37];
+    if ((_e34 + 1u) < _e41) {
+        let _e45 = branches.member[_e34];
+        phi_128_ = type_9(0u, 8u);
+        phi_131_ = type_22(array<f32, 3>(300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f, 300000000000000000000000000000000000000f), array<f32, 3>(-300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f, -300000000000000000000000000000000000000f));
+        phi_133_ = (_e45.member_3 + 1u);
+        phi_135_ = _e45.member_2;
         loop {
-            let _e57 = phi_136_;
-            let _e59 = phi_139_;
-            let _e61 = phi_141_;
-            let _e63 = phi_143_;
-            local = _e59;
-            local_1 = _e59;
-            if (_e57.member < _e57.member_1) {
-                phi_137_ = type_9((_e57.member + 1u), _e57.member_1);
-                phi_166_ = type_9(1u, _e57.member);
+            let _e51 = phi_128_;
+            let _e53 = phi_131_;
+            let _e55 = phi_133_;
+            let _e57 = phi_135_;
+            local = _e53;
+            local_1 = _e53;
+            if (_e51.member < _e51.member_1) {
+                phi_129_ = type_9((_e51.member + 1u), _e51.member_1);
+                phi_158_ = type_9(1u, _e51.member);
             } else {
-                phi_137_ = _e57;
-                phi_166_ = type_9(0u, type_9().member_1);
+                phi_129_ = _e51;
+                phi_158_ = type_9(0u, type_9().member_1);
             }
-            let _e75 = phi_137_;
-            let _e77 = phi_166_;
-            let _e81 = (bitcast<i32>(_e77.member) != 0i);
-            if _e81 {
-                let _e82 = (_e63 % 32u);
-                if (_e82 == 0u) {
-                    phi_185_ = _e63;
+            let _e69 = phi_129_;
+            let _e71 = phi_158_;
+            let _e75 = (bitcast<i32>(_e71.member) != 0i);
+            if _e75 {
+                let _e76 = (_e57 % 32u);
+                if (_e76 == 0u) {
+                    phi_177_ = _e57;
                 } else {
-                    phi_185_ = (_e63 + (32u - _e82));
+                    phi_177_ = (_e57 + (32u - _e76));
                 }
-                let _e87 = phi_185_;
-                let _e89 = ((_e61 / 32u) * 32u);
-                if (_e87 < _e89) {
-                    let _e92 = params.member.member_2.member_2;
-                    phi_195_ = (_e77.member_1 < _e92);
+                let _e81 = phi_177_;
+                let _e83 = ((_e55 / 32u) * 32u);
+                if (_e81 < _e83) {
+                    let _e86 = params.member.member_2.member_2;
+                    phi_187_ = (_e71.member_1 < _e86);
                 } else {
-                    phi_195_ = false;
+                    phi_187_ = false;
                 }
-                let _e95 = phi_195_;
-                if _e95 {
-                    phi_199_ = _e89;
-                    phi_200_ = _e87;
+                let _e89 = phi_187_;
+                if _e89 {
+                    phi_191_ = _e83;
+                    phi_192_ = _e81;
                 } else {
-                    phi_199_ = _e61;
-                    phi_200_ = _e61;
+                    phi_191_ = _e55;
+                    phi_192_ = _e55;
                 }
-                let _e97 = phi_199_;
-                let _e99 = phi_200_;
-                phi_203_ = type_9(_e63, _e99);
-                phi_206_ = _e59;
+                let _e91 = phi_191_;
+                let _e93 = phi_192_;
+                phi_195_ = type_9(_e57, _e93);
+                phi_198_ = _e53;
                 loop {
-                    let _e102 = phi_203_;
-                    let _e104 = phi_206_;
-                    local_2 = _e104;
-                    if (_e102.member < _e102.member_1) {
-                        phi_204_ = type_9((_e102.member + 1u), _e102.member_1);
-                        phi_229_ = type_9(1u, _e102.member);
+                    let _e96 = phi_195_;
+                    let _e98 = phi_198_;
+                    local_2 = _e98;
+                    if (_e96.member < _e96.member_1) {
+                        phi_196_ = type_9((_e96.member + 1u), _e96.member_1);
+                        phi_221_ = type_9(1u, _e96.member);
                     } else {
-                        phi_204_ = _e102;
-                        phi_229_ = type_9(0u, type_9().member_1);
+                        phi_196_ = _e96;
+                        phi_221_ = type_9(0u, type_9().member_1);
                     }
-                    let _e116 = phi_204_;
-                    let _e118 = phi_229_;
-                    let _e122 = (bitcast<i32>(_e118.member) != 0i);
-                    if _e122 {
-                        let _e126 = params.member.member_2.member[_e77.member_1][_e42[1]];
-                        let _e129 = block_nodes.member[(_e126 + _e118.member_1)];
-                        if (_e104.member[0] < _e129.member[0]) {
-                            phi_267_ = _e104.member[0];
+                    let _e110 = phi_196_;
+                    let _e112 = phi_221_;
+                    let _e116 = (bitcast<i32>(_e112.member) != 0i);
+                    if _e116 {
+                        let _e120 = params.member.member_2.member[_e71.member_1][_e37];
+                        let _e123 = block_nodes.member[(_e120 + _e112.member_1)];
+                        if (_e98.member[0] < _e123.member[0]) {
+                            phi_259_ = _e98.member[0];
                         } else {
-                            phi_267_ = _e129.member[0];
+                            phi_259_ = _e123.member[0];
                         }
-                        let _e136 = phi_267_;
-                        if (_e104.member[1] < _e129.member[1]) {
-                            phi_274_ = _e104.member[1];
+                        let _e130 = phi_259_;
+                        if (_e98.member[1] < _e123.member[1]) {
+                            phi_266_ = _e98.member[1];
                         } else {
-                            phi_274_ = _e129.member[1];
+                            phi_266_ = _e123.member[1];
                         }
-                        let _e143 = phi_274_;
-                        if (_e104.member[2] < _e129.member[2]) {
-                            phi_281_ = _e104.member[2];
+                        let _e137 = phi_266_;
+                        if (_e98.member[2] < _e123.member[2]) {
+                            phi_273_ = _e98.member[2];
                         } else {
-                            phi_281_ = _e129.member[2];
+                            phi_273_ = _e123.member[2];
                         }
-                        let _e150 = phi_281_;
-                        if (_e104.member_1[0] > _e129.member_1[0]) {
-                            phi_289_ = _e104.member_1[0];
+                        let _e144 = phi_273_;
+                        if (_e98.member_1[0] > _e123.member_1[0]) {
+                            phi_281_ = _e98.member_1[0];
                         } else {
-                            phi_289_ = _e129.member_1[0];
+                            phi_281_ = _e123.member_1[0];
                         }
-                        let _e158 = phi_289_;
-                        if (_e104.member_1[1] > _e129.member_1[1]) {
-                            phi_296_ = _e104.member_1[1];
+                        let _e152 = phi_281_;
+                        if (_e98.member_1[1] > _e123.member_1[1]) {
+                            phi_288_ = _e98.member_1[1];
                         } else {
-                            phi_296_ = _e129.member_1[1];
+                            phi_288_ = _e123.member_1[1];
                         }
-                        let _e165 = phi_296_;
-                        if (_e104.member_1[2] > _e129.member_1[2]) {
-                            phi_303_ = _e104.member_1[2];
+                        let _e159 = phi_288_;
+                        if (_e98.member_1[2] > _e123.member_1[2]) {
+                            phi_295_ = _e98.member_1[2];
                         } else {
-                            phi_303_ = _e129.member_1[2];
+                            phi_295_ = _e123.member_1[2];
                         }
-                        let _e172 = phi_303_;
-                        phi_207_ = type_22(array<f32, 3>(_e136, _e143, _e150), array<f32, 3>(_e158, _e165, _e172));
+                        let _e166 = phi_295_;
+                        phi_199_ = type_22(array<f32, 3>(_e130, _e137, _e144), array<f32, 3>(_e152, _e159, _e166));
                     } else {
-                        phi_207_ = type_22();
+                        phi_199_ = type_22();
                     }
-                    let _e176 = phi_207_;
+                    let _e170 = phi_199_;
                     continue;
                     continuing {
-                        phi_203_ = _e116;
-                        phi_206_ = _e176;
-                        break if !(_e122);
+                        phi_195_ = _e110;
+                        phi_198_ = _e170;
+                        break if !(_e116);
                     }
                 }
-                phi_308_ = type_9(_e97, _e61);
-                let _e322 = local_2;
-                phi_311_ = _e322;
+                phi_300_ = type_9(_e91, _e55);
+                let _e315 = local_2;
+                phi_303_ = _e315;
                 loop {
-                    let _e180 = phi_308_;
-                    let _e182 = phi_311_;
-                    local_3 = _e182;
-                    if (_e180.member < _e180.member_1) {
-                        phi_309_ = type_9((_e180.member + 1u), _e180.member_1);
-                        phi_334_ = type_9(1u, _e180.member);
+                    let _e174 = phi_300_;
+                    let _e176 = phi_303_;
+                    local_3 = _e176;
+                    if (_e174.member < _e174.member_1) {
+                        phi_301_ = type_9((_e174.member + 1u), _e174.member_1);
+                        phi_326_ = type_9(1u, _e174.member);
                     } else {
-                        phi_309_ = _e180;
-                        phi_334_ = type_9(0u, type_9().member_1);
+                        phi_301_ = _e174;
+                        phi_326_ = type_9(0u, type_9().member_1);
                     }
-                    let _e194 = phi_309_;
-                    let _e196 = phi_334_;
-                    let _e200 = (bitcast<i32>(_e196.member) != 0i);
-                    if _e200 {
-                        let _e204 = params.member.member_2.member[_e77.member_1][_e42[1]];
-                        let _e207 = block_nodes.member[(_e204 + _e196.member_1)];
-                        if (_e182.member[0] < _e207.member[0]) {
-                            phi_372_ = _e182.member[0];
+                    let _e188 = phi_301_;
+                    let _e190 = phi_326_;
+                    let _e194 = (bitcast<i32>(_e190.member) != 0i);
+                    if _e194 {
+                        let _e198 = params.member.member_2.member[_e71.member_1][_e37];
+                        let _e201 = block_nodes.member[(_e198 + _e190.member_1)];
+                        if (_e176.member[0] < _e201.member[0]) {
+                            phi_364_ = _e176.member[0];
                         } else {
-                            phi_372_ = _e207.member[0];
+                            phi_364_ = _e201.member[0];
                         }
-                        let _e214 = phi_372_;
-                        if (_e182.member[1] < _e207.member[1]) {
-                            phi_379_ = _e182.member[1];
+                        let _e208 = phi_364_;
+                        if (_e176.member[1] < _e201.member[1]) {
+                            phi_371_ = _e176.member[1];
                         } else {
-                            phi_379_ = _e207.member[1];
+                            phi_371_ = _e201.member[1];
                         }
-                        let _e221 = phi_379_;
-                        if (_e182.member[2] < _e207.member[2]) {
-                            phi_386_ = _e182.member[2];
+                        let _e215 = phi_371_;
+                        if (_e176.member[2] < _e201.member[2]) {
+                            phi_378_ = _e176.member[2];
                         } else {
-                            phi_386_ = _e207.member[2];
+                            phi_378_ = _e201.member[2];
                         }
-                        let _e228 = phi_386_;
-                        if (_e182.member_1[0] > _e207.member_1[0]) {
-                            phi_394_ = _e182.member_1[0];
+                        let _e222 = phi_378_;
+                        if (_e176.member_1[0] > _e201.member_1[0]) {
+                            phi_386_ = _e176.member_1[0];
                         } else {
-                            phi_394_ = _e207.member_1[0];
+                            phi_386_ = _e201.member_1[0];
                         }
-                        let _e236 = phi_394_;
-                        if (_e182.member_1[1] > _e207.member_1[1]) {
-                            phi_401_ = _e182.member_1[1];
+                        let _e230 = phi_386_;
+                        if (_e176.member_1[1] > _e201.member_1[1]) {
+                            phi_393_ = _e176.member_1[1];
                         } else {
-                            phi_401_ = _e207.member_1[1];
+                            phi_393_ = _e201.member_1[1];
                         }
-                        let _e243 = phi_401_;
-                        if (_e182.member_1[2] > _e207.member_1[2]) {
-                            phi_408_ = _e182.member_1[2];
+                        let _e237 = phi_393_;
+                        if (_e176.member_1[2] > _e201.member_1[2]) {
+                            phi_400_ = _e176.member_1[2];
                         } else {
-                            phi_408_ = _e207.member_1[2];
+                            phi_400_ = _e201.member_1[2];
                         }
-                        let _e250 = phi_408_;
-                        phi_312_ = type_22(array<f32, 3>(_e214, _e221, _e228), array<f32, 3>(_e236, _e243, _e250));
+                        let _e244 = phi_400_;
+                        phi_304_ = type_22(array<f32, 3>(_e208, _e215, _e222), array<f32, 3>(_e230, _e237, _e244));
                     } else {
-                        phi_312_ = type_22();
+                        phi_304_ = type_22();
                     }
-                    let _e254 = phi_312_;
+                    let _e248 = phi_304_;
                     continue;
                     continuing {
-                        phi_308_ = _e194;
-                        phi_311_ = _e254;
-                        break if !(_e200);
+                        phi_300_ = _e188;
+                        phi_303_ = _e248;
+                        break if !(_e194);
                     }
                 }
-                if _e95 {
-                    phi_415_ = (_e87 / 32u);
+                if _e89 {
+                    phi_407_ = (_e81 / 32u);
                 } else {
-                    phi_415_ = 0u;
+                    phi_407_ = 0u;
                 }
-                let _e258 = phi_415_;
-                if _e95 {
-                    phi_420_ = (_e89 / 32u);
+                let _e252 = phi_407_;
+                if _e89 {
+                    phi_412_ = (_e83 / 32u);
                 } else {
-                    phi_420_ = 0u;
+                    phi_412_ = 0u;
                 }
-                let _e261 = phi_420_;
-                let _e336 = local_3;
-                phi_140_ = _e336;
-                phi_142_ = _e261;
-                phi_144_ = _e258;
+                let _e255 = phi_412_;
+                let _e329 = local_3;
+                phi_132_ = _e329;
+                phi_134_ = _e255;
+                phi_136_ = _e252;
             } else {
-                phi_140_ = type_22();
-                phi_142_ = u32();
-                phi_144_ = u32();
+                phi_132_ = type_22();
+                phi_134_ = u32();
+                phi_136_ = u32();
             }
-            let _e263 = phi_140_;
-            let _e265 = phi_142_;
-            let _e267 = phi_144_;
+            let _e257 = phi_132_;
+            let _e259 = phi_134_;
+            let _e261 = phi_136_;
             continue;
             continuing {
-                phi_136_ = _e75;
-                phi_139_ = _e263;
-                phi_141_ = _e265;
-                phi_143_ = _e267;
-                break if !(_e81);
+                phi_128_ = _e69;
+                phi_131_ = _e257;
+                phi_133_ = _e259;
+                phi_135_ = _e261;
+                break if !(_e75);
             }
         }
-        let _e270 = local;
-        let _e274 = local_1;
-        nodes.member[_e36] = type_25(_e270.member, _e51.member, _e274.member_1, _e51.member_1);
+        let _e264 = local;
+        let _e268 = local_1;
+        nodes.member[_e34] = type_25(_e264.member, _e45.member, _e268.member_1, _e45.member_1);
     }
-    if (_e36 < _e47) {
-        let _e284 = params.member.member_2.member[0u][_e42[1]];
-        let _e285 = (_e284 + _e36);
-        let _e287 = block_nodes.member[_e285];
-        let _e292 = leaves.member[_e285];
-        nodes.member[((_e47 - 1u) + _e36)] = type_25(_e287.member, _e292.member_1, _e287.member_1, 4294967295u);
+    if (_e34 < _e41) {
+        let _e278 = params.member.member_2.member[0u][_e37];
+        let _e279 = (_e278 + _e34);
+        let _e281 = block_nodes.member[_e279];
+        let _e286 = leaves.member[_e279];
+        nodes.member[((_e41 - 1u) + _e34)] = type_25(_e281.member, _e286.member_1, _e281.member_1, 4294967295u);
     }
     return;
 }

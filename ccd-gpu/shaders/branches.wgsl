@@ -54,57 +54,56 @@ var<storage> params: type_16;
 var<storage, read_write> branches_1: type_18;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var phi_78_: array<u32, 2>;
-    var phi_154_: u32;
-    var phi_156_: u32;
-    var phi_210_: u32;
-    var phi_212_: u32;
-    var phi_217_: u32;
-    var phi_219_: u32;
-    var phi_234_: bool;
-    var phi_243_: u32;
+    var phi_146_: u32;
+    var phi_148_: u32;
+    var phi_202_: u32;
+    var phi_204_: u32;
+    var phi_209_: u32;
+    var phi_211_: u32;
+    var phi_226_: bool;
+    var phi_235_: u32;
+    var phi_273_: u32;
+    var phi_275_: u32;
     var phi_281_: u32;
-    var phi_283_: u32;
-    var phi_289_: u32;
-    var phi_220_: u32;
-    var phi_290_: bool;
+    var phi_212_: u32;
+    var phi_282_: bool;
     var local: u32;
-    var phi_297_: u32;
-    var phi_300_: u32;
-    var phi_315_: bool;
-    var phi_324_: u32;
+    var phi_289_: u32;
+    var phi_292_: u32;
+    var phi_307_: bool;
+    var phi_316_: u32;
+    var phi_354_: u32;
+    var phi_356_: u32;
     var phi_362_: u32;
-    var phi_364_: u32;
-    var phi_370_: u32;
-    var phi_298_: u32;
-    var phi_301_: u32;
+    var phi_290_: u32;
+    var phi_293_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_378_: bool;
+    var phi_370_: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_387_: u32;
-    var phi_425_: u32;
-    var phi_427_: u32;
-    var phi_429_: u32;
-    var phi_432_: u32;
-    var phi_455_: u32;
-    var phi_463_: bool;
-    var phi_472_: u32;
+    var phi_379_: u32;
+    var phi_417_: u32;
+    var phi_419_: u32;
+    var phi_421_: u32;
+    var phi_424_: u32;
+    var phi_447_: u32;
+    var phi_455_: bool;
+    var phi_464_: u32;
+    var phi_502_: u32;
+    var phi_504_: u32;
     var phi_510_: u32;
-    var phi_512_: u32;
-    var phi_518_: u32;
-    var phi_430_: u32;
-    var phi_433_: u32;
+    var phi_422_: u32;
+    var phi_425_: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_524_: u32;
-    var phi_525_: u32;
+    var phi_516_: u32;
+    var phi_517_: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_532_: u32;
-    var phi_538_: u32;
-    var phi_547_: u32;
+    var phi_524_: u32;
+    var phi_530_: u32;
+    var phi_539_: u32;
     var local_9: u32;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
@@ -113,318 +112,312 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e16 = id_2;
-    let _e17 = n_2;
-    let _e18 = lane_2;
-    let _e28 = ((((_e16.y * _e17.x) + _e16.x) * 256u) + _e18);
-    let _e31 = params.member.member_2.member_1;
-    if (_e31 == 0u) {
-        phi_78_ = array<u32, 2>(0u, 2u);
-    } else {
-        phi_78_ = array<u32, 2>(1u, 1u);
-    }
-    let _e34 = phi_78_;
-    let _e39 = params.member.member.member[_e34[1]];
-    if ((_e28 + 1u) < _e39) {
-        let _e45 = params.member.member.member_2[_e34[1]];
-        let _e46 = (_e39 - 1u);
-        if (1u < (_e39 - _e28)) {
-            let _e49 = (_e28 + 1u);
-            let _e52 = keys.member[(_e45 + _e28)];
-            let _e55 = keys.member[(_e45 + _e49)];
-            let _e56 = (_e52 ^ _e55);
-            let _e61 = select((bitcast<u32>(31i) - firstLeadingBit(_e56)), 32u, (_e56 == 0u));
-            if (_e61 < 32u) {
-                phi_154_ = _e61;
+    let _e14 = id_2;
+    let _e15 = n_2;
+    let _e16 = lane_2;
+    let _e26 = ((((_e14.y * _e15.x) + _e14.x) * 256u) + _e16);
+    let _e29 = params.member.member_2.member_1;
+    let _e33 = params.member.member.member[_e29];
+    if ((_e26 + 1u) < _e33) {
+        let _e39 = params.member.member.member_2[_e29];
+        let _e40 = (_e33 - 1u);
+        if (1u < (_e33 - _e26)) {
+            let _e43 = (_e26 + 1u);
+            let _e46 = keys.member[(_e39 + _e26)];
+            let _e49 = keys.member[(_e39 + _e43)];
+            let _e50 = (_e46 ^ _e49);
+            let _e55 = select((bitcast<u32>(31i) - firstLeadingBit(_e50)), 32u, (_e50 == 0u));
+            if (_e55 < 32u) {
+                phi_146_ = _e55;
             } else {
-                let _e63 = (_e28 ^ _e49);
-                phi_154_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e63)), 32u, (_e63 == 0u)));
+                let _e57 = (_e26 ^ _e43);
+                phi_146_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e57)), 32u, (_e57 == 0u)));
             }
-            let _e71 = phi_154_;
-            phi_156_ = (1u + _e71);
+            let _e65 = phi_146_;
+            phi_148_ = (1u + _e65);
         } else {
-            phi_156_ = 0u;
+            phi_148_ = 0u;
         }
-        let _e74 = phi_156_;
-        if (1u <= _e28) {
-            let _e76 = (_e28 - 1u);
-            let _e79 = keys.member[(_e45 + _e28)];
-            let _e82 = keys.member[(_e45 + _e76)];
-            let _e83 = (_e79 ^ _e82);
-            let _e88 = select((bitcast<u32>(31i) - firstLeadingBit(_e83)), 32u, (_e83 == 0u));
-            if (_e88 < 32u) {
-                phi_210_ = _e88;
+        let _e68 = phi_148_;
+        if (1u <= _e26) {
+            let _e70 = (_e26 - 1u);
+            let _e73 = keys.member[(_e39 + _e26)];
+            let _e76 = keys.member[(_e39 + _e70)];
+            let _e77 = (_e73 ^ _e76);
+            let _e82 = select((bitcast<u32>(31i) - firstLeadingBit(_e77)), 32u, (_e77 == 0u));
+            if (_e82 < 32u) {
+                phi_202_ = _e82;
             } else {
-                let _e90 = (_e28 ^ _e76);
-                phi_210_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e90)), 32u, (_e90 == 0u)));
+                let _e84 = (_e26 ^ _e70);
+                phi_202_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e84)), 32u, (_e84 == 0u)));
             }
-            let _e98 = phi_210_;
-            phi_212_ = (1u + _e98);
+            let _e92 = phi_202_;
+            phi_204_ = (1u + _e92);
         } else {
-            phi_212_ = 0u;
+            phi_204_ = 0u;
         }
-        let _e101 = phi_212_;
-        let _e102 = (_e74 > _e101);
-        if _e102 {
-            phi_217_ = _e101;
+        let _e95 = phi_204_;
+        let _e96 = (_e68 > _e95);
+        if _e96 {
+            phi_209_ = _e95;
         } else {
-            phi_217_ = _e74;
+            phi_209_ = _e68;
         }
-        let _e104 = phi_217_;
-        phi_219_ = 2u;
+        let _e98 = phi_209_;
+        phi_211_ = 2u;
         loop {
-            let _e106 = phi_219_;
-            local = _e106;
-            if (_e106 < _e39) {
-                if _e102 {
-                    phi_234_ = (_e106 < (_e39 - _e28));
+            let _e100 = phi_211_;
+            local = _e100;
+            if (_e100 < _e33) {
+                if _e96 {
+                    phi_226_ = (_e100 < (_e33 - _e26));
                 } else {
-                    phi_234_ = (_e106 <= _e28);
+                    phi_226_ = (_e100 <= _e26);
                 }
-                let _e112 = phi_234_;
-                if _e112 {
-                    if _e102 {
-                        phi_243_ = (_e28 + _e106);
+                let _e106 = phi_226_;
+                if _e106 {
+                    if _e96 {
+                        phi_235_ = (_e26 + _e100);
                     } else {
-                        phi_243_ = (_e28 - _e106);
+                        phi_235_ = (_e26 - _e100);
                     }
-                    let _e116 = phi_243_;
-                    let _e119 = keys.member[(_e45 + _e28)];
-                    let _e122 = keys.member[(_e45 + _e116)];
-                    let _e123 = (_e119 ^ _e122);
-                    let _e128 = select((bitcast<u32>(31i) - firstLeadingBit(_e123)), 32u, (_e123 == 0u));
-                    if (_e128 < 32u) {
-                        phi_281_ = _e128;
+                    let _e110 = phi_235_;
+                    let _e113 = keys.member[(_e39 + _e26)];
+                    let _e116 = keys.member[(_e39 + _e110)];
+                    let _e117 = (_e113 ^ _e116);
+                    let _e122 = select((bitcast<u32>(31i) - firstLeadingBit(_e117)), 32u, (_e117 == 0u));
+                    if (_e122 < 32u) {
+                        phi_273_ = _e122;
                     } else {
-                        let _e130 = (_e28 ^ _e116);
-                        phi_281_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e130)), 32u, (_e130 == 0u)));
+                        let _e124 = (_e26 ^ _e110);
+                        phi_273_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e124)), 32u, (_e124 == 0u)));
                     }
-                    let _e138 = phi_281_;
-                    phi_283_ = (1u + _e138);
+                    let _e132 = phi_273_;
+                    phi_275_ = (1u + _e132);
                 } else {
-                    phi_283_ = 0u;
+                    phi_275_ = 0u;
                 }
-                let _e141 = phi_283_;
-                let _e142 = (_e141 > _e104);
-                if _e142 {
-                    phi_289_ = (_e106 * 2u);
+                let _e135 = phi_275_;
+                let _e136 = (_e135 > _e98);
+                if _e136 {
+                    phi_281_ = (_e100 * 2u);
                 } else {
-                    phi_289_ = u32();
+                    phi_281_ = u32();
                 }
-                let _e145 = phi_289_;
-                phi_220_ = _e145;
-                phi_290_ = _e142;
+                let _e139 = phi_281_;
+                phi_212_ = _e139;
+                phi_282_ = _e136;
             } else {
-                phi_220_ = u32();
-                phi_290_ = false;
+                phi_212_ = u32();
+                phi_282_ = false;
             }
-            let _e147 = phi_220_;
-            let _e149 = phi_290_;
+            let _e141 = phi_212_;
+            let _e143 = phi_282_;
             continue;
             continuing {
-                phi_219_ = _e147;
-                break if !(_e149);
+                phi_211_ = _e141;
+                break if !(_e143);
             }
         }
-        let _e152 = local;
-        phi_297_ = (_e152 / 2u);
-        phi_300_ = 0u;
+        let _e146 = local;
+        phi_289_ = (_e146 / 2u);
+        phi_292_ = 0u;
         loop {
-            let _e155 = phi_297_;
-            let _e157 = phi_300_;
-            local_1 = _e157;
-            local_2 = _e157;
-            local_3 = _e157;
-            local_4 = _e157;
-            local_9 = _e157;
-            local_5 = _e157;
-            local_6 = _e157;
-            let _e158 = (_e155 > 0u);
-            if _e158 {
-                let _e159 = (_e157 + _e155);
-                if _e102 {
-                    phi_315_ = (_e159 < (_e39 - _e28));
+            let _e149 = phi_289_;
+            let _e151 = phi_292_;
+            local_1 = _e151;
+            local_2 = _e151;
+            local_3 = _e151;
+            local_4 = _e151;
+            local_9 = _e151;
+            local_5 = _e151;
+            local_6 = _e151;
+            let _e152 = (_e149 > 0u);
+            if _e152 {
+                let _e153 = (_e151 + _e149);
+                if _e96 {
+                    phi_307_ = (_e153 < (_e33 - _e26));
                 } else {
-                    phi_315_ = (_e159 <= _e28);
+                    phi_307_ = (_e153 <= _e26);
                 }
-                let _e164 = phi_315_;
-                if _e164 {
-                    if _e102 {
-                        phi_324_ = (_e28 + _e159);
+                let _e158 = phi_307_;
+                if _e158 {
+                    if _e96 {
+                        phi_316_ = (_e26 + _e153);
                     } else {
-                        phi_324_ = (_e28 - _e159);
+                        phi_316_ = (_e26 - _e153);
                     }
-                    let _e168 = phi_324_;
-                    let _e171 = keys.member[(_e45 + _e28)];
-                    let _e174 = keys.member[(_e45 + _e168)];
-                    let _e175 = (_e171 ^ _e174);
-                    let _e180 = select((bitcast<u32>(31i) - firstLeadingBit(_e175)), 32u, (_e175 == 0u));
-                    if (_e180 < 32u) {
-                        phi_362_ = _e180;
+                    let _e162 = phi_316_;
+                    let _e165 = keys.member[(_e39 + _e26)];
+                    let _e168 = keys.member[(_e39 + _e162)];
+                    let _e169 = (_e165 ^ _e168);
+                    let _e174 = select((bitcast<u32>(31i) - firstLeadingBit(_e169)), 32u, (_e169 == 0u));
+                    if (_e174 < 32u) {
+                        phi_354_ = _e174;
                     } else {
-                        let _e182 = (_e28 ^ _e168);
-                        phi_362_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u)));
+                        let _e176 = (_e26 ^ _e162);
+                        phi_354_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e176)), 32u, (_e176 == 0u)));
                     }
-                    let _e190 = phi_362_;
-                    phi_364_ = (1u + _e190);
+                    let _e184 = phi_354_;
+                    phi_356_ = (1u + _e184);
                 } else {
-                    phi_364_ = 0u;
+                    phi_356_ = 0u;
                 }
-                let _e193 = phi_364_;
-                if (_e193 > _e104) {
-                    phi_370_ = (_e157 + _e155);
+                let _e187 = phi_356_;
+                if (_e187 > _e98) {
+                    phi_362_ = (_e151 + _e149);
                 } else {
-                    phi_370_ = _e157;
+                    phi_362_ = _e151;
                 }
-                let _e197 = phi_370_;
-                phi_298_ = (_e155 / 2u);
-                phi_301_ = _e197;
+                let _e191 = phi_362_;
+                phi_290_ = (_e149 / 2u);
+                phi_293_ = _e191;
             } else {
-                phi_298_ = u32();
-                phi_301_ = u32();
+                phi_290_ = u32();
+                phi_293_ = u32();
             }
-            let _e200 = phi_298_;
-            let _e202 = phi_301_;
+            let _e194 = phi_290_;
+            let _e196 = phi_293_;
             continue;
             continuing {
-                phi_297_ = _e200;
-                phi_300_ = _e202;
-                break if !(_e158);
+                phi_289_ = _e194;
+                phi_292_ = _e196;
+                break if !(_e152);
             }
         }
-        if _e102 {
-            let _e209 = local_2;
-            phi_378_ = (_e209 < (_e39 - _e28));
+        if _e96 {
+            let _e203 = local_2;
+            phi_370_ = (_e203 < (_e33 - _e26));
         } else {
-            let _e205 = local_1;
-            phi_378_ = (_e205 <= _e28);
+            let _e199 = local_1;
+            phi_370_ = (_e199 <= _e26);
         }
-        let _e212 = phi_378_;
-        if _e212 {
-            if _e102 {
-                let _e217 = local_4;
-                phi_387_ = (_e28 + _e217);
+        let _e206 = phi_370_;
+        if _e206 {
+            if _e96 {
+                let _e211 = local_4;
+                phi_379_ = (_e26 + _e211);
             } else {
-                let _e214 = local_3;
-                phi_387_ = (_e28 - _e214);
+                let _e208 = local_3;
+                phi_379_ = (_e26 - _e208);
             }
-            let _e220 = phi_387_;
-            let _e223 = keys.member[(_e45 + _e28)];
-            let _e226 = keys.member[(_e45 + _e220)];
-            let _e227 = (_e223 ^ _e226);
-            let _e232 = select((bitcast<u32>(31i) - firstLeadingBit(_e227)), 32u, (_e227 == 0u));
-            if (_e232 < 32u) {
-                phi_425_ = _e232;
+            let _e214 = phi_379_;
+            let _e217 = keys.member[(_e39 + _e26)];
+            let _e220 = keys.member[(_e39 + _e214)];
+            let _e221 = (_e217 ^ _e220);
+            let _e226 = select((bitcast<u32>(31i) - firstLeadingBit(_e221)), 32u, (_e221 == 0u));
+            if (_e226 < 32u) {
+                phi_417_ = _e226;
             } else {
-                let _e234 = (_e28 ^ _e220);
-                phi_425_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e234)), 32u, (_e234 == 0u)));
+                let _e228 = (_e26 ^ _e214);
+                phi_417_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u)));
             }
-            let _e242 = phi_425_;
-            phi_427_ = (1u + _e242);
+            let _e236 = phi_417_;
+            phi_419_ = (1u + _e236);
         } else {
-            phi_427_ = 0u;
+            phi_419_ = 0u;
         }
-        let _e245 = phi_427_;
-        let _e367 = local_9;
-        phi_429_ = _e367;
-        phi_432_ = 0u;
+        let _e239 = phi_419_;
+        let _e360 = local_9;
+        phi_421_ = _e360;
+        phi_424_ = 0u;
         loop {
-            let _e247 = phi_429_;
-            let _e249 = phi_432_;
-            local_7 = _e249;
-            local_8 = _e249;
-            let _e250 = (_e247 > 1u);
-            if _e250 {
-                let _e251 = (_e247 / 2u);
-                if ((_e247 % 2u) > 0u) {
-                    phi_455_ = (_e251 + 1u);
+            let _e241 = phi_421_;
+            let _e243 = phi_424_;
+            local_7 = _e243;
+            local_8 = _e243;
+            let _e244 = (_e241 > 1u);
+            if _e244 {
+                let _e245 = (_e241 / 2u);
+                if ((_e241 % 2u) > 0u) {
+                    phi_447_ = (_e245 + 1u);
                 } else {
-                    phi_455_ = _e251;
+                    phi_447_ = _e245;
+                }
+                let _e250 = phi_447_;
+                let _e251 = (_e243 + _e250);
+                if _e96 {
+                    phi_455_ = (_e251 < (_e33 - _e26));
+                } else {
+                    phi_455_ = (_e251 <= _e26);
                 }
                 let _e256 = phi_455_;
-                let _e257 = (_e249 + _e256);
-                if _e102 {
-                    phi_463_ = (_e257 < (_e39 - _e28));
-                } else {
-                    phi_463_ = (_e257 <= _e28);
-                }
-                let _e262 = phi_463_;
-                if _e262 {
-                    if _e102 {
-                        phi_472_ = (_e28 + _e257);
+                if _e256 {
+                    if _e96 {
+                        phi_464_ = (_e26 + _e251);
                     } else {
-                        phi_472_ = (_e28 - _e257);
+                        phi_464_ = (_e26 - _e251);
                     }
-                    let _e266 = phi_472_;
-                    let _e269 = keys.member[(_e45 + _e28)];
-                    let _e272 = keys.member[(_e45 + _e266)];
-                    let _e273 = (_e269 ^ _e272);
-                    let _e278 = select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u));
-                    if (_e278 < 32u) {
-                        phi_510_ = _e278;
+                    let _e260 = phi_464_;
+                    let _e263 = keys.member[(_e39 + _e26)];
+                    let _e266 = keys.member[(_e39 + _e260)];
+                    let _e267 = (_e263 ^ _e266);
+                    let _e272 = select((bitcast<u32>(31i) - firstLeadingBit(_e267)), 32u, (_e267 == 0u));
+                    if (_e272 < 32u) {
+                        phi_502_ = _e272;
                     } else {
-                        let _e280 = (_e28 ^ _e266);
-                        phi_510_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e280)), 32u, (_e280 == 0u)));
+                        let _e274 = (_e26 ^ _e260);
+                        phi_502_ = (32u + select((bitcast<u32>(31i) - firstLeadingBit(_e274)), 32u, (_e274 == 0u)));
                     }
-                    let _e288 = phi_510_;
-                    phi_512_ = (1u + _e288);
+                    let _e282 = phi_502_;
+                    phi_504_ = (1u + _e282);
                 } else {
-                    phi_512_ = 0u;
+                    phi_504_ = 0u;
                 }
-                let _e291 = phi_512_;
-                if (_e291 > _e245) {
-                    phi_518_ = (_e249 + _e256);
+                let _e285 = phi_504_;
+                if (_e285 > _e239) {
+                    phi_510_ = (_e243 + _e250);
                 } else {
-                    phi_518_ = _e249;
+                    phi_510_ = _e243;
                 }
-                let _e295 = phi_518_;
-                phi_430_ = _e256;
-                phi_433_ = _e295;
+                let _e289 = phi_510_;
+                phi_422_ = _e250;
+                phi_425_ = _e289;
             } else {
-                phi_430_ = u32();
-                phi_433_ = u32();
+                phi_422_ = u32();
+                phi_425_ = u32();
             }
-            let _e297 = phi_430_;
-            let _e299 = phi_433_;
+            let _e291 = phi_422_;
+            let _e293 = phi_425_;
             continue;
             continuing {
-                phi_429_ = _e297;
-                phi_432_ = _e299;
-                break if !(_e250);
+                phi_421_ = _e291;
+                phi_424_ = _e293;
+                break if !(_e244);
             }
         }
-        if _e102 {
-            let _e305 = local_6;
-            phi_524_ = _e28;
-            phi_525_ = (_e28 + _e305);
+        if _e96 {
+            let _e299 = local_6;
+            phi_516_ = _e26;
+            phi_517_ = (_e26 + _e299);
         } else {
-            let _e302 = local_5;
-            phi_524_ = (_e28 - _e302);
-            phi_525_ = _e28;
+            let _e296 = local_5;
+            phi_516_ = (_e26 - _e296);
+            phi_517_ = _e26;
         }
-        let _e308 = phi_524_;
-        let _e310 = phi_525_;
-        if _e102 {
-            let _e316 = local_8;
-            phi_532_ = (_e28 + _e316);
+        let _e302 = phi_516_;
+        let _e304 = phi_517_;
+        if _e96 {
+            let _e310 = local_8;
+            phi_524_ = (_e26 + _e310);
         } else {
-            let _e312 = local_7;
-            phi_532_ = ((_e28 - _e312) - 1u);
+            let _e306 = local_7;
+            phi_524_ = ((_e26 - _e306) - 1u);
         }
-        let _e319 = phi_532_;
-        if (_e308 == _e319) {
-            phi_538_ = (_e46 + _e319);
+        let _e313 = phi_524_;
+        if (_e302 == _e313) {
+            phi_530_ = (_e40 + _e313);
         } else {
-            phi_538_ = _e319;
+            phi_530_ = _e313;
         }
-        let _e323 = phi_538_;
-        if (_e310 == (_e319 + 1u)) {
-            phi_547_ = ((_e46 + _e319) + 1u);
+        let _e317 = phi_530_;
+        if (_e304 == (_e313 + 1u)) {
+            phi_539_ = ((_e40 + _e313) + 1u);
         } else {
-            phi_547_ = (_e319 + 1u);
+            phi_539_ = (_e313 + 1u);
         }
-        let _e330 = phi_547_;
-        branches_1.member[_e28] = type_8(_e323, _e330, _e308, _e310);
+        let _e324 = phi_539_;
+        branches_1.member[_e26] = type_8(_e317, _e324, _e302, _e304);
     }
     return;
 }

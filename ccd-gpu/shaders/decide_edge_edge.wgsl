@@ -128,11 +128,11 @@ struct type_42 {
 var<storage> paths: type_19;
 @group(0) @binding(0) 
 var<storage> params: type_26;
-@group(0) @binding(2) 
-var<storage> elements: type_22;
-var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(3) 
 var<storage> input: type_11;
+var<workgroup> counters: array<atomic<u32>, 4>;
+@group(0) @binding(2) 
+var<storage> elements: type_22;
 @group(0) @binding(4) 
 var<storage, read_write> contacts: type_42;
 @group(0) @binding(5) 

@@ -94,9 +94,9 @@ var<storage> paths: type_17;
 var<storage> input: type_11;
 @group(0) @binding(7) 
 var<storage, read_write> output: type_34;
+var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> elements: type_19;
-var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
     var phi_137_: bool;

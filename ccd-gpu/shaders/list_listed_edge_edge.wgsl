@@ -76,9 +76,9 @@ var<storage> keys: type_25;
 var<storage> input: type_11;
 @group(0) @binding(6) 
 var<storage, read_write> output: type_28;
+var<workgroup> counters: array<atomic<u32>, 4>;
 @group(0) @binding(2) 
 var<storage> elements: type_15;
-var<workgroup> counters: array<atomic<u32>, 4>;
 
 fn function_(param: array<u32, 2>, param_1: array<u32, 2>) -> array<u32, 2> {
     var phi_104_: bool;

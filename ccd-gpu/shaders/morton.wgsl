@@ -62,12 +62,12 @@ struct type_20 {
 var<storage> boxes: type_16;
 @group(0) @binding(0) 
 var<storage> params: type_19;
-@group(0) @binding(2) 
-var<storage> words: type_11;
 @group(0) @binding(3) 
 var<storage, read_write> keys: type_11;
 @group(0) @binding(4) 
 var<storage, read_write> order: type_11;
+@group(0) @binding(2) 
+var<storage> words: type_11;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     var local: array<u32, 3>;

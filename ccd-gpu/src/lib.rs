@@ -14,7 +14,7 @@
 //! | `recorder.rs` | dispatches, bind groups, times |
 //! | `growable_list.rs`, `readback.rs` | lists that kernels append to, results |
 //! | `sort.rs` | the radix sort |
-//! | `broad_phase/` | block trees and where their nodes are; the binary radix tree |
+//! | `broad_phase/` | sources of pairs, one a file; `method.rs` has an arm each |
 //! | `step/` | buffers, dispatches, a frame, positions in, contacts in order, the CPU's part |
 //! | `harness.rs` | one kernel by itself, for tests |
 //!

@@ -63,6 +63,24 @@ pub fn or_shared<const N: usize>(words: &mut [u32; N], i: u32, bits: u32) {
     unsafe { atomic_or::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), bits) };
 }
 
+/// Raises a word of workgroup memory.
+#[inline(always)]
+pub fn raise_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) {
+    // SAFETY: as above.
+    unsafe {
+        atomic_u_max::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), value)
+    };
+}
+
+/// Lowers a word of workgroup memory.
+#[inline(always)]
+pub fn lower_shared<const N: usize>(words: &mut [u32; N], i: u32, value: u32) {
+    // SAFETY: as above.
+    unsafe {
+        atomic_u_min::<u32, WORKGROUP, RELAXED>(words.index_unchecked_mut(i as usize), value)
+    };
+}
+
 /// Element `i` of an array in workgroup memory.
 #[inline(always)]
 pub fn get<T: Copy, const N: usize>(shared: &[T; N], i: u32) -> T {

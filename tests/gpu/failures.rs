@@ -17,6 +17,7 @@ pub const TESTS: crate::Tests = &[
     ("lost_device", check_lost),
     ("recorded_by_the_caller", check_recorded),
     ("empty_mesh", check_empty),
+    ("crowded_cells", check_crowded),
 ];
 
 /// Lists far too short: the frame runs again until everything fits, and nothing is missing.
@@ -215,4 +216,36 @@ fn check_empty(device: &Device) {
     let none: [[f64; 3]; 0] = [];
     assert!(session.step(&none, &none).unwrap().contacts.is_empty());
     assert_eq!(session.earliest_toi(&none, &none).unwrap(), None);
+}
+
+/// A grid is refused where a box is so large that cells hold too many, with the figures of the CPU;
+/// the broad phase goes on.
+fn check_crowded(device: &Device) {
+    let mut boxes = uniform_boxes(20_000);
+    let mut broad = BroadPhase::new(device, BroadPhaseMethod::UniformGrid).unwrap();
+    let mut cpu = ccd::BroadPhase::new(1, BroadPhaseMethod::UniformGrid).unwrap();
+    let want = cpu.self_pairs(&boxes).unwrap().len();
+    assert_eq!(broad.self_pairs(&boxes).unwrap().len(), want);
+    let last = boxes[19_999];
+    boxes[19_999] = ccd::Aabb { min: [0.0; 3], max: [0.9; 3] };
+    let on_cpu = cpu.self_pairs(&boxes).unwrap_err();
+    match (on_cpu, broad.self_pairs(&boxes)) {
+        (
+            ccd_core::Error::CrowdedCells { largest, mean, fullest, tests, limit },
+            Err(Error::Input(ccd_core::Error::CrowdedCells {
+                largest: l,
+                mean: m,
+                fullest: f,
+                tests: t,
+                limit: same,
+            })),
+        ) => {
+            assert!((largest - l).abs() < 1e-6 && (mean - m).abs() < 0.01 * mean, "{m}, {mean}");
+            assert!(fullest.abs_diff(f) < fullest / 10 && tests.abs_diff(t) < tests / 10);
+            assert_eq!(limit, same);
+        }
+        (other, found) => panic!("{other} on the CPU, {found:?}"),
+    }
+    boxes[19_999] = last;
+    assert_eq!(broad.self_pairs(&boxes).unwrap().len(), want);
 }

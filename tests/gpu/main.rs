@@ -4,8 +4,10 @@
 //! Without an adapter every test is ignored with the reason; with `CCD_GPU=require` that is a
 //! failure. `CCD_ADAPTER` chooses one. Tests of scenes need the data, as in `truth.rs`.
 
+mod descent;
 mod failures;
 mod grazing;
+mod intervals;
 mod kernels;
 mod listed;
 mod pairs;
@@ -82,6 +84,8 @@ fn main() {
             sorts::TESTS,
             pairs::TESTS,
             listed::TESTS,
+            intervals::TESTS,
+            descent::TESTS,
             poison::TESTS,
             scalars::TESTS,
             failures::TESTS,

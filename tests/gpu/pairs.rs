@@ -256,25 +256,25 @@ fn check_radix_tree(device: &Device) {
         }
         // As the second set of two, of which the first stays loose.
         let twin = Twin::new([&loose, &[], boxes], |_, i| [i; 3]);
-        let (nodes, branches) = radix_tree(device, &twin, 0, 2);
+        let (nodes, branches) = radix_tree(device, &twin, 2, 2);
         check_tree(&read(&nodes), &read(&branches), &twin, 2);
         let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
         check_pairs("loose boxes", brute::pairs(&loose, boxes), found);
     }
     // A tree of one leaf.
     let twin = Twin::new([&loose, &[], &uniform[1000..1001]], |_, i| [i; 3]);
-    let (nodes, branches) = radix_tree(device, &twin, 0, 1);
+    let (nodes, branches) = radix_tree(device, &twin, 2, 1);
     let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
     assert!(!found.is_empty());
     check_pairs("one leaf", brute::pairs(&loose, &uniform[1000..1001]), found);
 }
 
-/// Nodes and branches of the binary tree over the second set of a kind.
-fn radix_tree(device: &Device, twin: &Twin, kind: u32, level: u32) -> (Vec<u8>, Vec<u8>) {
-    let n = twin.frame.count[block_bvh::sets(kind)[1]];
+/// Nodes and branches of the binary tree over a set.
+pub fn radix_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> (Vec<u8>, Vec<u8>) {
+    let n = twin.frame.count[set];
     let groups = n.div_ceil(256);
     let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
-    let own = Blocks { kind, level, ..twin.tree };
+    let own = Blocks { kind: set as u32, level, ..twin.tree };
     let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
     let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
     let Branches { branches, .. } = run(device, kernel, &p, groups);
@@ -351,10 +351,13 @@ fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], b
 fn check_uniform(device: &Device, method: BroadPhaseMethod) {
     let boxes = uniform_boxes(100_000);
     let mut broad = BroadPhase::new(device, method).unwrap();
-    let pairs = broad.self_pairs(&boxes).unwrap();
-    assert_eq!(pairs.len(), 320);
+    // Brute force takes too long for so many where a CPU plays a GPU.
+    let few = method == BroadPhaseMethod::BruteForce;
+    let boxes = if few { &boxes[..10_000] } else { &boxes[..] };
+    let pairs = broad.self_pairs(boxes).unwrap();
+    assert!(pairs.len() == 320 || few && !pairs.is_empty(), "{} by {method}", pairs.len());
     let mut cpu = ccd::BroadPhase::new(2, BroadPhaseMethod::Blocks).unwrap();
-    check_pairs("uniform boxes", cpu.self_pairs(&boxes).unwrap().to_vec(), pairs);
+    check_pairs("uniform boxes", cpu.self_pairs(boxes).unwrap().to_vec(), pairs);
     let (a, b) = (&boxes[..3000], &boxes[3000..9000]);
     let grown = |boxes: &[Aabb]| boxes.iter().map(|b| b.inflated(0.02)).collect::<Vec<_>>();
     check_pairs(

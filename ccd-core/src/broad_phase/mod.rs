@@ -3,6 +3,7 @@
 
 pub mod block_bvh;
 pub mod candidate;
+pub mod key_intervals;
 pub mod morton_key;
 pub mod nearest_pair;
 pub mod node_numbering;

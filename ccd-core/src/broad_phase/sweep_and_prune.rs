@@ -16,11 +16,12 @@
 //! boxes of `a` that begin inside it; where both begin at one place, only the first finds the pair
 //! ([`finds`]). So every pair is found once, and both sets must share the axis.
 //!
-//! Cost: a sort, then for every box as many tests as boxes begin inside its interval, which grows
-//! as `n^(5/3)` for boxes that fill a cube and as `n^2` for boxes that grow with it. There is
-//! nothing but the order to keep, so it is the least work for up to some thousand boxes, and for
-//! scenes that are long in one direction. With an order that was sorted before, a sort of nearly
-//! sorted boxes is cheap [Cohen 1995]; here the order is made anew, in parallel.
+//! Cost: a sort, then for every box as many tests as boxes begin inside its interval: of `n` boxes
+//! with sides `s` in a scene of length `l` that is `n s / l`, so twice as many boxes take four times
+//! as long. Nothing but the order is built, so it is the least work for up to some ten thousand
+//! boxes that are small beside the scene, and for scenes that are long in one direction. From frame
+//! to frame a sequential sort of nearly sorted boxes is cheap [Cohen 1995]; here the order is made
+//! anew, in parallel.
 
 use crate::broad_phase::morton_key::order_key;
 use crate::kernel::memory::at;
@@ -123,8 +124,15 @@ fn centre<T: Real>(b: &Aabb<f32>, axis: usize) -> T {
 /// Where a box begins along the axis, as an integer of the same order.
 #[inline(always)]
 pub fn begin_key(b: &Aabb<f32>, axis: usize) -> u32 {
-    // Zeros of both signs are one place.
-    order_key(b.min[axis] + 0.0)
+    axis_key(b.min[axis])
+}
+
+/// A place on the axis as an integer of the same order; zeros of both signs are one place. By bits,
+/// because a compiler may think that adding zero does nothing.
+#[inline(always)]
+pub fn axis_key(x: f32) -> u32 {
+    let bits = x.to_bits();
+    order_key(f32::from_bits(if bits == 1 << 31 { 0 } else { bits }))
 }
 
 /// Whether boxes that end at `end` are past all that begin at `begin` or later: they touch those

@@ -22,8 +22,8 @@
 //!
 //! Cost: that of a sweep over as many boxes as a strip has, for boxes that are counted once for
 //! every strip that they touch. Strips are some mean sides wide, and wider if boxes would be
-//! counted too often, so that no sizes need to be refused. Choose it where a sweep has too many
-//! boxes on its axis, which is from some ten thousand on.
+//! counted too often, so that no sizes need to be refused. Choose it instead of the plain sweep
+//! from some hundred thousand boxes on, or where they are large beside the scene.
 
 use crate::math::aabb::Aabb;
 

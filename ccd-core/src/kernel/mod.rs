@@ -94,7 +94,7 @@ macro_rules! kernels {
             SortScan = sort_scan(256 threads, 3 barriers, f32, Params<SortPass>)
                 { table: Write }
             /// One pass of the sort.
-            SortScatter = sort_scatter(128 threads, 28 barriers, f32, Params<SortPass>)
+            SortScatter = sort_scatter(128 threads, 33 barriers, f32, Params<SortPass>)
                 { table: Read, keys: Read, values: Read, keys_out: Write, values_out: Write }
             /// Leaves in order and the nodes above.
             FitLeaves = fit_leaves(256 threads, 1 barriers, f32, Params<Blocks>)
@@ -114,6 +114,39 @@ macro_rules! kernels {
             /// Boxes that overlap leaves of a binary tree.
             TraverseFull = traverse_full(128 threads, 0 barriers, f32, Params<Queries>)
                 { boxes: Read, order: Read, nodes: Read, branches: Read, pairs: Write }
+            /// Nodes of a cut through a binary tree.
+            CutNodes = cut_nodes(256 threads, 4 barriers, f32, Params<NodeDescent>)
+                { branches: Read, cut: Write }
+            /// Pairs of nodes of two cuts, or of one.
+            CutPairs = cut_pairs(256 threads, 0 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, a_cut: Read, b_cut: Read,
+                  levels: Write, output: Write }
+            /// Pairs of nodes of binary trees to pairs of their children, and pairs of leaves.
+            ExpandPairs = expand_pairs(128 threads, 3 barriers, f32, Params<NodeDescent>)
+                { a_nodes: Read, b_nodes: Read, input: Read,
+                  levels: Write, output: Write, pairs: Write }
+            /// The axis along which boxes vary most.
+            SurveyAxis = survey_axis(256 threads, 1 barriers, f32, Params<Plain>)
+                { boxes: Read, survey: Write }
+            /// The largest sides of all boxes.
+            SurveySides = survey_sides(256 threads, 2 barriers, f32, Params<Plain>)
+                { boxes: Read, survey: Write }
+            /// Keys of boxes for a sweep or a grid, and their numbers.
+            IntervalKeys = interval_keys(256 threads, 0 barriers, f32, Params<Intervals>)
+                { boxes: Read, survey: Read, keys: Write, order: Write }
+            /// How full the cells of a grid are.
+            SurveyCells = survey_cells(256 threads, 2 barriers, f32, Params<Plain>)
+                { boxes: Read, keys: Read, survey: Write }
+            /// Boxes in order.
+            OrderBoxes = order_boxes(256 threads, 0 barriers, f32, Params<Plain>)
+                { boxes: Read, order: Read, sorted: Write }
+            /// What groups of boxes are compared with, in pieces.
+            IntervalWork = interval_work(128 threads, 4 barriers, f32, Params<Intervals>)
+                { sorted: Read, keys: Read, survey: Read, work: Write }
+            /// Pieces of work to overlapping boxes.
+            IntervalPairs = interval_pairs(128 threads, 4 barriers, f32, Params<Intervals>)
+                { sorted: Read, keys: Read, order: Read, survey: Read, work: Read,
+                  pairs: Write }
             /// Pairs of nodes to pairs of their children.
             NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
@@ -230,6 +263,7 @@ impl Id {
 
 const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
+const _: () = assert!(Id::IntervalPairs.threads() == crate::broad_phase::key_intervals::GROUP);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);

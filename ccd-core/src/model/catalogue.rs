@@ -47,14 +47,14 @@ impl Catalogued for BroadPhaseMethod {
             name: "brute-force",
             about: "Every box against every other; what all else is compared with",
             source: None,
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::SweepAndPrune,
             name: "sweep-and-prune",
             about: "Boxes sorted along one axis, each against those that begin before it ends",
             source: Some("Karras 2012a"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::SweepInStrips,
@@ -68,7 +68,7 @@ impl Catalogued for BroadPhaseMethod {
             name: "uniform-grid",
             about: "Boxes in the cells of a grid; for boxes of about the same size",
             source: Some("Karras 2012a"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Blocks,
@@ -134,14 +134,14 @@ impl Catalogued for Traversal {
             name: "iterative",
             about: "A query per box in the order of input, with a stack",
             source: Some("Karras 2012b"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::LeafOrder,
             name: "leaf-order",
             about: "A query per box in the order of leaves",
             source: Some("Karras 2012b"),
-            backends: CPU,
+            backends: BOTH,
         },
         Row {
             value: Self::Half,
@@ -162,7 +162,7 @@ impl Catalogued for Traversal {
             name: "cut",
             about: "Pairs of nodes from all pairs of a cut of 256 nodes on, in parallel",
             source: Some("Karras 2012b"),
-            backends: CPU,
+            backends: BOTH,
         },
     ];
 }

@@ -89,9 +89,8 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 
 impl Region<'_> {
     /// Whether no two features of the region without a common vertex touch during the step: `true`
-    /// is certain. `seen` must have room for the rim.
-    pub fn free<P: Paths>(&self, x: &P, seen: &mut [Point]) -> bool {
-        let Some(view) = self.view(x) else { return false };
+    /// is certain, whatever the view. `seen` must have room for the rim.
+    pub fn free<P: Paths>(&self, x: &P, view: &View, seen: &mut [Point]) -> bool {
         let Some(seen) = seen.get_mut(..self.rim.len()) else { return false };
         if !self.triangles.iter().all(|&t| view.keeps_side(x, self.faces[t as usize])) {
             return false;
@@ -101,33 +100,35 @@ impl Region<'_> {
         }
         seen.len() >= 3 && is_simple(seen, view.reach)
     }
+}
 
-    /// A view along the mean normal.
-    fn view<P: Paths>(&self, x: &P) -> Option<View> {
-        let first = self.faces[*self.triangles.first()? as usize][0];
-        let origin = x.at(first)[0];
-        let (mut normal, mut reach) = ([0.0; 3], 0f64);
-        for &t in self.triangles {
-            let [a, b, c] = self.faces[t as usize].map(|v| x.at(v).map(|p| vec3::sub(p, origin)));
-            for component in [a, b, c].iter().flatten().flatten() {
-                // NaN fails too.
-                let finite = component.abs() <= f64::MAX;
-                if !finite {
-                    return None;
-                }
-                reach = Num::max(reach, component.abs());
+/// Sum of the normals of a face at both ends of the step, as long as its areas are large.
+pub fn mean_normal<P: Paths>(x: &P, face: [u32; 3]) -> [f64; 3] {
+    let [a, b, c] = face.map(|v| x.at(v));
+    let normal = |end: usize| cross(vec3::sub(b[end], a[end]), vec3::sub(c[end], a[end]));
+    vec3::add(normal(0), normal(1))
+}
+
+/// Greatest component of the positions of faces less an origin; `None` if one is not finite.
+pub fn reach<P: Paths>(x: &P, faces: &[[u32; 3]], of: &[u32], origin: [f64; 3]) -> Option<f64> {
+    let mut reach = 0f64;
+    for &t in of {
+        for v in faces[t as usize] {
+            let [p, q] = x.at(v).map(|p| vec3::max_abs(vec3::sub(p, origin)));
+            // NaN fails too.
+            let finite = p <= f64::MAX && q <= f64::MAX;
+            if !finite {
+                return None;
             }
-            for end in 0..2 {
-                let n = cross(vec3::sub(b[end], a[end]), vec3::sub(c[end], a[end]));
-                normal = vec3::add(normal, n);
-            }
+            reach = Num::max(reach, Num::max(p, q));
         }
-        View::along(normal, origin, reach)
     }
+    Some(reach)
 }
 
 /// A projection onto a plane.
-struct View {
+#[derive(Clone, Copy, Debug)]
+pub struct View {
     origin: [f64; 3],
     /// Axes of the plane, and that along which it looks most.
     axes: [usize; 3],
@@ -137,8 +138,9 @@ struct View {
 }
 
 impl View {
-    /// Along `d`, of whatever length.
-    fn along(d: [f64; 3], origin: [f64; 3], reach: f64) -> Option<Self> {
+    /// Along `d`, of whatever length. `reach`: at least the greatest component of a position that
+    /// will be looked at, less the origin, see [`reach`].
+    pub fn along(d: [f64; 3], origin: [f64; 3], reach: f64) -> Option<Self> {
         let size = d.map(f64::abs);
         let k = match size {
             [x, y, z] if x >= y && x >= z => 0,

@@ -4,7 +4,7 @@
 use crate::common::exact::{Contact, contact};
 use crate::common::random::Random;
 use ccd_core::narrow_phase::relative_motion::Patch;
-use ccd_core::triangle_pairs::normal_cone::Region;
+use ccd_core::triangle_pairs::normal_cone::{Region, View, mean_normal, reach};
 use std::collections::BTreeSet;
 
 type Ends = [Vec<[f64; 3]>; 2];
@@ -42,7 +42,16 @@ impl Disc {
         let triangles: Vec<u32> = (0..self.faces.len() as u32).collect();
         let mut seen = vec![[[0.0; 2]; 2]; self.rim.len()];
         let region = Region { faces: &self.faces, triangles: &triangles, rim: &self.rim };
-        region.free(&[&x[0][..], &x[1]], &mut seen)
+        let x = [&x[0][..], &x[1]];
+        let mut normal = [0.0; 3];
+        for &face in &self.faces {
+            let of_face = mean_normal(&x, face);
+            normal = [0, 1, 2].map(|k| normal[k] + of_face[k]);
+        }
+        let origin = x[0][0];
+        reach(&x, &self.faces, &triangles, origin)
+            .and_then(|reach| View::along(normal, origin, reach))
+            .is_some_and(|view| region.free(&x, &view, &mut seen))
     }
 
     /// A pair of features without a common vertex that exact arithmetic does not find free.

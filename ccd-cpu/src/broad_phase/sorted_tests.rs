@@ -49,18 +49,27 @@ fn check(what: &str, a: &[Aabb<f32>], b: &[Aabb<f32>]) -> usize {
         for threads in [1, 2] {
             let mut broad = BroadPhase::new(threads, method).expect("a method that is here");
             let got = sorted(broad.self_pairs(a).expect("no refusal"));
-            assert_eq!(got, within, "{what}, {method}, within {a:?}");
+            same(&format!("{what}, {method}, within {} boxes", a.len()), &got, &within, a, a);
             let got = sorted(broad.pairs(a, b).expect("no refusal"));
-            assert_eq!(got, between, "{what}, {method}, {a:?} against {b:?}");
+            let what = format!("{what}, {method}, {} against {} boxes", a.len(), b.len());
+            same(&what, &got, &between, a, b);
         }
     }
     within.len() + between.len()
 }
 
+/// Fails with the first pair that is in one of two sorted lists and not in the other.
+fn same(what: &str, got: &[Pair], want: &[Pair], a: &[Aabb<f32>], b: &[Aabb<f32>]) {
+    let i = got.iter().zip(want).take_while(|(p, q)| p == q).count();
+    let boxes = |p: &Pair| (*p, a[p.a as usize], b[p.b as usize]);
+    let (found, right) = (got.get(i).map(boxes), want.get(i).map(boxes));
+    assert!(found.is_none() && right.is_none(), "{what}: {found:?} instead of {right:?}");
+}
+
 #[test]
 fn boxes_that_begin_at_one_place_or_touch_where_cells_meet() {
     let unit = |i: u32| i as f32;
-    for (n, most) in [(2, 1), (4, 1), (6, 2), (9, 4), (64, 1)] {
+    for (n, most) in [(2, 1), (4, 1), (6, 2), (9, 4), (24, 3)] {
         let (a, b) = (lattice(150, n, most, n, unit), lattice(90, n, most, 77, unit));
         let found = check("lattice", &a, &b);
         assert!(found > 50, "{found} pairs show nothing");
@@ -74,6 +83,11 @@ fn boxes_that_begin_at_one_place_or_touch_where_cells_meet() {
             boxes.iter().map(cube).collect::<Vec<_>>()
         };
         assert!(check("cubes", &cubes(1), &cubes(2)) > 1000);
+    }
+    // Enough boxes for several strips, most of them in more than one.
+    for (seed, most) in [(1, 2), (2, 9)] {
+        let (a, b) = (lattice(3000, 40, most, seed, unit), lattice(2500, 40, 3, 9, unit));
+        assert!(check("strips", &a, &b) > 1000);
     }
     // Zeros of both signs are one place.
     let zeros = [[-0.0, 0.0], [0.0, 0.0], [-0.0, -0.0], [-1.0, -0.0], [0.0, 1.0]];
@@ -137,7 +151,8 @@ fn a_grid_refuses_unequal_sizes_and_says_why() {
     many[9].max = many[9].min;
     let again = broad.self_pairs(&many).expect("boxes of about one size").len();
     assert!(again.abs_diff(n) < 10, "{again}, {n}");
-    for method in every("cpu").filter(|&method| method != BroadPhaseMethod::UniformGrid) {
+    let others = methods().filter(|&method| method != BroadPhaseMethod::UniformGrid);
+    for method in others.chain([BroadPhaseMethod::Blocks, BroadPhaseMethod::TREE]) {
         let mut other = BroadPhase::new(2, method).expect("a method that is here");
         assert!(other.self_pairs(&boxes).is_ok(), "{method}");
     }

@@ -26,6 +26,8 @@ const TASK: usize = 512;
 const CHUNK: usize = 4096;
 /// Width of a strip in mean sides: narrower ones hold fewer boxes, but more of them twice.
 const WIDTH_IN_SIDES: f64 = 4.0;
+/// Least boxes a strip, in the mean.
+const LEAST_BOXES: f64 = 128.0;
 /// Most leaves a box, in the mean.
 const MOST_LEAVES: f64 = 1.5;
 
@@ -34,6 +36,8 @@ const MOST_LEAVES: f64 = 1.5;
 pub struct SweepInStrips {
     axis: usize,
     strips: Strips,
+    /// Numbers of strips are less than this.
+    n_numbers: u32,
     /// Per set.
     kept: Vec<Kept>,
     moments: Vec<Moments<f64>>,
@@ -89,6 +93,7 @@ impl Default for SweepInStrips {
         Self {
             axis: 0,
             strips: Strips::new(&Aabb::EMPTY, [1, 2], [1; 2]),
+            n_numbers: 1,
             kept: Vec::new(),
             moments: Vec::new(),
             sizes: Vec::new(),
@@ -161,17 +166,19 @@ impl Order for SweepInStrips {
         let Sizes { scene, sides } = self.sizes(threads, sets);
         let [axis, across @ ..] = moments(threads, sets, &mut self.moments).axes();
         self.axis = axis;
+        let most = (n as f64 / LEAST_BOXES).sqrt().clamp(1.0, MOST as f64);
         let mut wanted = across.map(|k| {
             let extent = scene.max[k] as f64 - scene.min[k] as f64;
-            let width = WIDTH_IN_SIDES * sides[k] / n.max(1) as f64;
-            // Written so that NaN, of points in a plane, gives one.
-            if extent > 0.0 { (extent / width).clamp(1.0, MOST as f64) as u32 } else { 1 }
+            let width = WIDTH_IN_SIDES * sides[k] / n as f64;
+            // Boxes in a plane are in one strip; the width of points is 0.
+            if extent > 0.0 { (extent / width).clamp(1.0, most) as u32 } else { 1 }
         });
         loop {
             self.strips = Strips::new(&scene, across, wanted);
             let leaves: u64 = sets.iter().map(|boxes| self.count(threads, boxes)).sum();
             // One strip has a leaf a box.
             if leaves as f64 <= MOST_LEAVES * n as f64 {
+                self.n_numbers = wanted[1] << strips::BITS;
                 return Ok(());
             }
             wanted = wanted.map(|strips| (strips * 3 / 4).max(1));
@@ -195,7 +202,7 @@ impl Order for SweepInStrips {
         if self.kept.len() <= set.index {
             self.kept.resize_with(set.index + 1, Kept::default);
         }
-        let Self { axis, kept, ids, numbers, sorted, radix, .. } = self;
+        let Self { axis, n_numbers, kept, ids, numbers, sorted, radix, .. } = self;
         let number = |leaf: u32| numbers[leaf as usize].load(Relaxed);
         let id = |leaf: u32| ids[leaf as usize].load(Relaxed);
         // In the upper bits, which the sort takes digit by digit: 12 for the strip, 21 of the
@@ -206,7 +213,7 @@ impl Order for SweepInStrips {
         };
         radix.sort(threads, n, key, sorted);
         let starts = &mut kept[set.index].starts;
-        starts.resize((MOST * MOST) as usize + 1, 0);
+        starts.resize(*n_numbers as usize + 1, 0);
         threads.fill(starts, |strip| {
             sorted.partition_point(|&leaf| number(leaf) < strip as u32) as u32
         });

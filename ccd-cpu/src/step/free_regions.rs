@@ -10,9 +10,10 @@ use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::simd::WIDTH;
 use crate::step::candidates::Given;
 use crate::threads::Threads;
+use ccd_core::math::vec3::{add, sub};
 use ccd_core::model::mesh::Mesh;
 use ccd_core::model::precision::Precision;
-use ccd_core::triangle_pairs::normal_cone::{Paths, Point, Region};
+use ccd_core::triangle_pairs::normal_cone::{Paths, Point, Region, View, mean_normal, reach};
 use ccd_core::triangle_pairs::patches::Patches;
 use ccd_core::triangle_pairs::representatives::Triangles;
 use std::ops::Range;
@@ -36,6 +37,7 @@ struct Root {
     regions: Range<usize>,
     certified: Vec<u32>,
     seen: Vec<Point>,
+    normals: Vec<[f64; 3]>,
 }
 
 impl FreeRegions {
@@ -48,6 +50,7 @@ impl FreeRegions {
                 regions: regions.clone(),
                 certified: Vec::with_capacity(regions.len()),
                 seen: vec![[[0.0; 2]; 2]; longest],
+                normals: Vec::with_capacity(patches.faces(regions.start).len() + 1),
             }
         };
         let roots = patches.roots().iter().map(root).collect();
@@ -88,11 +91,27 @@ impl FreeRegions {
 impl Root {
     fn certify<P: Paths>(&mut self, patches: &Patches, faces: &[[u32; 3]], x: &P) {
         self.certified.clear();
+        let all = patches.faces(self.regions.start);
+        let Some(&first) = all.first() else { return };
+        let origin = x.at(faces[first as usize][0])[0];
+        let Some(reach) = reach(x, faces, all, origin) else { return };
+        // Sums of normals up to each face: the normal of a region is a difference of two.
+        self.normals.clear();
+        let mut sum = [0.0; 3];
+        self.normals.push(sum);
+        for &face in all {
+            sum = add(sum, mean_normal(x, faces[face as usize]));
+            self.normals.push(sum);
+        }
+        let start = patches.patch(self.regions.start).faces.start;
         let mut at = self.regions.start;
         while at < self.regions.end {
             let (triangles, rim) = (patches.faces(at), patches.rim(at));
+            let of = &patches.patch(at).faces;
+            let normal = sub(self.normals[of.end - start], self.normals[of.start - start]);
             let region = Region { faces, triangles, rim };
-            if !rim.is_empty() && region.free(x, &mut self.seen) {
+            let free = |view| region.free(x, &view, &mut self.seen);
+            if !rim.is_empty() && View::along(normal, origin, reach).is_some_and(free) {
                 self.certified.push(at as u32);
                 at += patches.patch(at).n_inside;
             }

@@ -7,5 +7,6 @@ pub mod free_regions;
 pub mod leaves;
 pub mod narrow_phase;
 pub mod prepare;
+pub mod stand_ins;
 pub mod triangle_leaves;
 pub mod triangle_pairs;

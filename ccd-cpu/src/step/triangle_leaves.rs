@@ -11,6 +11,7 @@ use crate::simd::{Block, EMPTY, WIDTH};
 use crate::step::candidates::Given;
 use crate::step::free_regions::FreeRegions;
 use crate::step::leaves::ends;
+use crate::step::stand_ins::StandIns;
 use crate::threads::Threads;
 use ccd_core::broad_phase::swept_box;
 use ccd_core::model::mesh::Mesh;
@@ -25,6 +26,7 @@ pub struct TriangleLeaves {
     pub triangles: Triangles,
     /// `None`: neighbours are expanded like all others.
     pub orphans: Option<OrphanSets>,
+    pub stand_ins: StandIns,
     /// Pairs in one of them are skipped.
     pub regions: Option<FreeRegions>,
     swept: Vec<Aabb<f32>>,
@@ -93,6 +95,7 @@ impl TriangleLeaves {
         Self {
             triangles,
             orphans,
+            stand_ins: StandIns::default(),
             regions,
             swept: Vec::new(),
             boxes: LeafBoxes::new(Set { index: 0, searched: true }),
@@ -121,7 +124,10 @@ impl TriangleLeaves {
         let of_triangle = |t: usize| fixed.is_some_and(|fixed| fixed(corners[t][0]));
         let fixed: Option<Fixed> = if fixed.is_some() { Some(&of_triangle) } else { None };
         self.boxes.build(threads, method.order(), &self.swept, fixed);
-        let Self { triangles, boxes, blocks, .. } = self;
+        let Self { triangles, orphans, stand_ins, boxes, blocks, .. } = self;
+        if let Some(sets) = orphans {
+            stand_ins.order(sets, boxes);
+        }
         blocks.resize(boxes.len().div_ceil(WIDTH), TriangleBlock::NONE);
         threads.fill(blocks, |i| block(triangles, boxes, i));
         Ok(())

@@ -133,11 +133,17 @@ impl<W: Take> PairSink for TrianglePairs<'_, W> {
                 }
             }
         }
-        if let Some(orphans) = &self.leaves.orphans {
-            let first = of_a.ids[lane];
-            for stand_in in orphans.stand_ins(first) {
-                if simd.equals(&of_b.ids, [stand_in.other; 2]) & mask != 0 {
-                    represented += self.stand_in(worker, [first, stand_in.other], stand_in.tests);
+        if self.leaves.orphans.is_some() {
+            let stand_ins = &self.leaves.stand_ins;
+            for group in stand_ins.groups(a * WIDTH + lane) {
+                let mut rest = stand_ins.of_block(simd, group, b);
+                while rest != 0 {
+                    let other = stand_ins.get(group, rest.trailing_zeros() as usize);
+                    rest &= rest - 1;
+                    if mask >> other.lane & 1 == 1 {
+                        let pair = [of_a.ids[lane], other.id];
+                        represented += self.stand_in(worker, pair, other.tests);
+                    }
                 }
             }
         }

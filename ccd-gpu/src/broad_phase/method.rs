@@ -1,10 +1,12 @@
 //! The chosen method: the one place where a choice becomes code.
 
 use super::block_pairs::BlockSource;
+use super::key_intervals::IntervalSource;
 use super::pair_source::PairSource;
 use super::tree::TreeSource;
 use crate::device::Device;
 use crate::error::Error;
+use ccd_core::broad_phase::key_intervals::{BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID};
 use ccd_core::model::catalogue::Catalogued;
 use ccd_core::model::method::BroadPhaseMethod;
 
@@ -24,7 +26,11 @@ pub fn source(
     count: [u32; 3],
 ) -> Result<Box<dyn PairSource>, Error> {
     check(choice)?;
+    let by_keys = |method| IntervalSource::new(device, method, count);
     Ok(match choice {
+        BroadPhaseMethod::BruteForce => Box::new(by_keys(BRUTE_FORCE)?),
+        BroadPhaseMethod::SweepAndPrune => Box::new(by_keys(SWEEP_AND_PRUNE)?),
+        BroadPhaseMethod::UniformGrid => Box::new(by_keys(UNIFORM_GRID)?),
         BroadPhaseMethod::Blocks => Box::new(BlockSource::new(device, count)?),
         BroadPhaseMethod::Tree(options) => Box::new(TreeSource::new(device, options, count)?),
         other => {

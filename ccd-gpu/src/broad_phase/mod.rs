@@ -3,7 +3,9 @@
 pub mod block_bvh;
 mod block_levels;
 mod block_pairs;
+mod key_intervals;
 pub mod method;
+mod pair_descent;
 pub mod pair_source;
 mod radix_tree;
 mod tree;

@@ -15,31 +15,25 @@ use wgpu::BufferUsages as U;
 /// hangs.
 const DISPATCH_LIMIT: u32 = 1 << 22;
 
-/// A tree over the second set of a kind of pairs.
+/// A tree over one set.
 pub struct RadixTree {
-    kind: u32,
-    branches: wgpu::Buffer,
-    nodes: wgpu::Buffer,
+    set: usize,
+    pub branches: wgpu::Buffer,
+    pub nodes: wgpu::Buffer,
     /// Leaves.
     n: u32,
 }
 
 impl RadixTree {
-    /// Room for the tree of a kind of pairs between sets of so many boxes.
-    pub fn new(device: &Device, kind: u32, count: [u32; 3]) -> Result<Self, Error> {
-        let n = count[sets(kind)[1]];
+    /// Room for a tree over `n` boxes of a set, at least one.
+    pub fn new(device: &Device, set: usize, n: u32) -> Result<Self, Error> {
         let buffer = |what, bytes: u64| device.buffer(what, bytes, U::STORAGE);
         Ok(Self {
-            kind,
+            set,
             branches: buffer("branches of the tree", n as u64 * size_of::<Branch>() as u64)?,
             nodes: buffer("nodes of the binary tree", 2 * n as u64 * size_of::<Node>() as u64)?,
             n,
         })
-    }
-
-    /// The kind of pairs that it is for.
-    pub fn kind(&self) -> u32 {
-        self.kind
     }
 
     /// Children and ranges of all nodes, from the keys of a block tree that is sorted.
@@ -57,7 +51,7 @@ impl RadixTree {
     }
 
     fn params(&self, frame: &Frame, blocks: &Tree) -> Params<Blocks> {
-        let own = Blocks { kind: self.kind, level: blocks.levels.top(), ..blocks.record() };
+        let own = Blocks { kind: self.set as u32, level: blocks.levels.top(), ..blocks.record() };
         Params { frame: *frame, dispatch: Dispatch::default(), own }
     }
 
@@ -71,20 +65,19 @@ impl RadixTree {
         }
     }
 
-    /// Lists all pairs of a box of the first set with one of the tree. `sorted`: queries in the
-    /// order of leaves, else in that of input.
+    /// Lists all pairs of a kind, whose second set is that of the tree, one query a box of the
+    /// first.
     pub fn traverse_full(
         &self,
         recorder: &mut Recorder,
         frame: &Frame,
         blocks: &Tree,
-        sorted: bool,
+        own: Queries,
         pairs: &List,
     ) {
-        let Self { branches, nodes, kind, .. } = self;
+        let Self { branches, nodes, .. } = self;
         let (boxes, [_, order]) = (&blocks.boxes, blocks.sorted());
-        for dispatch in parts(frame.count[sets(*kind)[0]], pairs) {
-            let own = Queries { kind: *kind, sorted: sorted as u32 };
+        for dispatch in parts(frame.count[sets(own.kind)[0]], pairs) {
             let kernel = TraverseFull { boxes, order, nodes, branches, pairs: pairs.buffer() };
             recorder.each(&kernel, &Params { frame: *frame, dispatch, own }, dispatch.n);
         }

@@ -1,38 +1,79 @@
-//! A binary tree as a source of pairs: the boxes of a block tree, binary trees over those, and
-//! queries with a stack, a thread each.
+//! A binary tree as a source of pairs: the boxes of a block tree, binary trees over those, and a
+//! traversal: queries with a stack, a thread each, or pairs of nodes from a cut on, a level a
+//! dispatch.
+//!
+//! Recursion does not exist on a device, and one thread of it is slow, so the other two traversals
+//! are a CPU's.
 
 use super::block_bvh::Tree;
+use super::pair_descent::PairDescent;
 use super::pair_source::{PairSource, Search, kinds_of};
 use super::radix_tree::RadixTree;
 use crate::device::Device;
 use crate::error::Error;
 use crate::growable_list::List;
 use crate::recorder::Recorder;
-use ccd_core::layout::Frame;
+use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::layout::{Frame, Queries};
 use ccd_core::model::method::{Traversal, TreeOptions};
 use wgpu::BufferUsages as U;
 
-/// Binary trees over the second set of each kind of pairs.
+/// Binary trees over those sets that a traversal descends.
 pub struct TreeSource {
     blocks: Tree,
-    trees: [Option<RadixTree>; 2],
+    trees: [Option<RadixTree>; 3],
     traversal: Traversal,
+    descent: Option<PairDescent>,
     none: wgpu::Buffer,
 }
 
 impl TreeSource {
     pub fn new(device: &Device, options: TreeOptions, count: [u32; 3]) -> Result<Self, Error> {
-        let mut trees = [None, None];
+        let traversal = options.traversal;
+        let descent = match traversal {
+            Traversal::Cut { nodes, descent } => {
+                Some(PairDescent::new(device, nodes, descent, count)?)
+            }
+            _ => None,
+        };
+        let mut trees = [None, None, None];
         for kind in kinds_of(count) {
-            trees[kind as usize] = Some(RadixTree::new(device, kind, count)?);
+            for set in descended(kind, descent.is_some()) {
+                trees[set] = Some(RadixTree::new(device, set, count[set])?);
+            }
         }
         Ok(Self {
             blocks: Tree::sorted_only(device, count)?,
             trees,
-            traversal: options.traversal,
+            traversal,
+            descent,
             none: device.buffer("nothing", 0, U::STORAGE)?,
         })
     }
+
+    fn traverse(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
+        let [a, b] = sets(kind).map(|set| self.trees[set].as_ref());
+        let Some(b) = b else { return };
+        let full = |sorted: u32| Queries { kind, sorted };
+        match self.traversal {
+            Traversal::Cut { .. } => {
+                if let Some((descent, a)) = self.descent.as_ref().zip(a) {
+                    descent.run(recorder, frame, kind, [a, b], pairs);
+                }
+            }
+            Traversal::Half if kind == 1 => b.traverse_half(recorder, frame, pairs),
+            Traversal::Iterative => {
+                b.traverse_full(recorder, frame, &self.blocks, full(0), pairs);
+            }
+            _ => b.traverse_full(recorder, frame, &self.blocks, full(1), pairs),
+        }
+    }
+}
+
+/// Sets over which there are trees for a kind of pairs.
+fn descended(kind: u32, both: bool) -> impl Iterator<Item = usize> {
+    let [a, b] = sets(kind);
+    [b, a].into_iter().take(if both && a != b { 2 } else { 1 })
 }
 
 impl PairSource for TreeSource {
@@ -42,34 +83,34 @@ impl PairSource for TreeSource {
 
     fn clear(&self, recorder: &mut Recorder) {
         self.blocks.clear_bounds(recorder);
+        if let Some(descent) = &self.descent {
+            descent.clear(recorder);
+        }
     }
 
     fn find(&self, recorder: &mut Recorder, search: &Search) {
-        let Self { blocks, trees, traversal, none } = self;
+        let Self { blocks, trees, none, .. } = self;
         let frame = &Frame { flags: 0, ..*search.frame };
         recorder.stage("codes");
         blocks.sort(recorder, frame, search.n_bounding);
         recorder.stage("build");
         blocks.fit(recorder, frame, none, none);
-        let wanted = || search.kinds.iter().filter_map(|&kind| trees[kind as usize].as_ref());
         recorder.stage("branches");
-        wanted().for_each(|tree| tree.branch(recorder, frame, blocks));
+        trees.iter().flatten().for_each(|tree| tree.branch(recorder, frame, blocks));
         recorder.stage("boxes of branches");
-        wanted().for_each(|tree| tree.fit(recorder, frame, blocks));
+        trees.iter().flatten().for_each(|tree| tree.fit(recorder, frame, blocks));
         recorder.stage("pairs");
-        for tree in wanted() {
-            let pairs = search.pairs[tree.kind() as usize];
-            match traversal {
-                Traversal::Half if tree.kind() == 1 => tree.traverse_half(recorder, frame, pairs),
-                Traversal::Iterative => {
-                    tree.traverse_full(recorder, frame, blocks, false, pairs);
-                }
-                _ => tree.traverse_full(recorder, frame, blocks, true, pairs),
-            }
+        for &kind in search.kinds {
+            self.traverse(recorder, frame, kind, search.pairs[kind as usize]);
         }
     }
 
     fn lists(&self) -> Vec<&List> {
-        Vec::new()
+        self.descent.as_ref().map_or(Vec::new(), |descent| descent.lists.iter().flatten().collect())
+    }
+
+    fn lists_mut(&mut self) -> Vec<&mut List> {
+        let Some(descent) = &mut self.descent else { return Vec::new() };
+        descent.lists.iter_mut().flatten().collect()
     }
 }

@@ -1,7 +1,9 @@
 //! From pairs of ids, which any source lists, to candidates and to candidates that pass the
 //! filters: one pair a thread, appended by the workgroup.
 
-use crate::workgroup::{add_shared, barrier, count, get, group, length, read_pair, set, write_pair};
+use crate::workgroup::{
+    add_shared, barrier, count, get, group, length, read_pair, set, write_pair,
+};
 use ccd_core::Aabb;
 use ccd_core::broad_phase::candidate::wanted;
 use ccd_core::kernel::Id;

@@ -4,5 +4,7 @@
 pub mod block_bvh;
 pub mod block_pairs;
 pub mod bounds;
+pub mod key_intervals;
 pub mod listed;
+pub mod pair_descent;
 pub mod radix_tree;

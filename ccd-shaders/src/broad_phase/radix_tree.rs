@@ -1,11 +1,10 @@
-//! The binary radix tree over the second set of a kind of pairs: its branches, its boxes, and
-//! traversal with a stack.
+//! The binary radix tree over one set: its branches, its boxes, and traversal with a stack.
 
 use crate::workgroup::{append, group};
 use ccd_core::Aabb;
-use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::broad_phase::block_bvh::{self, sets};
 use ccd_core::broad_phase::radix_tree;
+use ccd_core::broad_phase::stack_traversal::{NONE, Walk};
 use ccd_core::kernel::Id;
 use ccd_core::kernel::memory::{at, put};
 use ccd_core::layout::{Blocks, Branch, Leaf, Node, Pair, Params, Queries};
@@ -18,7 +17,7 @@ const WALKERS: u32 = Id::TraverseHalf.threads();
 /// The set within which pairs are looked for.
 const SET: usize = 1;
 
-/// Thread `i` finds children and range of internal node `i`.
+/// Thread `i` finds children and range of internal node `i` of the tree over set `own.kind`.
 #[spirv(compute(threads(256)))]
 pub fn branches(
     #[spirv(workgroup_id)] id: UVec3,
@@ -29,7 +28,7 @@ pub fn branches(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] branches: &mut [Branch],
 ) {
     let i = group(id, n) * THREADS + lane;
-    let set = sets(params.own.kind)[1];
+    let set = params.own.kind as usize;
     let n_leaves = params.frame.count[set];
     if i + 1 < n_leaves {
         let branch = radix_tree::branch_from(i, params.frame.start[set], n_leaves, keys);
@@ -37,7 +36,7 @@ pub fn branches(
     }
 }
 
-/// Thread `i` boxes internal node `i`, and writes leaf `i`.
+/// Thread `i` boxes internal node `i` of the tree over set `own.kind`, and writes leaf `i`.
 #[spirv(compute(threads(256)))]
 pub fn branch_boxes(
     #[spirv(workgroup_id)] id: UVec3,
@@ -50,7 +49,7 @@ pub fn branch_boxes(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [Node],
 ) {
     let i = group(id, n) * THREADS + lane;
-    let set = sets(params.own.kind)[1];
+    let set = params.own.kind as usize;
     let n_leaves = params.frame.count[set];
     if i + 1 < n_leaves {
         let branch = at(branches, i as usize);

@@ -171,17 +171,17 @@ impl BinaryTree {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));
             return 0;
         }
-        let (mut walk, mut steps) = (Walk::new(), 0);
+        let (mut walk, mut visits) = (Walk::new(), 0);
         while walk.goes_on {
             if !self.reaches(walk.node(), query) {
                 walk.skip();
                 continue;
             }
-            steps += 1;
+            visits += 1;
             let found =
                 walk.step(query, &self.nodes, &self.branches, self.branches.len() as u32, after);
             out.extend(found.into_iter().filter(|&leaf| leaf != NONE));
         }
-        steps
+        visits
     }
 }

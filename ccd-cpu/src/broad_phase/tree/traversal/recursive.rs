@@ -39,12 +39,12 @@ impl Query for Recursive {
 /// Appends the leaves below an internal node that overlap the query; returns how many internal nodes
 /// it visited.
 fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32>) -> u64 {
-    let mut steps = 0;
+    let mut visits = 0;
     loop {
         if !tree.reaches(node, query) {
-            return steps;
+            return visits;
         }
-        steps += 1;
+        visits += 1;
         let Branch { left, right, .. } = tree.branches[node as usize];
         let mut goes_down = |child: u32| {
             let child = &tree.nodes()[child as usize];
@@ -57,12 +57,12 @@ fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32
                 let n_leaves = |child| tree.range(child).len();
                 let left_is_smaller = n_leaves(left) < n_leaves(right);
                 let (fewer, more) = if left_is_smaller { (left, right) } else { (right, left) };
-                steps += visit(tree, query, fewer, hits);
+                visits += visit(tree, query, fewer, hits);
                 node = more;
             }
             (true, false) => node = left,
             (false, true) => node = right,
-            (false, false) => return steps,
+            (false, false) => return visits,
         }
     }
 }

@@ -1,0 +1,210 @@
+//! Boxes in the order of a key as a source of pairs: sort and sweep, a uniform grid, brute force.
+//! What a method is stands in `ccd_core::broad_phase::key_intervals`.
+
+use super::block_bvh::groups;
+use super::pair_source::{PairSource, Search, boxes_of, frame_of};
+use crate::bind::{
+    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SceneBounds, SurveyAxis, SurveyCells,
+    SurveySides,
+};
+use crate::device::Device;
+use crate::error::Error;
+use crate::growable_list::List;
+use crate::recorder::Recorder;
+use crate::sort::Sort;
+use ccd_core::broad_phase::key_intervals::{
+    BRUTE_FORCE, FULLNESS, GROUP, SIDE_UNITS, SURVEY_WORDS, SWEEP_AND_PRUNE, UNIFORM_GRID, asks,
+    rows, sizes,
+};
+use ccd_core::broad_phase::morton_key;
+use ccd_core::broad_phase::uniform_grid::{TESTS_A_BOX, most_tests};
+use ccd_core::kernel::Id;
+use ccd_core::layout::{Dispatch, Frame, Intervals, Params, Plain};
+use wgpu::BufferUsages as U;
+
+/// Pieces of work that one dispatch takes at most, 2^17 tests each: some milliseconds of a small
+/// device, so that no driver thinks that it hangs.
+const DISPATCH_LIMIT: u32 = 1 << 14;
+
+/// Boxes of each thread of a survey.
+const SURVEY_SHARE: u32 = 32;
+
+/// A method by keys, with room for sets of so many boxes.
+pub struct IntervalSource {
+    method: u32,
+    boxes: wgpu::Buffer,
+    sorted: wgpu::Buffer,
+    survey: wgpu::Buffer,
+    sort: Sort,
+    /// Pieces of work, by kind.
+    work: [List; 2],
+    groups: u32,
+}
+
+impl IntervalSource {
+    /// `method`: a constant of `key_intervals`.
+    pub fn new(device: &Device, method: u32, count: [u32; 3]) -> Result<Self, Error> {
+        let frame = frame_of(count);
+        let work = |kind: u32| {
+            // A few pieces for each group; a list that is too short grows.
+            let n_groups: u32 =
+                (0..rows(method, kind)).map(|row| asking(&frame, method, kind, row)).sum();
+            List::new(device, "pieces of work", 2, n_groups.saturating_mul(4).max(256))
+        };
+        let boxes = boxes_of(device, count)?;
+        Ok(Self {
+            method,
+            sorted: device.buffer("sorted boxes", boxes.size(), U::STORAGE)?,
+            boxes,
+            survey: device.buffer(
+                "a survey of boxes",
+                4 * SURVEY_WORDS as u64,
+                U::STORAGE | U::COPY_DST | U::COPY_SRC,
+            )?,
+            sort: Sort::new(device, frame.start[3])?,
+            work: [work(0)?, work(1)?],
+            groups: groups(device),
+        })
+    }
+
+    /// What all boxes have in common, and their keys.
+    fn keys(&self, recorder: &mut Recorder, search: &Search) {
+        let Self { method, boxes, survey, .. } = self;
+        let frame = search.frame;
+        let n = frame.start[3];
+        let params = |n: u32, first: u32| Params {
+            frame: *frame,
+            dispatch: Dispatch { n, first, ..Dispatch::default() },
+            own: Plain::default(),
+        };
+        match *method {
+            SWEEP_AND_PRUNE => {
+                let stride = n.div_ceil(Id::SurveyAxis.threads() * SURVEY_SHARE);
+                recorder.dispatch(&SurveyAxis { boxes, survey }, &params(n, stride), 1);
+            }
+            UNIFORM_GRID => {
+                let n_bounding = search.n_bounding;
+                let share = Id::SceneBounds.threads() * morton_key::CHUNK as u32;
+                let kernel = SceneBounds { boxes, bounds: survey };
+                recorder.dispatch(&kernel, &params(n_bounding, 0), n_bounding.div_ceil(share));
+                let share = Id::SurveySides.threads() * SURVEY_SHARE;
+                recorder.dispatch(&SurveySides { boxes, survey }, &params(n, 0), n.div_ceil(share));
+            }
+            _ => {}
+        }
+        let [keys, order] = self.sort.half(0);
+        let p = self.params(frame, 0, 0, Dispatch::default());
+        recorder.each(&IntervalKeys { boxes, survey, keys, order }, &p, n);
+    }
+
+    fn params(&self, frame: &Frame, kind: u32, row: u32, dispatch: Dispatch) -> Params<Intervals> {
+        // Nothing is done where cells are fuller than they may be; other methods have none.
+        let most = most_squares(frame.start[3]);
+        let most = [most as u32, (most >> 32) as u32];
+        Params { frame: *frame, dispatch, own: Intervals { method: self.method, kind, row, most } }
+    }
+
+    /// The pieces of work of a kind of pairs.
+    fn work(&self, recorder: &mut Recorder, frame: &Frame, kind: u32) {
+        let Self { method, sorted, survey, work, .. } = self;
+        let ([keys, _], list) = (self.sort.half(0), &work[kind as usize]);
+        for row in 0..rows(*method, kind) {
+            let dispatch = Dispatch { room_out: list.room(), ..Dispatch::default() };
+            let p = self.params(frame, kind, row, dispatch);
+            let kernel = IntervalWork { sorted, keys, survey, work: list.buffer() };
+            recorder.dispatch(&kernel, &p, asking(frame, *method, kind, row));
+        }
+    }
+
+    /// Does the work of a kind of pairs.
+    fn pairs(&self, recorder: &mut Recorder, frame: &Frame, kind: u32, pairs: &List) {
+        let Self { sorted, survey, work, .. } = self;
+        let ([keys, order], list) = (self.sort.half(0), &work[kind as usize]);
+        let (room_in, room_out) = (list.room(), pairs.room());
+        for first in (0..room_in).step_by(DISPATCH_LIMIT as usize) {
+            let dispatch = Dispatch { n: DISPATCH_LIMIT, first, room_in, room_out };
+            let p = self.params(frame, kind, 0, dispatch);
+            let (work, pairs) = (list.buffer(), pairs.buffer());
+            let kernel = IntervalPairs { sorted, keys, order, survey, work, pairs };
+            recorder.dispatch(&kernel, &p, self.groups.min(room_in - first));
+        }
+    }
+}
+
+/// Groups that ask in a row.
+fn asking(frame: &Frame, method: u32, kind: u32, row: u32) -> u32 {
+    frame.count[asks(method, kind, row)[0] as usize].div_ceil(GROUP)
+}
+
+/// The greatest sum of squares of the numbers of boxes a cell for which a grid is not refused.
+fn most_squares(n: u32) -> u64 {
+    (TESTS_A_BOX * n as f64 / most_tests(1.0)) as u64
+}
+
+impl PairSource for IntervalSource {
+    fn boxes(&self) -> &wgpu::Buffer {
+        &self.boxes
+    }
+
+    fn clear(&self, recorder: &mut Recorder) {
+        recorder.clear(&self.survey, 4 * SURVEY_WORDS as u64);
+    }
+
+    fn find(&self, recorder: &mut Recorder, search: &Search) {
+        let (frame, n) = (search.frame, search.frame.start[3]);
+        recorder.stage("keys");
+        self.keys(recorder, search);
+        if self.method != BRUTE_FORCE {
+            recorder.stage("sort");
+            // Four passes end where they began.
+            self.sort.run(recorder, n, 32, 0);
+        }
+        recorder.stage("build");
+        let Self { boxes, sorted, survey, .. } = self;
+        let ([keys, order], p) = (self.sort.half(0), Params { frame: *frame, ..Params::default() });
+        recorder.each(&OrderBoxes { boxes, order, sorted }, &p, n);
+        if self.method == UNIFORM_GRID {
+            recorder.each(&SurveyCells { boxes, keys, survey }, &p, n);
+        }
+        recorder.stage("work");
+        search.kinds.iter().for_each(|&kind| self.work(recorder, frame, kind));
+        recorder.stage("pairs");
+        for &kind in search.kinds {
+            self.pairs(recorder, frame, kind, search.pairs[kind as usize]);
+        }
+    }
+
+    fn survey(&self) -> Option<(&wgpu::Buffer, u64)> {
+        (self.method == UNIFORM_GRID).then_some((&self.survey, SURVEY_WORDS as u64))
+    }
+
+    fn check(&self, frame: &Frame, words: &[u32]) -> Result<(), Error> {
+        if self.method != UNIFORM_GRID {
+            return Ok(());
+        }
+        let n = frame.start[3];
+        let wide = |at: usize| (words[at + 1] as u64) << 32 | words[at] as u64;
+        let squares = wide(FULLNESS);
+        if squares <= most_squares(n) {
+            return Ok(());
+        }
+        let half = sizes(words).half.into_iter().fold(0.0, f32::max);
+        let largest = 2.0 * half as f64;
+        Err(ccd_core::Error::CrowdedCells {
+            largest,
+            mean: largest * wide(FULLNESS + 2) as f64 / (SIDE_UNITS as f64 * n as f64),
+            fullest: words[FULLNESS + 4] as u64,
+            tests: (most_tests(squares as f64) / n as f64) as u64,
+            limit: TESTS_A_BOX as u64,
+        }
+        .into())
+    }
+
+    fn lists(&self) -> Vec<&List> {
+        self.work.iter().collect()
+    }
+
+    fn lists_mut(&mut self) -> Vec<&mut List> {
+        self.work.iter_mut().collect()
+    }
+}

@@ -1,0 +1,381 @@
+//! Boxes in the order of a key, each against an interval of keys: sort and sweep, a uniform grid
+//! and brute force; see `ccd_core::broad_phase::key_intervals`.
+
+use crate::workgroup::{
+    add, add_shared, append, barrier, count, get, group, length, lower_shared, raise, raise_shared,
+    read_pair, set, write_pair,
+};
+use ccd_core::Aabb;
+use ccd_core::broad_phase::block_bvh::set_of;
+use ccd_core::broad_phase::key_intervals::{
+    self, CHUNK, FOUND, FULLNESS, GROUP, POOL, SIDE_UNITS, SWEEP_AND_PRUNE, asks, interval,
+    lower_bound, pack, sizes, unpack,
+};
+use ccd_core::broad_phase::morton_key::order_key;
+use ccd_core::broad_phase::sweep_and_prune::Moments;
+use ccd_core::broad_phase::uniform_grid::Sizes;
+use ccd_core::kernel::Id;
+use ccd_core::kernel::memory::{at, put};
+use ccd_core::layout::{Intervals, Pair, Params};
+use ccd_core::narrow_phase::decide;
+use spirv_std::glam::UVec3;
+use spirv_std::spirv;
+
+const THREADS: u32 = Id::IntervalKeys.threads();
+/// Boxes of each thread of a survey.
+const SHARE: u32 = 32;
+
+/// Words of `counters`: bounds of the keys of a group, where its range begins and ends; pairs,
+/// where they go.
+const FROM: u32 = 0;
+const TO: u32 = 1;
+const BEGIN: u32 = 2;
+const END: u32 = 3;
+const HITS: u32 = 4;
+const BASE: u32 = 5;
+
+/// One workgroup finds the axis along which the centres of boxes vary most, of every
+/// `dispatch.first`-th box, at most `THREADS * SHARE` of them.
+#[spirv(compute(threads(256)))]
+pub fn survey_axis(
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] shared: &mut [Moments<f32>; 256],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &mut [u32],
+) {
+    let mut moments = Moments::<f32>::none();
+    for k in 0..SHARE {
+        let i = (k * THREADS + lane) * params.dispatch.first;
+        if i < params.dispatch.n {
+            moments = moments.merged(&Moments::of(&at(boxes, i as usize)));
+        }
+    }
+    set(shared, lane, moments);
+    let mut half = THREADS / 2;
+    for _ in 0..8 {
+        barrier();
+        if lane < half {
+            moments = moments.merged(&get(shared, lane + half));
+            set(shared, lane, moments);
+        }
+        half /= 2;
+    }
+    if lane == 0 {
+        put(survey, FOUND, moments.axes()[0] as u32);
+    }
+}
+
+/// The largest half sides of all boxes: a workgroup raises the three words of `survey` by those of
+/// `THREADS * SHARE` boxes.
+#[spirv(compute(threads(256)))]
+pub fn survey_sides(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] sides: &mut [u32; 4],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &mut [u32],
+) {
+    if lane < 3 {
+        set(sides, lane, 0);
+    }
+    barrier();
+    let mut all = Sizes::NONE;
+    for k in 0..SHARE {
+        let i = (group(id, n) * SHARE + k) * THREADS + lane;
+        if i < params.dispatch.n {
+            all = all.merged(&Sizes::of(&at(boxes, i as usize)));
+        }
+    }
+    raise_shared(sides, 0, order_key(all.half[0]));
+    raise_shared(sides, 1, order_key(all.half[1]));
+    raise_shared(sides, 2, order_key(all.half[2]));
+    barrier();
+    if lane < 3 {
+        raise(survey, FOUND + lane as usize, get(sides, lane));
+    }
+}
+
+/// How full the cells of a grid are, from sorted keys: thread `i` counts the boxes of the `i`-th
+/// one's set in its cell, and a workgroup adds what its threads found to the survey.
+#[spirv(compute(threads(256)))]
+pub fn survey_cells(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] sums: &mut [u32; 4],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] survey: &mut [u32],
+) {
+    if lane < 3 {
+        set(sums, lane, 0);
+    }
+    barrier();
+    let (i, n_keys) = (group(id, n) * THREADS + lane, params.frame.start[3]);
+    if i < n_keys {
+        let key = at(keys, i as usize);
+        // No key is the greatest number. A sum of 256 such numbers fits in a word.
+        let in_cell = lower_bound(keys, n_keys, key + 1) - lower_bound(keys, n_keys, key);
+        add_shared(sums, 0, in_cell.min((1 << 24) - 1));
+        let all = sizes(survey).half;
+        let own = Sizes::of(&at(boxes, i as usize)).half;
+        let largest = all[0].max(all[1]).max(all[2]);
+        let side = own[0].max(own[1]).max(own[2]);
+        let part = if largest > 0.0 { side / largest * SIDE_UNITS } else { 0.0 };
+        add_shared(sums, 1, part as u32);
+        raise_shared(sums, 2, in_cell);
+    }
+    barrier();
+    if lane < 2 {
+        add_wide(survey, FULLNESS + 2 * lane as usize, get(sums, lane));
+    } else if lane == 2 {
+        raise(survey, FULLNESS + 4, get(sums, 2));
+    }
+}
+
+/// Adds to a number of two words, the low one first.
+#[inline(always)]
+fn add_wide(words: &mut [u32], i: usize, value: u32) {
+    let old = add(words, i, value);
+    if old.wrapping_add(value) < old {
+        add(words, i + 1, 1);
+    }
+}
+
+/// Thread `i` writes the key of box `i`, and `i`.
+#[spirv(compute(threads(256)))]
+pub fn interval_keys(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] survey: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] keys: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] order: &mut [u32],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.frame.start[3] {
+        let set = set_of(&params.frame.start, i) as u32;
+        let b = at(boxes, i as usize);
+        put(keys, i as usize, key_intervals::key(params.own.method, set, &b, survey));
+        put(order, i as usize, i);
+    }
+}
+
+/// Thread `i` copies the box that is `i`-th in order.
+#[spirv(compute(threads(256)))]
+pub fn order_boxes(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] boxes: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] order: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] sorted: &mut [Aabb],
+) {
+    let i = group(id, n) * THREADS + lane;
+    if i < params.frame.start[3] {
+        put(sorted, i as usize, at(boxes, at(order, i as usize) as usize));
+    }
+}
+
+/// The place of a thread's box among all sorted ones, and whether there is one.
+#[inline(always)]
+fn asking(params: &Params<Intervals>, row: u32, group: u32, lane: u32) -> (u32, bool) {
+    let [set, _] = asks(params.own.method, params.own.kind, row);
+    let k = group * GROUP + lane;
+    (params.frame.start[set as usize] + k, k < params.frame.count[set as usize])
+}
+
+/// The interval of keys of a thread's box, an empty one where there is none; and the first place of
+/// its partners, as far as that is more than the interval says.
+#[inline(always)]
+fn partners(
+    params: &Params<Intervals>,
+    row: u32,
+    place: u32,
+    some: bool,
+    sorted: &[Aabb],
+    keys: &[u32],
+    survey: &[u32],
+) -> [u32; 3] {
+    if !some {
+        return [u32::MAX, 0, 0];
+    }
+    let (method, kind) = (params.own.method, params.own.kind);
+    let [_, asked] = asks(method, kind, row);
+    let (own, b) = (at(keys, place as usize), at(sorted, place as usize));
+    let [from, to] = interval(method, kind, row, asked, own, &b, survey);
+    [from, to, if kind == 1 { place + 1 } else { 0 }]
+}
+
+/// Whether cells are fuller than they may be.
+#[inline(always)]
+fn is_crowded(params: &Params<Intervals>, survey: &[u32]) -> bool {
+    let ([low, high], most) = ([at(survey, FULLNESS), at(survey, FULLNESS + 1)], params.own.most);
+    high > most[1] || (high == most[1] && low > most[0])
+}
+
+/// Workgroup `g` finds what the `g`-th group of a row is compared with, and lists the pieces of
+/// that work. Where cells are too full there is none, and the list says that it is too short.
+#[spirv(compute(threads(128)))]
+pub fn interval_work(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] counters: &mut [u32; 8],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] survey: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] work: &mut [u32],
+) {
+    let (own, row) = (group(id, n), params.own.row);
+    if lane == 0 {
+        set(counters, FROM, u32::MAX);
+        set(counters, TO, 0);
+    }
+    barrier();
+    let (place, some) = asking(params, row, own, lane);
+    let [from, to, _] = partners(params, row, place, some, sorted, keys, survey);
+    if from <= to {
+        lower_shared(counters, FROM, from);
+        raise_shared(counters, TO, to);
+    }
+    barrier();
+    let n_keys = params.frame.start[3];
+    let (least, greatest) = (get(counters, FROM), get(counters, TO));
+    if lane < 2 {
+        // No key is the greatest number.
+        let mut found = lower_bound(keys, n_keys, if lane == 0 { least } else { greatest + 1 });
+        if lane == 0 && params.own.kind == 1 {
+            // The first of the group asks from the second on.
+            found = found.max(place + 1);
+        }
+        set(counters, BEGIN + lane, found);
+    }
+    barrier();
+    let (begin, end) = (get(counters, BEGIN), get(counters, END));
+    let crowded = is_crowded(params, survey);
+    let some = begin < end && !crowded;
+    let n_chunks = if some { (end - begin).div_ceil(CHUNK) } else { 0 };
+    if lane == 0 && n_chunks > 0 {
+        set(counters, BASE, count(work, 0, n_chunks));
+    }
+    if lane == 0 && crowded {
+        raise(work, 0, u32::MAX);
+    }
+    barrier();
+    let base = get(counters, BASE);
+    for round in 0..n_chunks.div_ceil(GROUP) {
+        let c = round * GROUP + lane;
+        if c < n_chunks {
+            let first = begin + c * CHUNK;
+            let tiles = (end - first).min(CHUNK).div_ceil(GROUP);
+            let [a, b] = pack(row, tiles, own, first);
+            write_pair(work, params.dispatch.room_out, base + c, Pair { a, b });
+        }
+    }
+}
+
+/// A workgroup compares the boxes of a group with those of a chunk.
+#[spirv(compute(threads(128)))]
+pub fn interval_pairs(
+    #[spirv(workgroup_id)] id: UVec3,
+    #[spirv(num_workgroups)] n: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(workgroup)] boxes: &mut [Aabb; 128],
+    #[spirv(workgroup)] names: &mut [u32; 128],
+    #[spirv(workgroup)] hits: &mut [u32; 2048],
+    #[spirv(workgroup)] counters: &mut [u32; 8],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] params: &Params<Intervals>,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sorted: &[Aabb],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] keys: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] order: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] survey: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] work: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] pairs: &mut [u32],
+) {
+    let (own, groups) = (group(id, n), n.x * n.y);
+    let there = length(work, params.dispatch.room_in);
+    let left = if there > params.dispatch.first { there - params.dispatch.first } else { 0 };
+    let there = if is_crowded(params, survey) { 0 } else { left.min(params.dispatch.n) };
+    let n_keys = params.frame.start[3];
+    // One piece a workgroup and round.
+    for round in 0..decide::rounds(there, own, groups, 1) {
+        let piece = read_pair(work, params.dispatch.first + own + round * groups);
+        let [row, tiles, asks, first] = unpack([piece.a, piece.b]);
+        let (place, some) = asking(params, row, asks, lane);
+        let [from, to, after] = partners(params, row, place, some, sorted, keys, survey);
+        let query = if some { at(sorted, place as usize) } else { Aabb::EMPTY };
+        for tile in 0..tiles {
+            let begin = first + tile * GROUP;
+            let i = begin + lane;
+            // No interval holds the greatest number.
+            let (mut name, mut b) = (u32::MAX, Aabb::EMPTY);
+            if i < n_keys {
+                name = at(keys, i as usize);
+                b = at(sorted, i as usize);
+            }
+            set(names, lane, name);
+            set(boxes, lane, b);
+            if lane == 0 {
+                set(counters, HITS, 0);
+            }
+            barrier();
+            for c in 0..GROUP {
+                let name = get(names, c);
+                if name >= from
+                    && name <= to
+                    && begin + c >= after
+                    && query.overlaps(&get(boxes, c))
+                {
+                    let hit = add_shared(counters, HITS, 1);
+                    if hit < POOL {
+                        set(hits, hit, lane << 7 | c);
+                    } else {
+                        let pair = pair_of(params, row, place, begin + c, order);
+                        append(pairs, params.dispatch.room_out, pair);
+                    }
+                }
+            }
+            barrier();
+            let n_hits = get(counters, HITS).min(POOL);
+            if lane == 0 && n_hits > 0 {
+                set(counters, BASE, count(pairs, 0, n_hits));
+            }
+            barrier();
+            let base = get(counters, BASE);
+            for s in 0..POOL / GROUP {
+                let h = s * GROUP + lane;
+                if h >= n_hits {
+                    break;
+                }
+                let hit = get(hits, h);
+                let (place, _) = asking(params, row, asks, hit >> 7);
+                let pair = pair_of(params, row, place, begin + hit % GROUP, order);
+                write_pair(pairs, params.dispatch.room_out, base + h, pair);
+            }
+            barrier();
+        }
+    }
+}
+
+/// The ids of two boxes that overlap, from their places.
+#[inline(always)]
+fn pair_of(params: &Params<Intervals>, row: u32, asks: u32, asked: u32, order: &[u32]) -> Pair {
+    let (a, b) = (at(order, asks as usize), at(order, asked as usize));
+    let start = &params.frame.start;
+    if params.own.kind == 1 {
+        Pair::ordered(a - start[1], b - start[1])
+    } else if params.own.method == SWEEP_AND_PRUNE && row == 1 {
+        Pair { a: b, b: a - start[2] }
+    } else {
+        Pair { a, b: b - start[2] }
+    }
+}

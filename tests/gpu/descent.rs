@@ -1,0 +1,167 @@
+//! The kernels of simultaneous traversal, each by itself: cuts, their pairs, levels of pairs of
+//! nodes.
+
+use crate::pairs::radix_tree;
+use crate::scenes::check_pairs;
+use crate::support::{bytes, entries, read, room, run};
+use crate::twin::Twin;
+use ccd::gpu::Device;
+use ccd::gpu::bind::{CutNodes, CutPairs, ExpandPairs};
+use ccd::{Aabb, Pair};
+use ccd_core::broad_phase::block_bvh::sets;
+use ccd_core::layout::{Branch, Dispatch, LIST_HEADER, Node, NodeDescent, Params};
+use ccd_testkit::brute;
+use ccd_testkit::generate::uniform_boxes;
+
+pub const TESTS: crate::Tests = &[("cuts", check_cuts), ("levels_of_pairs", check_levels)];
+
+/// Words that count the pairs of each level.
+const LEVELS: usize = 256;
+const ROOM: u32 = 20_000;
+
+/// Binary trees over both sets of a kind.
+struct Trees {
+    twin: Twin,
+    kind: u32,
+    nodes: [Vec<u8>; 2],
+    branches: [Vec<u8>; 2],
+}
+
+impl Trees {
+    fn new(device: &Device, kind: u32, of: [&[Aabb]; 3]) -> Self {
+        let twin = Twin::new(of, |_, i| [i; 3]);
+        let [a, b] = sets(kind).map(|set| radix_tree(device, &twin, set, 2));
+        Self { twin, kind, nodes: [a.0, b.0], branches: [a.1, b.1] }
+    }
+
+    fn params(&self, kind: u32, own: NodeDescent, dispatch: Dispatch) -> Params<NodeDescent> {
+        Params { frame: self.twin.frame, dispatch, own: NodeDescent { kind, ..own } }
+    }
+
+    /// Nodes of the cut through one tree.
+    fn cut(&self, device: &Device, side: usize, nodes: u32) -> Vec<u32> {
+        let own = NodeDescent { nodes, ..NodeDescent::default() };
+        let p = self.params(sets(self.kind)[side] as u32, own, Dispatch::default());
+        let cut = vec![0; 4 * (LIST_HEADER + 1024)];
+        let kernel = CutNodes { branches: self.branches[side].clone(), cut };
+        let words: Vec<u32> = read(&run(device, kernel, &p, 1).cut);
+        words[LIST_HEADER..LIST_HEADER + words[0] as usize].to_vec()
+    }
+
+    /// The pairs of two cuts: how many were counted, and the list.
+    fn of_cuts(&self, device: &Device, nodes: u32, room_nodes: u32) -> (u32, Vec<u8>) {
+        let list = |cut: Vec<u32>| bytes(&[vec![cut.len() as u32, 0, 0, 0], cut].concat());
+        let [a_nodes, b_nodes] = self.nodes.clone();
+        let kernel = CutPairs {
+            a_nodes,
+            b_nodes,
+            a_cut: list(self.cut(device, 0, nodes)),
+            b_cut: list(self.cut(device, 1, nodes)),
+            levels: vec![0; 4 * LEVELS],
+            output: room(room_nodes.max(1)),
+        };
+        let own = NodeDescent { nodes, room_nodes, ..NodeDescent::default() };
+        let p = self.params(self.kind, own, Dispatch::default());
+        let done = run(device, kernel, &p, (nodes * nodes).div_ceil(256));
+        (read::<u32>(&done.levels)[0], done.output)
+    }
+}
+
+fn boxes(n: usize, by: f32) -> Vec<Aabb> {
+    uniform_boxes(n).iter().map(|b| b.inflated(by)).collect()
+}
+
+/// Every leaf is below one node of a cut, and cuts are as large as is wanted; their pairs are those
+/// that overlap.
+fn check_cuts(device: &Device) {
+    let few = boxes(900, 0.05);
+    let mut equal = vec![few[0]; 40];
+    equal.extend(&few[..5]);
+    for all in [&few[..], &few[..1], &few[..2], &equal] {
+        let trees = Trees::new(device, 0, [all, &[], &few[..300]]);
+        let branches: Vec<Branch> = read(&trees.branches[0]);
+        let (n, n_internal) = (all.len(), all.len() as u32 - 1);
+        for nodes in [1u32, 2, 7, 256, 1024] {
+            let cut = trees.cut(device, 0, nodes);
+            let mut below = vec![0; n];
+            for &node in &cut {
+                let (first, last) = branches
+                    .get(node as usize)
+                    .map_or((node - n_internal, node - n_internal), |b| (b.first, b.last));
+                (first..=last).for_each(|leaf| below[leaf as usize] += 1);
+            }
+            assert!(below.iter().all(|&times| times == 1), "{nodes} nodes over {n}: {cut:?}");
+            assert_eq!(cut.len(), n.min(nodes as usize), "{nodes} nodes over {n}");
+        }
+        let (a, b) = (trees.cut(device, 0, 50), trees.cut(device, 1, 50));
+        let [x, y]: [Vec<Node>; 2] = trees.nodes.each_ref().map(|nodes| read(nodes));
+        let overlap = |p: &Pair| x[p.a as usize].aabb().overlaps(&y[p.b as usize].aabb());
+        let all = a.iter().flat_map(|&a| b.iter().map(move |&b| Pair { a, b }));
+        let want: Vec<Pair> = all.filter(overlap).collect();
+        let (counted, list) = trees.of_cuts(device, 50, 5000);
+        assert_eq!(counted as usize, want.len());
+        check_pairs("pairs of cuts", want, entries(&list));
+        let (counted, short) = trees.of_cuts(device, 50, 0);
+        assert_eq!(read::<u32>(&short), [counted, 0, 0, 0, 0, 0], "written beyond the room");
+    }
+}
+
+/// Level by level down to all pairs of leaves that overlap, by either rule.
+fn check_levels(device: &Device) {
+    let some = boxes(700, 0.04);
+    let crowd = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 150];
+    for all in [&some[..], &some[..2], &some[..1], &crowd] {
+        let (a, b) = (&some[..400], all);
+        let want = [brute::pairs(a, b), brute::self_pairs(all)];
+        for (kind, of) in [(0, [a, &[], b]), (1, [&[], all, &[]])] {
+            let trees = Trees::new(device, kind, of);
+            for (larger, nodes) in [(0, 1), (1, 20)] {
+                let found = descend(device, &trees, larger, nodes);
+                check_pairs("by levels", want[kind as usize].clone(), found);
+            }
+        }
+    }
+}
+
+fn descend(device: &Device, trees: &Trees, larger: u32, nodes: u32) -> Vec<Pair> {
+    let (counted, mut list) = trees.of_cuts(device, nodes, ROOM);
+    let mut levels = vec![0u32; LEVELS];
+    levels[0] = counted;
+    let mut pairs = room(ROOM);
+    for level in 0..LEVELS as u32 - 1 {
+        if levels[level as usize] == 0 {
+            break;
+        }
+        let [a_nodes, b_nodes] = trees.nodes.clone();
+        let kernel = ExpandPairs {
+            a_nodes,
+            b_nodes,
+            input: list.clone(),
+            levels: bytes(&levels),
+            output: room(ROOM),
+            pairs: pairs.clone(),
+        };
+        let dispatch = Dispatch { n: 0, first: level, room_in: ROOM, room_out: ROOM };
+        let own = NodeDescent { larger, nodes, room_nodes: ROOM, kind: trees.kind };
+        let p = trees.params(trees.kind, own, dispatch);
+        let done = run(device, kernel.clone(), &p, 3);
+        let want: Vec<u32> = read(&done.levels);
+        // On some levels, lists that are too short: everything is counted, nothing is written
+        // beyond their ends; a list that was longer before keeps saying so.
+        if level % 5 == 2 {
+            let (output, pairs_before) = (bytes(&[7u32, 0, 0, 0, 0, 0]), bytes(&[0u32; 6]));
+            let short = ExpandPairs { output, pairs: pairs_before, ..kernel };
+            let own = NodeDescent { room_nodes: 0, ..own };
+            let p = trees.params(trees.kind, own, Dispatch { room_out: 0, ..dispatch });
+            let short = run(device, short, &p, 2);
+            assert_eq!(want, read::<u32>(&short.levels), "pairs of nodes counted beyond the room");
+            let most = want[level as usize + 1].max(7);
+            assert_eq!(read::<u32>(&short.output), [most, 0, 0, 0, 0, 0]);
+            let n_before = read::<u32>(&pairs)[0];
+            let n_found = read::<u32>(&done.pairs)[0] - n_before;
+            assert_eq!(read::<u32>(&short.pairs), [n_found, 0, 0, 0, 0, 0]);
+        }
+        (list, pairs, levels) = (done.output, done.pairs, want);
+    }
+    entries(&pairs)
+}

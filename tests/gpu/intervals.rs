@@ -1,0 +1,260 @@
+//! The kernels of sort and sweep, of a uniform grid and of brute force, each by itself: surveys,
+//! keys, pieces of work, pairs.
+
+use crate::scenes::check_pairs;
+use crate::support::{bytes, check_boxes, entries, list, read, room, run, zeros};
+use crate::twin::{Twin, union};
+use ccd::gpu::Device;
+use ccd::gpu::bind::{
+    IntervalKeys, IntervalPairs, IntervalWork, OrderBoxes, SurveyAxis, SurveyCells, SurveySides,
+};
+use ccd::{Aabb, Pair};
+use ccd_core::broad_phase::key_intervals::{
+    self, BRUTE_FORCE, CHUNK, FOUND, FULLNESS, GROUP, POOL, SIDE_UNITS, SURVEY_WORDS,
+    SWEEP_AND_PRUNE, UNIFORM_GRID, asks, rows, unpack,
+};
+use ccd_core::broad_phase::morton_key::{order_key, shared_word};
+use ccd_core::broad_phase::sweep_and_prune::Moments;
+use ccd_core::broad_phase::uniform_grid::Sizes;
+use ccd_core::layout::{Dispatch, Intervals, LIST_HEADER, Params};
+use ccd_testkit::brute;
+use ccd_testkit::generate::uniform_boxes;
+
+pub const TESTS: crate::Tests =
+    &[("surveys", check_surveys), ("intervals", check_intervals), ("crowds", check_crowds)];
+
+const METHODS: [u32; 3] = [BRUTE_FORCE, SWEEP_AND_PRUNE, UNIFORM_GRID];
+
+/// Boxes of which few overlap along one axis.
+fn long(n: usize) -> Vec<Aabb> {
+    let stretched = |b: &Aabb| Aabb {
+        min: [b.min[0], b.min[1], b.min[2] * 5.0],
+        max: [b.max[0], b.max[1], b.max[2] * 5.0],
+    };
+    uniform_boxes(n).iter().map(|b| stretched(&b.inflated(0.03))).collect()
+}
+
+fn survey_on_device(device: &Device, method: u32, twin: &Twin) -> Vec<u32> {
+    let (n, boxes, survey) =
+        (twin.boxes.len() as u32, bytes(&twin.boxes), zeros::<[u32; SURVEY_WORDS]>(1));
+    let p = |first| twin.plain(Dispatch { n, first, ..Dispatch::default() });
+    let survey = match method {
+        SWEEP_AND_PRUNE => run(device, SurveyAxis { boxes, survey }, &p(1), 1).survey,
+        UNIFORM_GRID => run(device, SurveySides { boxes, survey }, &p(0), 3).survey,
+        _ => survey,
+    };
+    let mut words: Vec<u32> = read(&survey);
+    assert_eq!(words.len(), SURVEY_WORDS);
+    let scene = union(twin.boxes.iter());
+    (0..6).for_each(|k| words[k] = shared_word(&scene, k));
+    words
+}
+
+fn check_surveys(device: &Device) {
+    for n in [1, 700, 5000] {
+        let boxes = long(n);
+        let twin = Twin::new([&[], &boxes, &[]], |_, i| [i; 3]);
+        let all = boxes.iter().fold(Moments::<f64>::none(), |all, b| all.merged(&Moments::of(b)));
+        let want = all.axes()[0] as u32;
+        assert_eq!(survey_on_device(device, SWEEP_AND_PRUNE, &twin)[FOUND], want, "axis of {n}");
+        assert!(n == 1 || want == 2, "the longest axis is the third");
+        let sides = &survey_on_device(device, UNIFORM_GRID, &twin)[FOUND..FOUND + 3];
+        for k in 0..3 {
+            let largest = boxes.iter().fold(Sizes::NONE, |all, b| all.merged(&Sizes::of(b)));
+            let want = order_key(largest.half[k]);
+            assert_eq!(sides[k], want, "largest side of {n} on axis {k}");
+        }
+        check_fullness(device, &boxes);
+    }
+}
+
+/// How full cells are, of two sets.
+fn check_fullness(device: &Device, boxes: &[Aabb]) {
+    let mut all = boxes.to_vec();
+    all.extend(vec![boxes[0]; 300]);
+    let (a, b) = all.split_at(boxes.len() / 3);
+    let of = sorted(device, UNIFORM_GRID, [a, b, &[]]);
+    let n = all.len();
+    let kernel = SurveyCells {
+        boxes: bytes(&of.twin.boxes),
+        keys: bytes(&of.keys),
+        survey: bytes(&of.survey),
+    };
+    let p = of.twin.plain(Dispatch::default());
+    let found: Vec<u32> = read(&run(device, kernel, &p, (n as u32).div_ceil(256)).survey);
+    let cells: Vec<u64> = of.keys.chunk_by(|a, b| a == b).map(|c| c.len() as u64).collect();
+    let wide = |at: usize| (found[at + 1] as u64) << 32 | found[at] as u64;
+    assert_eq!(wide(FULLNESS), cells.iter().map(|c| c * c).sum::<u64>(), "squares of {n}");
+    assert_eq!(found[FULLNESS + 4] as u64, cells.into_iter().max().unwrap(), "fullest of {n}");
+    let side = |b: &Aabb| Sizes::of(b).half.into_iter().fold(0.0, f32::max);
+    let largest = all.iter().map(side).fold(0.0, f32::max);
+    let want: f64 = all.iter().map(|b| (side(b) / largest * SIDE_UNITS) as f64).sum();
+    assert!((wide(FULLNESS + 2) as f64 - want).abs() <= 2.0 * n as f64, "mean side of {n}");
+    // A sum that exceeds a word.
+    let mut survey = of.survey.clone();
+    survey[FULLNESS] = u32::MAX;
+    let (boxes, keys) = (bytes(&of.twin.boxes), bytes(&of.keys));
+    let kernel = SurveyCells { boxes, keys, survey: bytes(&survey) };
+    let more: Vec<u32> = read(&run(device, kernel, &p, (n as u32).div_ceil(256)).survey);
+    assert_eq!(more[FULLNESS + 1], found[FULLNESS + 1] + 1);
+    // No work where cells are too full, and no pairs of what the list held before.
+    let asking = of.twin.frame.count[1].div_ceil(GROUP);
+    let done = |limit: u32| {
+        let dispatch = Dispatch { n: 1000, room_in: 1000, room_out: 1000, ..Dispatch::default() };
+        let kernel = IntervalWork {
+            sorted: bytes(&of.boxes),
+            keys: bytes(&of.keys),
+            survey: bytes(&found),
+            work: room(1000),
+        };
+        let mut p = params(&of.twin, dispatch, UNIFORM_GRID, 1, 0);
+        p.own.most = [limit, found[FULLNESS + 1]];
+        let work = run(device, kernel, &p, asking).work;
+        let kernel = IntervalPairs {
+            sorted: bytes(&of.boxes),
+            keys: bytes(&of.keys),
+            order: bytes(&of.order),
+            survey: bytes(&found),
+            work: work.clone(),
+            pairs: room(1000),
+        };
+        let pairs = run(device, kernel, &p, asking).pairs;
+        [read::<u32>(&work)[0], read::<u32>(&pairs)[0]]
+    };
+    let ([n_pieces, n_pairs], none) = (done(found[FULLNESS]), done(found[FULLNESS] - 1));
+    assert!(n_pieces > 0 && n_pieces < 1000 && n_pairs > 0, "{n_pieces}, {n_pairs}");
+    assert_eq!(none, [u32::MAX, 0]);
+}
+
+/// What the kernels need of boxes in order.
+struct Sorted {
+    twin: Twin,
+    survey: Vec<u32>,
+    keys: Vec<u32>,
+    order: Vec<u32>,
+    boxes: Vec<Aabb>,
+}
+
+fn params(twin: &Twin, dispatch: Dispatch, method: u32, kind: u32, row: u32) -> Params<Intervals> {
+    Params {
+        frame: twin.frame,
+        dispatch,
+        own: Intervals { method, kind, row, most: [u32::MAX; 2] },
+    }
+}
+
+fn sorted(device: &Device, method: u32, sets: [&[Aabb]; 3]) -> Sorted {
+    let twin = Twin::new(sets, |_, i| [i; 3]);
+    let n = twin.boxes.len();
+    let survey = survey_on_device(device, method, &twin);
+    let kernel = IntervalKeys {
+        boxes: bytes(&twin.boxes),
+        survey: bytes(&survey),
+        keys: zeros::<u32>(n),
+        order: zeros::<u32>(n),
+    };
+    let p = params(&twin, Dispatch::default(), method, 0, 0);
+    let done = run(device, kernel, &p, (n as u32).div_ceil(256));
+    let (found, mut order): (Vec<u32>, Vec<u32>) = (read(&done.keys), read(&done.order));
+    let start = twin.frame.start;
+    let set = |i: usize| (i as u32 >= start[1]) as u32 + (i as u32 >= start[2]) as u32;
+    let keys: Vec<u32> =
+        (0..n).map(|i| key_intervals::key(method, set(i), &twin.boxes[i], &survey)).collect();
+    assert!(order.iter().copied().eq(0..n as u32));
+    // Quotients of a device may be off, so that a box is in a neighbouring cell.
+    let far = |k: u32| keys[k as usize].abs_diff(found[k as usize]);
+    assert!(method == UNIFORM_GRID || found == keys, "keys of method {method}");
+    let moved = (0..n as u32).filter(|&k| far(k) != 0).count();
+    assert!(moved <= n / 100, "{moved} of {n} boxes are in another cell");
+    order.sort_by_key(|&i| found[i as usize]);
+    let (boxes, order_bytes) = (bytes(&twin.boxes), bytes(&order));
+    let kernel = OrderBoxes { boxes, order: order_bytes, sorted: zeros::<Aabb>(n) };
+    let done = run(device, kernel, &twin.plain(Dispatch::default()), (n as u32).div_ceil(256));
+    let boxes: Vec<Aabb> = order.iter().map(|&i| twin.boxes[i as usize]).collect();
+    check_boxes("sorted box", &boxes, &read(&done.sorted));
+    let keys = order.iter().map(|&i| found[i as usize]).collect();
+    Sorted { twin, survey, keys, order, boxes }
+}
+
+/// The pieces of work of a kind, and the pairs that they give.
+fn found(device: &Device, method: u32, kind: u32, of: &Sorted) -> Vec<Pair> {
+    let (room_out, mut all) = (100_000, Vec::new());
+    for row in 0..rows(method, kind) {
+        let asking = of.twin.frame.count[asks(method, kind, row)[0] as usize];
+        let p = |room_out| {
+            let dispatch = Dispatch { room_out, ..Dispatch::default() };
+            params(&of.twin, dispatch, method, kind, row)
+        };
+        let kernel = |work| IntervalWork {
+            sorted: bytes(&of.boxes),
+            keys: bytes(&of.keys),
+            survey: bytes(&of.survey),
+            work,
+        };
+        let done = run(device, kernel(room(room_out)), &p(room_out), asking.div_ceil(GROUP));
+        let pieces = entries(&done.work);
+        for piece in &pieces {
+            let [of_row, tiles, group, first] = unpack([piece.a, piece.b]);
+            assert!(
+                of_row == row && group < asking.div_ceil(GROUP) && first < of.keys.len() as u32
+            );
+            assert!(tiles <= CHUNK / GROUP, "{tiles} groups in a piece");
+        }
+        let short = run(device, kernel(room(3)), &p(1), asking.div_ceil(GROUP));
+        let words: Vec<u32> = read(&short.work);
+        assert_eq!(words[0] as usize, pieces.len(), "pieces counted beyond the room");
+        assert!(words[LIST_HEADER + 2..].iter().all(|&w| w == 0), "written beyond the room");
+        all.extend(pieces);
+    }
+    let mut pairs = Vec::new();
+    let n = all.len() as u32;
+    let work = |first, n, pairs| {
+        let dispatch = Dispatch { n, first, room_in: all.len() as u32, room_out };
+        let kernel = IntervalPairs {
+            sorted: bytes(&of.boxes),
+            keys: bytes(&of.keys),
+            order: bytes(&of.order),
+            survey: bytes(&of.survey),
+            work: list(&all),
+            pairs,
+        };
+        run(device, kernel, &params(&of.twin, dispatch, method, kind, 0), 5).pairs
+    };
+    // In two parts, as a dispatch of many pieces is.
+    for (first, n) in [(0, n / 3), (n / 3, n)] {
+        pairs.extend(entries(&work(first, n, room(room_out))));
+    }
+    if !pairs.is_empty() {
+        let counted: Vec<u32> = read(&work(0, n, bytes(&[u32::MAX, 0, 0, 0])));
+        assert_eq!(counted[..4], [pairs.len() as u32 - 1, 0, 1, 0], "a count that runs over");
+    }
+    pairs
+}
+
+fn check_intervals(device: &Device) {
+    let boxes = long(3000);
+    let mut unequal = boxes[..900].to_vec();
+    unequal.push(union(boxes.iter()));
+    unequal.push(boxes[7]);
+    for boxes in [&boxes[..], &boxes[..2], &unequal] {
+        let (a, b) = boxes.split_at(boxes.len() / 3);
+        for method in METHODS {
+            let within = sorted(device, method, [&[], boxes, &[]]);
+            let want = brute::self_pairs(boxes);
+            check_pairs("within one set", want, found(device, method, 1, &within));
+            let between = sorted(device, method, [a, &boxes[..2], b]);
+            let want = brute::pairs(a, b);
+            check_pairs("between two sets", want, found(device, method, 0, &between));
+        }
+    }
+}
+
+/// So many pairs at once that the pool of a workgroup overflows: every box overlaps every other.
+fn check_crowds(device: &Device) {
+    let boxes = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 300];
+    const { assert!(GROUP * GROUP > POOL) };
+    for method in METHODS {
+        let within = sorted(device, method, [&[], &boxes, &[]]);
+        check_pairs("crowd", brute::self_pairs(&boxes), found(device, method, 1, &within));
+    }
+}
