@@ -43,10 +43,10 @@ struct type_15 {
     member: type_14,
 }
 
-@group(0) @binding(0) 
-var<storage> params: type_15;
 @group(0) @binding(2) 
 var<storage> order: type_11;
+@group(0) @binding(0) 
+var<storage> params: type_15;
 @group(0) @binding(1) 
 var<storage> contacts: type_11;
 @group(0) @binding(3) 

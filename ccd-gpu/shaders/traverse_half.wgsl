@@ -25,80 +25,99 @@ struct type_9 {
     member_1: u32,
 }
 
-struct type_13 {
-    member: array<type_8>,
+struct type_11 {
+    member: array<u32>,
 }
 
 struct type_15 {
-    member: array<f32, 3>,
+    member: array<array<u32, 4>, 8>,
     member_1: u32,
-    member_2: array<f32, 3>,
+    member_2: u32,
     member_3: u32,
+    member_4: u32,
+}
+
+struct type_16 {
+    member: type_7,
+    member_1: type_8,
+    member_2: type_15,
 }
 
 struct type_17 {
-    member: array<type_15>,
+    member: type_16,
 }
 
-struct type_19 {
-    member: array<u32, 96>,
+struct type_20 {
+    member: vec2<f32>,
+    member_1: vec2<f32>,
+    member_2: vec2<f32>,
+}
+
+struct type_22 {
+    member: array<type_20>,
+}
+
+struct type_23 {
+    member: vec4<u32>,
+    member_1: vec4<u32>,
+    member_2: vec4<u32>,
+    member_3: vec4<u32>,
+}
+
+struct type_25 {
+    member: array<type_23>,
+}
+
+struct type_27 {
+    member: array<u32, 31>,
     member_1: u32,
     member_2: u32,
     member_3: bool,
 }
 
-struct type_20 {
-    member: u32,
-}
-
-struct type_21 {
-    member: type_7,
-    member_1: type_8,
-    member_2: type_20,
-}
-
-struct type_22 {
-    member: type_21,
-}
-
-struct type_25 {
+struct type_30 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<storage> params: type_22;
+var<storage> params: type_17;
 @group(0) @binding(1) 
-var<storage> nodes: type_17;
+var<storage> leaves: type_22;
 @group(0) @binding(2) 
-var<storage> branches: type_13;
+var<storage> order: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> pairs: type_25;
+var<storage> nodes: type_25;
+@group(0) @binding(4) 
+var<storage, read_write> pairs: type_30;
 
 fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
-    var local: type_19;
-    var phi_225_: type_9;
-    var phi_226_: type_9;
-    var phi_249_: type_9;
-    var phi_281_: u32;
-    var phi_312_: bool;
-    var phi_342_: bool;
+    var local: type_27;
+    var phi_197_: type_9;
+    var phi_198_: type_9;
+    var phi_221_: type_9;
+    var phi_286_: bool;
+    var phi_301_: bool;
+    var phi_309_: bool;
+    var phi_324_: bool;
+    var phi_336_: u32;
+    var phi_337_: bool;
+    var phi_338_: u32;
+    var phi_339_: bool;
+    var phi_343_: u32;
+    var phi_351_: u32;
     var phi_352_: bool;
-    var phi_382_: bool;
-    var phi_392_: u32;
-    var phi_393_: bool;
-    var phi_394_: u32;
-    var phi_395_: bool;
-    var phi_399_: u32;
-    var phi_409_: u32;
-    var phi_410_: bool;
-    var phi_411_: u32;
-    var phi_412_: bool;
-    var phi_416_: u32;
-    var phi_423_: bool;
-    var phi_430_: bool;
-    var phi_494_: type_9;
-    var phi_541_: type_9;
-    var phi_572_: bool;
+    var phi_353_: u32;
+    var phi_354_: bool;
+    var phi_358_: u32;
+    var phi_363_: bool;
+    var phi_368_: bool;
+    var phi_380_: u32;
+    var phi_396_: u32;
+    var phi_398_: bool;
+    var phi_399_: bool;
+    var phi_455_: type_9;
+    var phi_509_: type_9;
+    var phi_540_: bool;
     var id_2: vec3<u32>;
     var n_2: vec3<u32>;
     var lane_2: u32;
@@ -106,198 +125,220 @@ fn function_(id_1: vec3<u32>, n_1: vec3<u32>, lane_1: u32) {
     id_2 = id_1;
     n_2 = n_1;
     lane_2 = lane_1;
-    let _e21 = id_2;
-    let _e22 = n_2;
-    let _e23 = lane_2;
-    let _e34 = ((((_e21.y * _e22.x) + _e21.x) * 128u) + _e23);
-    let _e37 = params.member.member_1.member;
-    if (_e34 < _e37) {
-        let _e41 = params.member.member_1.member_1;
-        let _e42 = (_e41 + _e34);
-        let _e46 = params.member.member.member[1u];
-        let _e50 = nodes.member[((_e46 - 1u) + _e42)];
-        let _e57 = params.member.member.member[1u];
-        let _e58 = (_e57 - 1u);
-        local = type_19(array<u32, 96>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
-        phi_225_ = type_9(0u, _e58);
+    let _e24 = id_2;
+    let _e25 = n_2;
+    let _e26 = lane_2;
+    let _e38 = ((((_e24.y * _e25.x) + _e24.x) * 128u) + _e26);
+    let _e41 = params.member.member_1.member;
+    if (_e38 < _e41) {
+        let _e45 = params.member.member_1.member_1;
+        let _e46 = (_e45 + _e38);
+        let _e51 = params.member.member_2.member[0u][1u];
+        let _e54 = leaves.member[(_e51 + _e46)];
+        let _e70 = params.member.member.member[1u];
+        let _e73 = params.member.member_1.member_3;
+        let _e75 = order.member[_e46];
+        local = type_27(array<u32, 31>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, true);
+        phi_197_ = type_9(0u, (_e70 - 1u));
         loop {
-            let _e61 = phi_225_;
-            if (_e61.member < _e61.member_1) {
-                phi_226_ = type_9((_e61.member + 1u), _e61.member_1);
-                phi_249_ = type_9(1u, _e61.member);
+            let _e79 = phi_197_;
+            if (_e79.member < _e79.member_1) {
+                phi_198_ = type_9((_e79.member + 1u), _e79.member_1);
+                phi_221_ = type_9(1u, _e79.member);
             } else {
-                phi_226_ = _e61;
-                phi_249_ = type_9(0u, type_9().member_1);
+                phi_198_ = _e79;
+                phi_221_ = type_9(0u, type_9().member_1);
             }
-            let _e73 = phi_226_;
-            let _e75 = phi_249_;
-            if (bitcast<i32>(_e75.member) != 0i) {
-                let _e80 = local.member_3;
-                if _e80 {
-                    let _e82 = local.member_2;
-                    let _e84 = branches.member[_e82];
-                    if (_e84.member >= _e58) {
-                        phi_281_ = (_e84.member - _e58);
+            let _e91 = phi_198_;
+            let _e93 = phi_221_;
+            if (bitcast<i32>(_e93.member) != 0i) {
+                let _e98 = local.member_3;
+                if _e98 {
+                    let _e100 = local.member_2;
+                    let _e102 = nodes.member[_e100];
+                    let _e139 = (_e46 == 4294967295u);
+                    if _e139 {
+                        phi_286_ = true;
                     } else {
-                        phi_281_ = _e84.member;
+                        phi_286_ = (_e102.member_2.w > _e46);
                     }
-                    let _e91 = phi_281_;
-                    let _e94 = nodes.member[_e84.member];
-                    let _e97 = nodes.member[_e84.member_1];
-                    if (_e42 == 4294967295u) {
-                        phi_312_ = true;
+                    let _e143 = phi_286_;
+                    if _e143 {
+                        phi_301_ = ((((((bitcast<f32>(_e102.member.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e102.member_1.x))) && (bitcast<f32>(_e102.member.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e102.member_1.y))) && (bitcast<f32>(_e102.member.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e102.member_1.z)));
                     } else {
-                        phi_312_ = (_e91 > _e42);
+                        phi_301_ = false;
                     }
-                    let _e101 = phi_312_;
-                    if _e101 {
-                        phi_342_ = ((((((_e94.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e94.member_2[0])) && (_e94.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e94.member_2[1])) && (_e94.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e94.member_2[2]));
+                    let _e156 = phi_301_;
+                    if _e139 {
+                        phi_309_ = true;
                     } else {
-                        phi_342_ = false;
+                        phi_309_ = ((_e102.member_3.w & 2147483647u) > _e46);
                     }
-                    let _e128 = phi_342_;
-                    if (_e42 == 4294967295u) {
-                        phi_352_ = true;
+                    let _e159 = phi_309_;
+                    if _e159 {
+                        phi_324_ = ((((((bitcast<f32>(_e102.member_2.x) <= _e54.member_1.y) && (_e54.member.x <= bitcast<f32>(_e102.member_3.x))) && (bitcast<f32>(_e102.member_2.y) <= _e54.member_2.x)) && (_e54.member.y <= bitcast<f32>(_e102.member_3.y))) && (bitcast<f32>(_e102.member_2.z) <= _e54.member_2.y)) && (_e54.member_1.x <= bitcast<f32>(_e102.member_3.z)));
                     } else {
-                        phi_352_ = (_e84.member_3 > _e42);
+                        phi_324_ = false;
                     }
-                    let _e133 = phi_352_;
-                    if _e133 {
-                        phi_382_ = ((((((_e97.member[0] <= _e50.member_2[0]) && (_e50.member[0] <= _e97.member_2[0])) && (_e97.member[1] <= _e50.member_2[1])) && (_e50.member[1] <= _e97.member_2[1])) && (_e97.member[2] <= _e50.member_2[2])) && (_e50.member[2] <= _e97.member_2[2]));
-                    } else {
-                        phi_382_ = false;
-                    }
-                    let _e160 = phi_382_;
-                    if _e128 {
-                        if (_e94.member_3 == 4294967295u) {
-                            phi_392_ = _e94.member_1;
-                            phi_393_ = false;
+                    let _e172 = phi_324_;
+                    let _e174 = ((_e102.member.w & 2147483648u) != 0u);
+                    let _e176 = ((_e102.member_1.w & 2147483648u) != 0u);
+                    if _e156 {
+                        if _e174 {
+                            phi_336_ = (_e102.member.w & 2147483647u);
+                            phi_337_ = false;
                         } else {
-                            phi_392_ = u32();
-                            phi_393_ = true;
+                            phi_336_ = u32();
+                            phi_337_ = true;
                         }
-                        let _e165 = phi_392_;
-                        let _e167 = phi_393_;
-                        phi_394_ = _e165;
-                        phi_395_ = _e167;
+                        let _e179 = phi_336_;
+                        let _e181 = phi_337_;
+                        phi_338_ = _e179;
+                        phi_339_ = _e181;
                     } else {
-                        phi_394_ = u32();
-                        phi_395_ = true;
+                        phi_338_ = u32();
+                        phi_339_ = true;
                     }
-                    let _e169 = phi_394_;
-                    let _e171 = phi_395_;
-                    if _e171 {
-                        phi_399_ = 4294967295u;
+                    let _e183 = phi_338_;
+                    let _e185 = phi_339_;
+                    if _e185 {
+                        phi_343_ = 4294967295u;
                     } else {
-                        phi_399_ = _e169;
+                        phi_343_ = _e183;
                     }
-                    let _e173 = phi_399_;
-                    if _e160 {
-                        if (_e97.member_3 == 4294967295u) {
-                            phi_409_ = _e97.member_1;
-                            phi_410_ = false;
+                    let _e187 = phi_343_;
+                    if _e172 {
+                        if _e176 {
+                            phi_351_ = (_e102.member_1.w & 2147483647u);
+                            phi_352_ = false;
                         } else {
-                            phi_409_ = u32();
-                            phi_410_ = true;
+                            phi_351_ = u32();
+                            phi_352_ = true;
                         }
-                        let _e178 = phi_409_;
-                        let _e180 = phi_410_;
-                        phi_411_ = _e178;
-                        phi_412_ = _e180;
+                        let _e190 = phi_351_;
+                        let _e192 = phi_352_;
+                        phi_353_ = _e190;
+                        phi_354_ = _e192;
                     } else {
-                        phi_411_ = u32();
-                        phi_412_ = true;
+                        phi_353_ = u32();
+                        phi_354_ = true;
                     }
-                    let _e182 = phi_411_;
-                    let _e184 = phi_412_;
-                    if _e184 {
-                        phi_416_ = 4294967295u;
+                    let _e194 = phi_353_;
+                    let _e196 = phi_354_;
+                    if _e196 {
+                        phi_358_ = 4294967295u;
                     } else {
-                        phi_416_ = _e182;
+                        phi_358_ = _e194;
                     }
-                    let _e186 = phi_416_;
-                    if _e128 {
-                        phi_423_ = !((_e94.member_3 == 4294967295u));
+                    let _e198 = phi_358_;
+                    if _e156 {
+                        phi_363_ = !(_e174);
                     } else {
-                        phi_423_ = false;
+                        phi_363_ = false;
                     }
-                    let _e191 = phi_423_;
-                    if _e160 {
-                        phi_430_ = !((_e97.member_3 == 4294967295u));
+                    let _e201 = phi_363_;
+                    if _e172 {
+                        phi_368_ = !(_e176);
                     } else {
-                        phi_430_ = false;
+                        phi_368_ = false;
                     }
-                    let _e196 = phi_430_;
-                    if _e191 {
-                        local.member_2 = _e84.member;
-                        if _e196 {
-                            let _e217 = local.member_1;
-                            local.member[_e217] = _e84.member_1;
-                            let _e222 = local.member_1;
-                            local.member_1 = (_e222 + 1u);
-                        }
-                    } else {
-                        if _e196 {
-                            local.member_2 = _e84.member_1;
-                        } else {
-                            let _e198 = local.member_1;
-                            if (_e198 > 0u) {
-                                let _e203 = local.member_1;
-                                local.member_1 = (_e203 - 1u);
-                                let _e206 = local.member_1;
-                                let _e209 = local.member[_e206];
-                                local.member_2 = _e209;
+                    let _e204 = phi_368_;
+                    if _e201 {
+                        if _e204 {
+                            let _e206 = ((_e102.member_3.w & 2147483648u) != 0u);
+                            if _e206 {
+                                phi_380_ = _e102.member_1.w;
                             } else {
-                                local.member_3 = false;
+                                phi_380_ = _e102.member.w;
+                            }
+                            let _e208 = phi_380_;
+                            let _e210 = local.member_1;
+                            local.member[_e210] = _e208;
+                            let _e215 = local.member_1;
+                            local.member_1 = (_e215 + 1u);
+                            if _e206 {
+                                phi_396_ = _e102.member.w;
+                            } else {
+                                phi_396_ = _e102.member_1.w;
+                            }
+                            let _e218 = phi_396_;
+                            local.member_2 = _e218;
+                            phi_398_ = false;
+                        } else {
+                            phi_398_ = true;
+                        }
+                        let _e221 = phi_398_;
+                        phi_399_ = _e221;
+                    } else {
+                        phi_399_ = true;
+                    }
+                    let _e223 = phi_399_;
+                    if _e223 {
+                        if _e201 {
+                            local.member_2 = _e102.member.w;
+                        } else {
+                            if _e204 {
+                                local.member_2 = _e102.member_1.w;
+                            } else {
+                                let _e225 = local.member_1;
+                                if (_e225 > 0u) {
+                                    let _e230 = local.member_1;
+                                    local.member_1 = (_e230 - 1u);
+                                    let _e233 = local.member_1;
+                                    let _e236 = local.member[_e233];
+                                    local.member_2 = _e236;
+                                } else {
+                                    local.member_3 = false;
+                                }
                             }
                         }
                     }
-                    let _e226 = params.member.member_1.member_3;
-                    if (_e173 != 4294967295u) {
-                        if (_e50.member_1 < _e173) {
-                            phi_494_ = type_9(_e50.member_1, _e173);
+                    if (_e187 != 4294967295u) {
+                        let _e242 = order.member[_e187];
+                        if (_e75 < _e242) {
+                            phi_455_ = type_9(_e75, _e242);
                         } else {
-                            phi_494_ = type_9(_e173, _e50.member_1);
+                            phi_455_ = type_9(_e242, _e75);
                         }
-                        let _e232 = phi_494_;
-                        let _e236 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e236 + 1u) < _e236) {
-                            let _e240 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e247 = phi_455_;
+                        let _e251 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e251 + 1u) < _e251) {
+                            let _e255 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e236 < _e226) {
-                            let _e242 = (2u * _e236);
-                            atomicStore((&pairs.member[(4u + _e242)]), _e232.member);
-                            atomicStore((&pairs.member[(_e242 + 5u)]), _e232.member_1);
+                        if (_e251 < _e73) {
+                            let _e257 = (2u * _e251);
+                            atomicStore((&pairs.member[(4u + _e257)]), _e247.member);
+                            atomicStore((&pairs.member[(_e257 + 5u)]), _e247.member_1);
                         }
                     }
-                    let _e249 = params.member.member_1.member_3;
-                    if (_e186 != 4294967295u) {
-                        if (_e50.member_1 < _e186) {
-                            phi_541_ = type_9(_e50.member_1, _e186);
+                    if (_e198 != 4294967295u) {
+                        let _e264 = order.member[_e198];
+                        if (_e75 < _e264) {
+                            phi_509_ = type_9(_e75, _e264);
                         } else {
-                            phi_541_ = type_9(_e186, _e50.member_1);
+                            phi_509_ = type_9(_e264, _e75);
                         }
-                        let _e255 = phi_541_;
-                        let _e259 = atomicAdd((&pairs.member[0u]), 1u);
-                        if ((_e259 + 1u) < _e259) {
-                            let _e263 = atomicAdd((&pairs.member[2u]), 1u);
+                        let _e269 = phi_509_;
+                        let _e273 = atomicAdd((&pairs.member[0u]), 1u);
+                        if ((_e273 + 1u) < _e273) {
+                            let _e277 = atomicAdd((&pairs.member[2u]), 1u);
                         }
-                        if (_e259 < _e249) {
-                            let _e265 = (2u * _e259);
-                            atomicStore((&pairs.member[(4u + _e265)]), _e255.member);
-                            atomicStore((&pairs.member[(_e265 + 5u)]), _e255.member_1);
+                        if (_e273 < _e73) {
+                            let _e279 = (2u * _e273);
+                            atomicStore((&pairs.member[(4u + _e279)]), _e269.member);
+                            atomicStore((&pairs.member[(_e279 + 5u)]), _e269.member_1);
                         }
                     }
                 }
-                phi_572_ = _e80;
+                phi_540_ = _e98;
             } else {
-                phi_572_ = false;
+                phi_540_ = false;
             }
-            let _e271 = phi_572_;
+            let _e285 = phi_540_;
             continue;
             continuing {
-                phi_225_ = _e73;
-                break if !(_e271);
+                phi_197_ = _e91;
+                break if !(_e285);
             }
         }
     }

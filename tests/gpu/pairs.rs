@@ -5,13 +5,13 @@ use crate::scenes::check_pairs;
 use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, twin, zeros};
 use crate::twin::{Twin, union};
 use ccd::gpu::bind::{
-    BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs,
+    Branches, FarNodes, FilterEdgeEdge, FilterVertexFace, ListCandidates, NearNodes, NodePairs,
     TraverseAgainst, TraverseHalf,
 };
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path};
+use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Params, Path, WideNode};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -192,43 +192,37 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
 }
 
-/// Every leaf is below every node that says so, children split the range of their parent, boxes are
-/// those of the leaves, no leaf comes twice.
-fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin) {
-    let n_internal = branches.len() as u32;
-    let range = |node: u32| match branches.get(node as usize) {
-        Some(branch) => (branch.first, branch.last),
-        None => (node - n_internal, node - n_internal),
-    };
-    let mut seen = vec![false; branches.len() + 1];
-    let mut stack = vec![0u32];
-    while let Some(node) = stack.pop() {
-        let (first, last) = range(node);
-        let want = union((first..=last).map(|leaf| twin.node(0, 1, leaf)));
-        check_boxes("node", &[want], &[nodes[node as usize].aabb()]);
-        match branches.get(node as usize) {
-            Some(branch) => {
-                let (left, right) = (range(branch.left), range(branch.right));
-                assert_eq!(
-                    (left.0, left.1 + 1, right.1),
-                    (first, right.0, last),
-                    "children of node {node}"
-                );
-                assert_eq!(
-                    (nodes[node as usize].left, nodes[node as usize].right),
-                    (branch.left, branch.right)
-                );
-                stack.extend([branch.left, branch.right]);
-            }
-            None => {
-                assert!(
-                    nodes[node as usize].is_leaf()
-                        && nodes[node as usize].left == twin.order[first as usize]
-                );
-                assert!(
-                    !std::mem::replace(&mut seen[first as usize], true),
-                    "leaf {first} comes twice"
-                );
+/// Children split the range of their parent where its keys first differ, boxes are those of the
+/// leaves, no leaf comes twice. Equal keys differ by their place.
+fn check_tree(nodes: &[WideNode], keys: &[u32], twin: &Twin) {
+    let n = keys.len();
+    assert_eq!(nodes.len(), n - 1);
+    let key = |i: u32| (keys[i as usize] as u64) << 32 | i as u64;
+    let common = |i: u32, j: u32| (key(i) ^ key(j)).leading_zeros();
+    let mut seen = vec![false; n];
+    let mut stack = vec![(0, 0, n as u32 - 1)];
+    while let Some((node, first, last)) = stack.pop() {
+        let record = &nodes[node as usize];
+        let split = record.split;
+        assert!(
+            (first..last).contains(&split)
+                && common(first, split) > common(first, last)
+                && common(split + 1, last) > common(first, last),
+            "split {split} of {first} to {last}"
+        );
+        let smaller = split - first < last - split;
+        assert_eq!(record.last, last | if smaller { WideNode::MARK } else { 0 }, "node {node}");
+        for (child, first, last, own) in [
+            (record.left, first, split, record.left_box()),
+            (record.right, split + 1, last, record.right_box()),
+        ] {
+            let want = union((first..=last).map(|leaf| twin.node(0, 1, leaf)));
+            check_boxes("node", &[want], &[own]);
+            if first == last {
+                assert_eq!(child, first | WideNode::MARK);
+                assert!(!std::mem::replace(&mut seen[first as usize], true), "{first} comes twice");
+            } else {
+                stack.push((child, first, last));
             }
         }
     }
@@ -246,34 +240,36 @@ fn check_radix_tree(device: &Device) {
     for boxes in [&uniform[..], &uniform[..2], &equal, &mixed] {
         let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
         let n = boxes.len() as u32;
-        let groups = n.div_ceil(256);
         let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
         let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
         let Branches { branches, .. } =
-            run(device, kernel, &twin.plain(Dispatch::default()), groups);
+            run(device, kernel, &twin.plain(Dispatch::default()), n.div_ceil(256));
         // The highest level that has more than one node, and one above it, must give the same
         // boxes.
         for level in [1, 2] {
             let own = Blocks { level, ..twin.tree };
             let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
-            let kernel = BranchBoxes {
+            let kernel = NearNodes {
                 branches: branches.clone(),
                 block_nodes: bytes(&twin.nodes),
-                leaves: bytes(&twin.leaves),
-                nodes: zeros::<Node>(2 * n as usize - 1),
+                nodes: zeros::<WideNode>(n as usize - 1),
+                far: zeros::<u32>(LIST_HEADER + n as usize),
             };
-            let BranchBoxes { nodes, .. } = run(device, kernel, &p, groups);
-            check_tree(&read(&nodes), &read(&branches), &twin);
-            check_traversal(device, &twin, boxes, &nodes, &branches);
+            let NearNodes { nodes, far, .. } = run(device, kernel, &p, n.div_ceil(256));
+            let is_far = |b: &Branch| b.first / 256 != b.last / 256;
+            let want = read::<Branch>(&branches).iter().filter(|b| is_far(b)).count();
+            assert_eq!(read::<u32>(&far)[0] as usize, want, "far nodes of {n}");
+            let (branches, block_nodes) = (branches.clone(), bytes(&twin.nodes));
+            // One workgroup, so that it takes several rounds.
+            let kernel = FarNodes { branches, block_nodes, far, nodes };
+            let FarNodes { nodes, .. } = run(device, kernel, &p, 1);
+            check_tree(&read(&nodes), &sorted, &twin);
+            check_traversal(device, &twin, boxes, &nodes);
             let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
             let p = twin.plain(Dispatch { n: 300, room_out: 200_000, ..Dispatch::default() });
-            let (nodes, branches, pairs) = (nodes, branches.clone(), room(200_000));
-            let done = run(
-                device,
-                TraverseAgainst { boxes: bytes(&loose), nodes, branches, pairs },
-                &p,
-                3,
-            );
+            let (order, pairs) = (bytes(&twin.order), room(200_000));
+            let kernel = TraverseAgainst { boxes: bytes(&loose), order, nodes, pairs };
+            let done = run(device, kernel, &p, 3);
             check_pairs("loose boxes", brute::pairs(&loose, boxes), entries(&done.pairs));
         }
     }
@@ -281,12 +277,14 @@ fn check_radix_tree(device: &Device) {
 
 /// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
 /// that runs over.
-fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], branches: &[u8]) {
+fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8]) {
     let (n, room_out) = (boxes.len() as u32, 200_000);
     let all = brute::self_pairs(boxes);
     let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
-        let kernel = TraverseHalf { nodes: nodes.to_vec(), branches: branches.to_vec(), pairs };
-        run(device, kernel, &twin.plain(dispatch), dispatch.n.div_ceil(128)).pairs
+        let (leaves, order) = (bytes(&twin.nodes), bytes(&twin.order));
+        let kernel = TraverseHalf { leaves, order, nodes: nodes.to_vec(), pairs };
+        let p = Params { frame: twin.frame, dispatch, own: twin.tree };
+        run(device, kernel, &p, dispatch.n.div_ceil(128)).pairs
     };
     let mut found = Vec::new();
     for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {

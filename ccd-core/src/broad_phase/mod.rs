@@ -9,3 +9,4 @@ pub mod radix_tree;
 pub mod refit;
 pub mod stack_traversal;
 pub mod swept_box;
+pub mod wide_nodes;

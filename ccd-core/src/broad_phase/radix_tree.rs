@@ -95,6 +95,12 @@ pub fn branch<C: Code>(i: u32, n: u32, codes: &[C]) -> Branch {
     }
 }
 
+/// Last leaf below the left child: an internal left child has the number of its last leaf.
+#[inline(always)]
+pub fn last_of_left(branch: &Branch, n_internal: u32) -> u32 {
+    if branch.left >= n_internal { branch.left - n_internal } else { branch.left }
+}
+
 /// Writes `i` as the parent of its children. Every node but the root has one parent, so no word is
 /// written twice.
 #[inline]

@@ -105,15 +105,18 @@ macro_rules! kernels {
             /// Internal nodes of a binary tree over set 1, the only one.
             Branches = branches(256 threads, 0 barriers, f32, Params<Plain>)
                 { keys: Read, branches: Write }
-            /// Boxes of a binary tree.
-            BranchBoxes = branch_boxes(256 threads, 0 barriers, f32, Params<Blocks>)
-                { branches: Read, block_nodes: Read, leaves: Read, nodes: Write }
+            /// The same with the boxes of their children, if these are near; a list of the others.
+            NearNodes = near_nodes(256 threads, 4 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, nodes: Write, far: Write }
+            /// Those of the list.
+            FarNodes = far_nodes(128 threads, 0 barriers, f32, Params<Blocks>)
+                { branches: Read, block_nodes: Read, far: Read, nodes: Write }
             /// Leaves of a binary tree that overlap each other.
-            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Plain>)
-                { nodes: Read, branches: Read, pairs: Write }
+            TraverseHalf = traverse_half(128 threads, 0 barriers, f32, Params<Blocks>)
+                { leaves: Read, order: Read, nodes: Read, pairs: Write }
             /// Loose boxes that overlap leaves of a binary tree.
             TraverseAgainst = traverse_against(128 threads, 0 barriers, f32, Params<Plain>)
-                { boxes: Read, nodes: Read, branches: Read, pairs: Write }
+                { boxes: Read, order: Read, nodes: Read, pairs: Write }
             /// Pairs of nodes to pairs of their children.
             NodePairs = node_pairs(128 threads, 6 barriers, f32, Params<Blocks>)
                 { nodes: Read, input: Read, output: Write }
@@ -213,6 +216,7 @@ impl Id {
 
 const _: () = assert!(Id::SortCount.threads() == sort::THREADS);
 const _: () = assert!(Id::SortScatter.threads() == sort::THREADS);
+const _: () = assert!(Id::NearNodes.threads() == crate::broad_phase::wide_nodes::TILE);
 const _: () = assert!(Id::NodePairs.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::ListCandidates.threads() == crate::broad_phase::block_bvh::THREADS);
 const _: () = assert!(Id::FilterVertexFace.threads() == crate::broad_phase::block_bvh::THREADS);

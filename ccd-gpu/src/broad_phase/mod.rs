@@ -209,6 +209,9 @@ impl Buffers {
         let kind = if count[1] > 0 { 1 } else { 0 };
         let frame = blocks.frame();
         blocks.clear_bounds(recorder);
+        if let Some(Binary { tree, .. }) = tree {
+            tree.clear(recorder);
+        }
         recorder.stage("codes");
         blocks.sort(recorder, &frame, frame.start[3]);
         recorder.stage("build");
@@ -217,8 +220,10 @@ impl Buffers {
             tree.build(recorder, &frame, blocks);
             recorder.stage("pairs");
             match loose {
-                None => tree.self_pairs(recorder, &frame, pairs),
-                Some(loose) => tree.pairs_with(recorder, &frame, loose, count[0], pairs),
+                None => tree.self_pairs(recorder, &frame, blocks, pairs),
+                Some(loose) => {
+                    tree.pairs_with(recorder, &frame, blocks, (loose, count[0]), pairs)
+                }
             }
             return;
         }
