@@ -3,6 +3,7 @@
 pub mod block_bvh;
 mod block_levels;
 mod radix_tree;
+mod upload;
 
 use crate::bind::ListCandidates;
 use crate::device::Device;
@@ -13,8 +14,6 @@ use crate::recorder::{Bench, Recorder, Timing, submit};
 use block_bvh::{Pass, Tree};
 use ccd_core::Aabb;
 use ccd_core::layout::Pair;
-use ccd_core::math::aabb::GREATEST;
-use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use radix_tree::RadixTree;
 use wgpu::BufferUsages as U;
@@ -99,8 +98,21 @@ impl BroadPhase {
 
     /// Fills the list of pairs; returns their number.
     fn find(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<u32, Error> {
+        self.send(sets)?;
+        self.again()
+    }
+
+    /// Checks boxes and sends them to the device, by all threads of the host, and waits until they
+    /// are there: [`BroadPhase::again`] then finds their pairs.
+    pub fn send_boxes(&mut self, boxes: &[Aabb<f32>]) -> Result<(), Error> {
+        self.send([&[], boxes, &[]])?;
+        self.device.queue().submit([]);
+        self.device.wait()
+    }
+
+    fn send(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<(), Error> {
         for boxes in sets {
-            check_boxes(boxes, GREATEST as f64)?;
+            upload::check(boxes)?;
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
@@ -112,24 +124,22 @@ impl BroadPhase {
             Some(buffers) => buffers,
             slot => slot.insert(Buffers::new(device, self.method, count)?),
         };
-        let queue = device.queue();
+        let send = |to, at, boxes| upload::send(device, to, at, boxes);
         match &buffers.tree {
             None => {
                 let mut at = 0;
                 for boxes in sets {
-                    queue.write_buffer(&buffers.blocks.boxes, at, bytemuck::cast_slice(boxes));
+                    send(&buffers.blocks.boxes, at, boxes);
                     at += size_of_val(boxes) as u64;
                 }
             }
-            Some(Binary { loose: None, .. }) => {
-                queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[1]))
-            }
+            Some(Binary { loose: None, .. }) => send(&buffers.blocks.boxes, 0, sets[1]),
             Some(Binary { loose: Some(loose), .. }) => {
-                queue.write_buffer(loose, 0, bytemuck::cast_slice(sets[0]));
-                queue.write_buffer(&buffers.blocks.boxes, 0, bytemuck::cast_slice(sets[2]));
+                send(loose, 0, sets[0]);
+                send(&buffers.blocks.boxes, 0, sets[2]);
             }
         }
-        self.again()
+        Ok(())
     }
 
     /// The last call once more, with the boxes as they are on the device; returns the number of
@@ -221,9 +231,7 @@ impl Buffers {
             recorder.stage("pairs");
             match loose {
                 None => tree.self_pairs(recorder, &frame, blocks, pairs),
-                Some(loose) => {
-                    tree.pairs_with(recorder, &frame, blocks, (loose, count[0]), pairs)
-                }
+                Some(loose) => tree.pairs_with(recorder, &frame, blocks, (loose, count[0]), pairs),
             }
             return;
         }
