@@ -49,7 +49,7 @@ pub fn wide_node(
 
 #[inline(always)]
 fn child(node: u32, n_internal: u32) -> u32 {
-    if node >= n_internal { node - n_internal | WideNode::MARK } else { node }
+    if node >= n_internal { (node - n_internal) | WideNode::MARK } else { node }
 }
 
 /// Nodes that a workgroup makes together.
