@@ -1,9 +1,9 @@
 //! The kernels of simultaneous traversal, each by itself: cuts, their pairs, levels of pairs of
 //! nodes.
 
-use crate::pairs::radix_tree;
 use crate::scenes::check_pairs;
 use crate::support::{bytes, entries, read, room, run};
+use crate::trees::radix_tree;
 use crate::twin::Twin;
 use ccd::gpu::Device;
 use ccd::gpu::bind::{CutNodes, CutPairs, ExpandPairs};

@@ -8,9 +8,10 @@
 //!    directions;
 //! 2. the edges in one of them form a single loop, the rim, which has no vertex twice;
 //! 3. there is a direction `d` with `d . n > 0` for every normal `n`;
-//! 4. the rim, projected along `d`, is a simple polygon: edges without a common vertex do not touch.
-//!    (Then neighbours have only their vertex in common: if they overlapped, the end of the shorter
-//!    one would bring the edge after it in touch with the longer one. A triangle is simple by 3.)
+//! 4. the rim, projected along `d`, is a simple polygon: edges without a common vertex do not
+//!    touch. (Then neighbours have only their vertex in common: if they overlapped, the end of the
+//!    shorter one would bring the edge after it in touch with the longer one. A triangle is simple
+//!    by 3.)
 //!
 //! Then projection is one-to-one on the region, so that features without a common vertex, which
 //! are apart as sets of points of the region, are apart in the plane and therefore in space.
@@ -38,16 +39,16 @@
 //! ```
 //! `d` is `(s, r, 1)` with the axes turned so that the last is the largest; the projection is
 //! `(x - s z, y - r z)`, exact for any numbers `s` and `r`. Twice the area of a triangle is a
-//! quadratic in time, whose three Bernstein values bound it: all positive beyond rounding. Two edges
-//! of the rim are apart throughout if a direction in the plane separates them at both ends.
+//! quadratic in time, whose three Bernstein values bound it: all positive beyond rounding. Two
+//! edges of the rim are apart throughout if a direction in the plane separates them at both ends.
 //!
 //! # The bound
 //! `u = 2^-53`, `M` the greatest component of a position less the origin of the region. A position
 //! less the origin is off by `u M`, the product with a slope (at most 1) and the sum add `u M` and
 //! `2 u M`, and the error of the factor `u M`: a projected coordinate is off by at most `5 u M`;
 //! `e = 8 u M`. For two differences of projected points with components up to `L`, each off by
-//! `2 e + u L`, a sum or difference of two products is off by `4 L (2 e + u L)`, and by `6 u L^2` of
-//! its own, and half the sum of two of those by `2 u L^2` more: `8 L e + 12 u L^2`, and terms of
+//! `2 e + u L`, a sum or difference of two products is off by `4 L (2 e + u L)`, and by `6 u L^2`
+//! of its own, and half the sum of two of those by `2 u L^2` more: `8 L e + 12 u L^2`, and terms of
 //! second order below `16 e^2`. The code doubles it. Along a direction `w` a point is off by
 //! `5 u |w| M` and by `3 u |w| M'` of its own, with `M'` the greatest projected coordinate, at most
 //! `2 M` to first order: two of them by `22 u |w| M`, and the code takes `32 u |w| M`. Underflow

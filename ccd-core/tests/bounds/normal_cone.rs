@@ -1,5 +1,6 @@
 //! Regions that are certified not to touch themselves do not, by exact arithmetic on all pairs of
-//! their features; regions that touch are not certified, also where all normals are in a half space.
+//! their features; regions that touch are not certified, also where all normals are in a half
+//! space.
 
 use crate::common::exact::{Contact, contact};
 use crate::common::random::Random;

@@ -36,8 +36,8 @@ pub trait Order: Debug + Send + Sync {
     }
 
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
-    /// A box may have several leaves, of which no two are ever emitted with each other, if the order
-    /// does not outlast motion.
+    /// A box may have several leaves, of which no two are ever emitted with each other, if the
+    /// order does not outlast motion.
     fn sort(
         &mut self,
         threads: &Threads,

@@ -24,7 +24,7 @@ pub fn check(boxes: &[Aabb]) -> Result<(), Error> {
             .chunks(share)
             .map(|part| scope.spawn(|| check_boxes(part, GREATEST as f64)))
             .collect();
-        parts.into_iter().map(|part| part.join().unwrap_or_else(|e| resume(e))).collect()
+        parts.into_iter().map(|part| part.join().unwrap_or_else(resume)).collect()
     });
     // The first by number, whichever thread was first.
     for (first, result) in (0..).step_by(share).zip(checked) {
