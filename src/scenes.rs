@@ -81,7 +81,7 @@ pub fn debris_boxes() -> Vec<Aabb<f32>> {
     const LARGEST: f32 = 0.3372;
     let make = |i: u32| {
         let of = |k: u32| unit(origin(7).wrapping_add(16 * i + k));
-        // From a wall, the left one or the right one, inward; up from the floor; along the corridor.
+        // Inward from either wall, up from the floor, along the corridor.
         let inward = 0.5 * of(0) * of(1);
         let x = if of(2) < 0.5 { inward } else { 1.0 - inward };
         let centre = [x, of(3) * of(4), 8.0 * of(5)];

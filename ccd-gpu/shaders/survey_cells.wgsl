@@ -68,10 +68,10 @@ struct type_25 {
 
 @group(0) @binding(2) 
 var<storage> keys: type_11;
-@group(0) @binding(1) 
-var<storage> boxes: type_19;
 @group(0) @binding(0) 
 var<storage> params: type_22;
+@group(0) @binding(1) 
+var<storage> boxes: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> survey: type_25;
 var<workgroup> sums: array<atomic<u32>, 4>;

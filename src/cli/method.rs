@@ -1,4 +1,5 @@
-//! Options that choose how pairs are found, and `ccd list`, which says what there is to choose from.
+//! Options that choose how pairs are found, and `ccd list`, which says what there is to choose
+//! from.
 
 use super::{Failure, Outcome, output};
 use ccd::{
@@ -17,7 +18,8 @@ pub struct MethodOptions {
     #[arg(hide_possible_values = true)]
     broad_phase: Option<BroadPhaseMethod>,
     /// How a tree is built; implies --broad-phase tree, as do the other options of trees
-    #[arg(long, value_name = "NAME", value_parser = named::<Builder>(), hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = named::<Builder>())]
+    #[arg(hide_possible_values = true)]
     builder: Option<Builder>,
     /// How pairs are found in a tree
     #[arg(long, value_name = "NAME", value_parser = named::<Traversal>())]

@@ -54,7 +54,7 @@ fn check_surveys(device: &Device) {
     for n in [1, 700, 5000] {
         let boxes = long(n);
         let twin = Twin::new([&[], &boxes, &[]], |_, i| [i; 3]);
-        let all = boxes.iter().fold(Moments::<f64>::none(), |all, b| all.merged(&Moments::of(b)));
+        let all = Moments::<f64>::of(0, boxes.len(), &boxes);
         let want = all.axes()[0] as u32;
         assert_eq!(survey_on_device(device, SWEEP_AND_PRUNE, &twin)[FOUND], want, "axis of {n}");
         assert!(n == 1 || want == 2, "the longest axis is the third");

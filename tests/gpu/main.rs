@@ -18,6 +18,7 @@ mod scenes;
 mod sorts;
 mod support;
 mod tangential;
+mod trees;
 mod twin;
 mod units;
 
@@ -83,6 +84,7 @@ fn main() {
             kernels::TESTS,
             sorts::TESTS,
             pairs::TESTS,
+            trees::TESTS,
             listed::TESTS,
             intervals::TESTS,
             descent::TESTS,

@@ -1,17 +1,14 @@
-//! The kernels that find pairs, by blocks and by the binary tree, each by itself against brute
+//! The kernels that find pairs, each by itself against brute
 //! force; and the broad phase made of them.
 
 use crate::scenes::check_pairs;
-use crate::support::{bytes, check_boxes, entries, list, paths, read, room, run, twin, zeros};
-use crate::twin::{Twin, union};
-use ccd::gpu::bind::{
-    BranchBoxes, Branches, FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs,
-    TraverseFull, TraverseHalf,
-};
+use crate::support::{bytes, entries, list, paths, read, room, run, twin};
+use crate::twin::Twin;
+use ccd::gpu::bind::{FilterEdgeEdge, FilterVertexFace, ListCandidates, NodePairs};
 use ccd::gpu::{BroadPhase, Device};
 use ccd::{Aabb, BroadPhaseMethod, Pair, Verdict};
 use ccd_core::broad_phase::block_bvh;
-use ccd_core::layout::{Blocks, Branch, Dispatch, LIST_HEADER, Node, Params, Path, Queries};
+use ccd_core::layout::{LIST_HEADER, Path};
 use ccd_testkit::brute;
 use ccd_testkit::generate::{Step, uniform_boxes};
 
@@ -20,7 +17,6 @@ pub const TESTS: crate::Tests = &[
     ("counts", check_counts),
     ("candidates", check_candidates),
     ("filters", check_filters),
-    ("radix_tree", check_radix_tree),
     ("uniform_boxes", |device| ccd::every("gpu").for_each(|m| check_uniform(device, m))),
 ];
 
@@ -189,163 +185,6 @@ fn verdict(step: &Step, kind: u32, pair: Pair, paths: &[Path]) -> Verdict<f64> {
     let (x0, x1) = (x(|p| p.t0), x(|p| p.t1));
     let kind = if kind == 0 { Kind::VertexFace } else { Kind::EdgeEdge };
     decide::pair(kind, step.mesh.vertices_of(kind, pair), [&x0, &x1], 0.0)
-}
-
-/// Every leaf is below every node that says so, children split the range of their parent, boxes are
-/// those of the leaves, no leaf comes twice.
-fn check_tree(nodes: &[Node], branches: &[Branch], twin: &Twin, set: usize) {
-    let n_internal = branches.len() as u32;
-    let range = |node: u32| match branches.get(node as usize) {
-        Some(branch) => (branch.first, branch.last),
-        None => (node - n_internal, node - n_internal),
-    };
-    let mut seen = vec![false; branches.len() + 1];
-    let mut stack = vec![0u32];
-    while let Some(node) = stack.pop() {
-        let (first, last) = range(node);
-        let want = union((first..=last).map(|leaf| twin.node(0, set, leaf)));
-        check_boxes("node", &[want], &[nodes[node as usize].aabb()]);
-        match branches.get(node as usize) {
-            Some(branch) => {
-                let (left, right) = (range(branch.left), range(branch.right));
-                assert_eq!(
-                    (left.0, left.1 + 1, right.1),
-                    (first, right.0, last),
-                    "children of node {node}"
-                );
-                assert_eq!(
-                    (nodes[node as usize].left, nodes[node as usize].right),
-                    (branch.left, branch.right)
-                );
-                stack.extend([branch.left, branch.right]);
-            }
-            None => {
-                assert!(
-                    nodes[node as usize].is_leaf()
-                        && nodes[node as usize].left
-                            == twin.order[(twin.frame.start[set] + first) as usize]
-                                - twin.frame.start[set]
-                );
-                assert!(
-                    !std::mem::replace(&mut seen[first as usize], true),
-                    "leaf {first} comes twice"
-                );
-            }
-        }
-    }
-    assert!(seen.iter().all(|&s| s), "a leaf is missing");
-}
-
-/// The kernels of the binary tree, one after the other, on boxes in general position and on boxes
-/// of which many have one code.
-fn check_radix_tree(device: &Device) {
-    let uniform: Vec<Aabb> = uniform_boxes(5000).iter().map(|b| b.inflated(0.01)).collect();
-    let equal = vec![Aabb { min: [0.0; 3], max: [1.0; 3] }; 70];
-    let mut mixed = uniform[..400].to_vec();
-    mixed.extend(uniform[..400].iter().map(|b| Aabb { min: b.min, max: b.min }));
-    mixed.extend(vec![uniform[7]; 90]);
-    let loose: Vec<Aabb> = uniform[1000..1300].iter().map(|b| b.inflated(0.02)).collect();
-    for boxes in [&uniform[..], &uniform[..2], &equal, &mixed] {
-        let twin = Twin::new([&[], boxes, &[]], |_, i| [i; 3]);
-        // The highest level that has more than one node, and one above it, must give the same
-        // boxes.
-        for level in [1, 2] {
-            let (nodes, branches) = radix_tree(device, &twin, 1, level);
-            check_tree(&read(&nodes), &read(&branches), &twin, 1);
-            check_traversal(device, &twin, boxes, &nodes, &branches);
-        }
-        // As the second set of two, of which the first stays loose.
-        let twin = Twin::new([&loose, &[], boxes], |_, i| [i; 3]);
-        let (nodes, branches) = radix_tree(device, &twin, 2, 2);
-        check_tree(&read(&nodes), &read(&branches), &twin, 2);
-        let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
-        check_pairs("loose boxes", brute::pairs(&loose, boxes), found);
-    }
-    // A tree of one leaf.
-    let twin = Twin::new([&loose, &[], &uniform[1000..1001]], |_, i| [i; 3]);
-    let (nodes, branches) = radix_tree(device, &twin, 2, 1);
-    let found = traverse_full(device, &twin, 0, &nodes, &branches, loose.len() as u32);
-    assert!(!found.is_empty());
-    check_pairs("one leaf", brute::pairs(&loose, &uniform[1000..1001]), found);
-}
-
-/// Nodes and branches of the binary tree over a set.
-pub fn radix_tree(device: &Device, twin: &Twin, set: usize, level: u32) -> (Vec<u8>, Vec<u8>) {
-    let n = twin.frame.count[set];
-    let groups = n.div_ceil(256);
-    let sorted: Vec<u32> = twin.order.iter().map(|&i| twin.keys[i as usize]).collect();
-    let own = Blocks { kind: set as u32, level, ..twin.tree };
-    let p = Params { frame: twin.frame, dispatch: Dispatch::default(), own };
-    let kernel = Branches { keys: bytes(&sorted), branches: zeros::<Branch>(n as usize - 1) };
-    let Branches { branches, .. } = run(device, kernel, &p, groups);
-    let kernel = BranchBoxes {
-        branches: branches.clone(),
-        block_nodes: bytes(&twin.nodes),
-        leaves: bytes(&twin.leaves),
-        nodes: zeros::<Node>(2 * n as usize - 1),
-    };
-    (run(device, kernel, &p, groups).nodes, branches)
-}
-
-/// What queries of the first set of a kind find, in the order of input and in that of leaves, which
-/// is the same.
-fn traverse_full(
-    device: &Device,
-    twin: &Twin,
-    kind: u32,
-    nodes: &[u8],
-    branches: &[u8],
-    n: u32,
-) -> Vec<Pair> {
-    let [mut by_input, mut by_leaves] = [0, 1].map(|sorted| {
-        let mut found = Vec::new();
-        // In two parts, as a dispatch of many queries is.
-        for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-            let dispatch = Dispatch { n, first, room_in: 0, room_out: 200_000 };
-            let p = Params { frame: twin.frame, dispatch, own: Queries { kind, sorted } };
-            let kernel = TraverseFull {
-                boxes: bytes(&twin.boxes),
-                order: bytes(&twin.order),
-                nodes: nodes.to_vec(),
-                branches: branches.to_vec(),
-                pairs: room(200_000),
-            };
-            found.extend(entries(&run(device, kernel, &p, n.div_ceil(128)).pairs));
-        }
-        found
-    });
-    by_input.sort_unstable();
-    by_leaves.sort_unstable();
-    assert!(by_input == by_leaves, "another order of queries, other pairs");
-    by_leaves
-}
-
-/// Overlaps of the boxes of a tree, in two parts, as a dispatch of many queries is; and a count
-/// that runs over.
-fn check_traversal(device: &Device, twin: &Twin, boxes: &[Aabb], nodes: &[u8], branches: &[u8]) {
-    let (n, room_out) = (boxes.len() as u32, 200_000);
-    let all = brute::self_pairs(boxes);
-    let traverse = |dispatch: Dispatch, pairs: Vec<u8>| {
-        let kernel = TraverseHalf { nodes: nodes.to_vec(), branches: branches.to_vec(), pairs };
-        run(device, kernel, &twin.plain(dispatch), dispatch.n.div_ceil(128)).pairs
-    };
-    let mut found = Vec::new();
-    for (first, n) in [(0, n / 3), (n / 3, n - n / 3)] {
-        found.extend(entries(&traverse(
-            Dispatch { n, first, room_in: 0, room_out },
-            room(room_out),
-        )));
-    }
-    check_pairs("overlaps by a tree", all.clone(), found);
-    let found = traverse_full(device, twin, 1, nodes, branches, n);
-    check_pairs("overlaps by queries of all", all.clone(), found);
-    let pairs = traverse(Dispatch { n, ..Dispatch::default() }, bytes(&[u32::MAX, 0, 0, 0]));
-    let wrapped = !all.is_empty() as u32;
-    assert_eq!(
-        read::<u32>(&pairs),
-        [(all.len() as u32).wrapping_sub(1), 0, wrapped, 0],
-        "a count that runs over"
-    );
 }
 
 fn check_uniform(device: &Device, method: BroadPhaseMethod) {

@@ -3,10 +3,10 @@
 //!
 //! Nodes of a level are in an array. The first that is free is the target; every thread finds how
 //! far its own node is from it, the least distance is found by comparing in pairs ([`nearer`]), and
-//! the nearest node changes places with the one after the target. So the array becomes a sequence of
-//! pairs, from which the next level is made; a node that is left over goes there as it is. The paper
-//! does not say how far boxes are from each other; here it is the distance of their centres, because
-//! boxes that overlap would all be at none.
+//! the nearest node changes places with the one after the target. So the array becomes a sequence
+//! of pairs, from which the next level is made; a node that is left over goes there as it is. The
+//! paper does not say how far boxes are from each other; here it is the distance of their centres,
+//! because boxes that overlap would all be at none.
 
 use crate::math::aabb::Aabb;
 

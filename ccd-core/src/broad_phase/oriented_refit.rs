@@ -1,5 +1,5 @@
-//! Meet: oriented boxes of internal nodes from the leaves up, each around those of its children; the
-//! second child to arrive at a node computes it [Gottschalk 1996], [Karras 2012].
+//! Meet: oriented boxes of internal nodes from the leaves up, each around those of its children;
+//! the second child to arrive at a node computes it [Gottschalk 1996], [Karras 2012].
 //!
 //! ```text
 //!          around 3 and 4 (second to arrive)
@@ -13,8 +13,8 @@
 //! below it, so that a fit takes a constant time a node and a tree can be refitted; it is looser,
 //! and holds all of the boxes below. Passing boxes between threads is as in [`super::refit`].
 //!
-//! Cost: an eigenproblem an internal node, some hundred times the union of two boxes. When to choose
-//! it: see [`crate::math::obb`].
+//! Cost: an eigenproblem an internal node, some hundred times the union of two boxes. When to
+//! choose it: see [`crate::math::obb`].
 
 use crate::kernel::Words;
 use crate::kernel::memory::at;

@@ -21,8 +21,8 @@ use crate::layout::Node;
 use crate::math::aabb::Aabb;
 use crate::model::method::Descent;
 
-/// A node of the first tree and one of the second, or two of one tree, of which the first is left of
-/// the second or the same.
+/// A node of the first tree and one of the second, or two of one tree, of which the first is left
+/// of the second or the same.
 pub type NodePair = [u32; 2];
 
 /// No pair.

@@ -12,12 +12,12 @@
 //! level 2+                |                equal codes part by the bits of their index
 //! ```
 //!
-//! Every place makes one node, on the level where it appears first: the node that it splits, between
-//! its two neighbours on that list. Changed here: a node that a level does not split has but one
-//! child there, and the paper removes such chains afterwards; here a place that has one leaf to
-//! either side leaves the lists, because nothing asks for it any more, and the others make a node on
-//! their own level only. With that the lists are together two to four times as long as there are
-//! leaves, rather than as many times as a code has bits.
+//! Every place makes one node, on the level where it appears first: the node that it splits,
+//! between its two neighbours on that list. Changed here: a node that a level does not split has
+//! but one child there, and the paper removes such chains afterwards; here a place that has one
+//! leaf to either side leaves the lists, because nothing asks for it any more, and the others make
+//! a node on their own level only. With that the lists are together two to four times as long as
+//! there are leaves, rather than as many times as a code has bits.
 
 use crate::broad_phase::node_numbering::branch_over;
 use crate::broad_phase::radix_tree::Code;
@@ -27,16 +27,16 @@ use crate::layout::Branch;
 /// Levels that there may be: bits of a code of two words, and of an index.
 pub const MAX_LEVELS: usize = 96;
 
-/// The level at which leaf `i` and the next part; `i < n - 1`. Equal codes part by their indices, as
-/// in [`radix_tree`](super::radix_tree).
+/// The level at which leaf `i` and the next part; `i < n - 1`. Equal codes part by their indices,
+/// as in [`radix_tree`](super::radix_tree).
 #[inline(always)]
 pub fn level<C: Code>(i: usize, codes: &[C]) -> u32 {
     let common = at(codes, i).common(at(codes, i + 1));
     if common < C::BITS { common } else { C::BITS + (i as u32 ^ (i as u32 + 1)).leading_zeros() }
 }
 
-/// The last level on whose list place `i` is, from the levels of all places: after that there is one
-/// leaf to either side of it.
+/// The last level on whose list place `i` is, from the levels of all places: after that there is
+/// one leaf to either side of it.
 #[inline(always)]
 pub fn last_level(i: usize, levels: &[u32]) -> u32 {
     let mut last = at(levels, i);

@@ -10,9 +10,9 @@ use crate::math::aabb::Aabb;
 
 /// Nodes that a stack has room for. Of two children a traversal goes on with the one that has fewer
 /// leaves, at most half of those of both, so that with `h` nodes on the stack it is in a subtree of
-/// at most `n / 2^h` leaves: a node is taken from the stack at the height at which it was put there.
-/// The node that it is at is internal and has at least two leaves, hence `2^(h + 1) <= n < 2^31`,
-/// and `h` is 29 at most, for any tree, however deep.
+/// at most `n / 2^h` leaves: a node is taken from the stack at the height at which it was put
+/// there. The node that it is at is internal and has at least two leaves, hence `2^(h + 1) <= n <
+/// 2^31`, and `h` is 29 at most, for any tree, however deep.
 pub const MAX_HEIGHT: usize = 31;
 
 /// A traversal between two of its steps.

@@ -17,11 +17,11 @@
 //! ([`finds`]). So every pair is found once, and both sets must share the axis.
 //!
 //! Cost: a sort, then for every box as many tests as boxes begin inside its interval: of `n` boxes
-//! with sides `s` in a scene of length `l` that is `n s / l`, so twice as many boxes take four times
-//! as long. Nothing but the order is built, so it is the least work for up to some ten thousand
-//! boxes that are small beside the scene, and for scenes that are long in one direction. From frame
-//! to frame a sequential sort of nearly sorted boxes is cheap [Cohen 1995]; here the order is made
-//! anew, in parallel.
+//! with sides `s` in a scene of length `l` that is `n s / l`, so twice as many boxes take four
+//! times as long. Nothing but the order is built, so it is the least work for up to some ten
+//! thousand boxes that are small beside the scene, and for scenes that are long in one direction.
+//! From frame to frame a sequential sort of nearly sorted boxes is cheap [Cohen 1995]; here the
+//! order is made anew, in parallel.
 
 use crate::broad_phase::morton_key::order_key;
 use crate::kernel::memory::at;

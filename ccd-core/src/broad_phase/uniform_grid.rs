@@ -4,7 +4,8 @@
 //! ```text
 //!   +-----+-----+-----+     cells are numbered along x, then y, then z, so that three of them in a
 //!   |  >  |  >  |  >  |     row are one run of the sorted boxes: `o` looks at two cells of its own
-//!   +-----+-----+-----+     row and, of nine rows, at the four that come after it (`>`); what is in
+//!   +-----+-----+-----+     row and, of nine rows, at the four that come after it (`>`); what is
+//!   in
 //!   |     |  o  |  >  |     its own cell and after it in the order, too
 //!   +-----+-----+-----+
 //!   |     |     |     |     (one layer; of the layer above all three rows, of that below none)

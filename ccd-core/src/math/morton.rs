@@ -61,8 +61,8 @@ impl MortonGrid {
     }
 
     /// The box in units of two cells from the origin of the grid: what heuristics measure where
-    /// squares of the coordinates themselves would overflow or vanish. The grid must be over a scene
-    /// that holds `b`; 0 if that has no size.
+    /// squares of the coordinates themselves would overflow or vanish. The grid must be over a
+    /// scene that holds `b`; 0 if that has no size.
     #[inline(always)]
     pub fn in_cells(&self, b: &Aabb<f32>) -> Aabb<f32> {
         let mut out = Aabb::EMPTY;

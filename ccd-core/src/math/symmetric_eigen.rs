@@ -9,11 +9,11 @@
 //!                            off the matrix
 //! ```
 //!
-//! Of three rows one reflection is enough. A step is one of QL with Wilkinson's shift, never formed:
-//! its first rotation, of the last two axes, is that of the shifted matrix, and the second, of the
-//! first two, takes away the entry that the first has put into the corner. It brings the entry
-//! nearest the top to zero, with the third power of its size; where an entry vanishes, a rotation
-//! of the other two axes is left.
+//! Of three rows one reflection is enough. A step is one of QL with Wilkinson's shift, never
+//! formed: its first rotation, of the last two axes, is that of the shifted matrix, and the second,
+//! of the first two, takes away the entry that the first has put into the corner. It brings the
+//! entry nearest the top to zero, with the third power of its size; where an entry vanishes, a
+//! rotation of the other two axes is left.
 //!
 //! Cost: about 60 operations a step, mostly three to five steps. For the axes of oriented boxes,
 //! where a basis must come out whatever goes in. Changed from the source: entries are negligible

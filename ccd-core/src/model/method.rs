@@ -54,8 +54,8 @@ pub enum Builder {
     Lbvh,
     /// From sorted Morton codes by lists of the levels at which neighbours split [Lauterbach 2009].
     SplitLists,
-    /// Bottom up, every node with its nearest free neighbour [Tian and Wan]: takes a time that grows
-    /// with the square of the number of boxes.
+    /// Bottom up, every node with its nearest free neighbour [Tian and Wan]: takes a time that
+    /// grows with the square of the number of boxes.
     NearestPair {
         /// Most boxes that it is used for; more are refused.
         limit: u32,

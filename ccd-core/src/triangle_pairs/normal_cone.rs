@@ -9,7 +9,9 @@
 //! 2. the edges in one of them form a single loop, the rim, which has no vertex twice;
 //! 3. there is a direction `d` with `d . n > 0` for every normal `n`;
 //! 4. the rim, projected along `d`, is a simple polygon: edges without a common vertex do not
-//!    touch, neighbours have only their vertex in common.
+//!    touch. (Then neighbours have only their vertex in common: if they overlapped, the end of the
+//!    shorter one would bring the edge after it in touch with the longer one. A triangle is simple
+//!    by 3.)
 //!
 //! Then projection is one-to-one on the region, so that features without a common vertex, which
 //! are apart as sets of points of the region, are apart in the plane and therefore in space.
@@ -37,17 +39,16 @@
 //! ```
 //! `d` is `(s, r, 1)` with the axes turned so that the last is the largest; the projection is
 //! `(x - s z, y - r z)`, exact for any numbers `s` and `r`. Twice the area of a triangle is a
-//! quadratic in time, whose three Bernstein values bound it: all positive beyond rounding. Two edges
-//! of the rim are apart throughout if a direction in the plane separates them at both ends. Two
-//! neighbours are if the turn between them keeps its sign, or their angle stays obtuse.
+//! quadratic in time, whose three Bernstein values bound it: all positive beyond rounding. Two
+//! edges of the rim are apart throughout if a direction in the plane separates them at both ends.
 //!
 //! # The bound
 //! `u = 2^-53`, `M` the greatest component of a position less the origin of the region. A position
 //! less the origin is off by `u M`, the product with a slope (at most 1) and the sum add `u M` and
 //! `2 u M`, and the error of the factor `u M`: a projected coordinate is off by at most `5 u M`;
 //! `e = 8 u M`. For two differences of projected points with components up to `L`, each off by
-//! `2 e + u L`, a sum or difference of two products is off by `4 L (2 e + u L)`, and by `6 u L^2` of
-//! its own, and half the sum of two of those by `2 u L^2` more: `8 L e + 12 u L^2`, and terms of
+//! `2 e + u L`, a sum or difference of two products is off by `4 L (2 e + u L)`, and by `6 u L^2`
+//! of its own, and half the sum of two of those by `2 u L^2` more: `8 L e + 12 u L^2`, and terms of
 //! second order below `16 e^2`. The code doubles it. Along a direction `w` a point is off by
 //! `5 u |w| M` and by `3 u |w| M'` of its own, with `M'` the greatest projected coordinate, at most
 //! `2 M` to first order: two of them by `22 u |w| M`, and the code takes `32 u |w| M`. Underflow
@@ -169,7 +170,7 @@ impl View {
     /// Whether a triangle certainly shows its front during the whole step.
     fn keeps_side<P: Paths>(&self, x: &P, face: [u32; 3]) -> bool {
         let [a, b, c] = face.map(|v| self.point(x, v));
-        least(turn, difference(b, a), difference(c, a), self.reach) > 0.0
+        least_area(difference(b, a), difference(c, a), self.reach) > 0.0
     }
 }
 
@@ -178,14 +179,6 @@ impl View {
 fn is_simple(rim: &[Point], reach: f64) -> bool {
     let n = rim.len();
     let next = |i: usize| if i + 1 == n { 0 } else { i + 1 };
-    for i in 0..n {
-        let (a, b, c) = (rim[i], rim[next(i)], rim[next(next(i))]);
-        let (u, v) = (difference(a, b), difference(c, b));
-        let turns = least(turn, u, v, reach) > 0.0 || least(turn, v, u, reach) > 0.0;
-        if !(turns || least(obtuse, u, v, reach) > 0.0) {
-            return false;
-        }
-    }
     for i in 0..n {
         // The edges after the next one, up to the one before the last if that ends here.
         for j in i + 2..n - (i == 0) as usize {
@@ -220,28 +213,23 @@ fn separates(w: [f64; 2], a: [Point; 2], b: [Point; 2], reach: f64) -> bool {
         || (b0[0] - a0[1] > bound && b1[0] - a1[1] > bound)
 }
 
-/// The least Bernstein value of a product of two vectors that move linearly, less the bound of its
-/// rounding.
-fn least(product: impl Fn([f64; 2], [f64; 2]) -> f64, u: Point, v: Point, reach: f64) -> f64 {
+/// The least Bernstein value of twice the area between two vectors that move linearly, less the
+/// bound of its rounding.
+fn least_area(u: Point, v: Point, reach: f64) -> f64 {
     let mut size = 0f64;
     for component in u.iter().chain(&v).flatten() {
         size = Num::max(size, component.abs());
     }
     let e = 8.0 * UNIT * reach;
     let bound = 16.0 * size * e + 24.0 * UNIT * size * size + 32.0 * e * e;
-    let middle = 0.5 * (product(u[0], v[1]) + product(u[1], v[0]));
-    let (first, last) = (product(u[0], v[0]), product(u[1], v[1]));
+    let middle = 0.5 * (area(u[0], v[1]) + area(u[1], v[0]));
+    let (first, last) = (area(u[0], v[0]), area(u[1], v[1]));
     Num::min(Num::min(first, last), middle) - bound - 8.0 * f64::MIN_POSITIVE
 }
 
 /// Positive if `v` is to the left of `u`.
-fn turn(u: [f64; 2], v: [f64; 2]) -> f64 {
+fn area(u: [f64; 2], v: [f64; 2]) -> f64 {
     u[0] * v[1] - u[1] * v[0]
-}
-
-/// Positive if the angle is obtuse.
-fn obtuse(u: [f64; 2], v: [f64; 2]) -> f64 {
-    -(u[0] * v[0] + u[1] * v[1])
 }
 
 fn difference(a: Point, b: Point) -> Point {

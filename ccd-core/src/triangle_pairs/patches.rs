@@ -6,8 +6,8 @@
 //! their fronts different ways, three at an edge) is kept as a way to larger ones, but is never
 //! certified itself.
 //!
-//! Cost: a sort of the common edges a level, and one of the edges of every region: half a second for
-//! 100,000 faces.
+//! Cost: a sort of the common edges a level, and one of the edges of every region: half a second
+//! for 100,000 faces.
 
 use super::representatives::Triangles;
 use crate::model::mesh::Mesh;

@@ -1,5 +1,6 @@
 //! Regions that are certified not to touch themselves do not, by exact arithmetic on all pairs of
-//! their features; regions that touch are not certified, also where all normals are in a half space.
+//! their features; regions that touch are not certified, also where all normals are in a half
+//! space.
 
 use crate::common::exact::{Contact, contact};
 use crate::common::random::Random;
@@ -226,6 +227,50 @@ fn a_half_space_of_normals_is_not_enough() {
     let flat: Vec<[f64; 3]> = [0, 2, 1, 3].map(|i: usize| [bow[i][0], bow[i][1], 0.0]).to_vec();
     let tie = Disc { faces: vec![[0, 1, 2], [0, 2, 3]], rim: vec![0, 1, 2, 3] };
     assert!(!tie.is_free(&[flat.clone(), flat]), "a figure of eight");
+}
+
+/// A rim that stays where it is does not tell: what is inside turns over, for good or on the way.
+#[test]
+fn a_simple_rim_is_not_enough() {
+    // The middle of a sheet is turned left to right, above it.
+    let disc = Disc::sheet(4, 4);
+    let fold = |inner: &dyn Fn([f64; 2]) -> [f64; 3]| -> Vec<[f64; 3]> {
+        (0..25)
+            .map(|v| [(v / 5) as f64, (v % 5) as f64])
+            .map(|p| {
+                let on_rim = p.iter().any(|&c| c == 0.0 || c == 4.0);
+                if on_rim { [p[0], p[1], 0.0] } else { inner(p) }
+            })
+            .collect()
+    };
+    let risen = fold(&|p| [p[0], p[1], 1.0]);
+    let turned = fold(&|p| [4.0 - p[0], p[1], 1.0]);
+    assert!(disc.is_free(&[risen.clone(), risen.clone()]));
+    let x = [risen, turned];
+    assert!(!disc.is_free(&x) && disc.touching(&x).is_some());
+
+    // A whirl: rings turn the more the nearer they are to the middle, which turns by half and on
+    // straight paths becomes a point halfway. At both ends all normals look up.
+    let n = 20u32;
+    let disc = Disc::sheet(n, n);
+    let flat: Vec<[f64; 3]> = (0..(n + 1) * (n + 1))
+        .map(|v| [v / (n + 1), v % (n + 1)].map(|i| i as f64 / (0.5 * n as f64) - 1.0))
+        .map(|[p, q]| [p, q, 0.0])
+        .collect();
+    let whirl = |p: &[f64; 3]| {
+        let r = (p[0] * p[0] + p[1] * p[1]).sqrt();
+        // A quarter of the angle, as Cayley takes it.
+        let h = (1.0 - r).max(0.0) * (1.0 - r).max(0.0);
+        let (c, s) = ((1.0 - h * h) / (1.0 + h * h), 2.0 * h / (1.0 + h * h));
+        let turn = |p: [f64; 2]| [c * p[0] - s * p[1], s * p[0] + c * p[1]];
+        let [x, y] = turn(turn([p[0], p[1]]));
+        [x, y, 0.0]
+    };
+    let whirled: Vec<[f64; 3]> = flat.iter().map(whirl).collect();
+    assert!(disc.looks_up(&[flat.clone(), flat.clone()]));
+    assert!(disc.looks_up(&[whirled.clone(), whirled.clone()]));
+    let x = [flat, whirled];
+    assert!(!disc.is_free(&x) && disc.touching(&x).is_some());
 }
 
 /// Contact is closed, and what is not finite is not certified.

@@ -129,8 +129,9 @@ impl BroadPhase {
         self.method.visits()
     }
 
-    /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`], or
-    /// the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has none.
+    /// Figures of the binary tree of the last call: over the boxes of [`BroadPhase::self_pairs`],
+    /// or the second set of [`BroadPhase::pairs`]. `None` before any call, and if the method has
+    /// none.
     pub fn tree_statistics(&self) -> Option<tree::TreeStatistics> {
         self.method.tree_statistics(&self.threads, &self.b.leaves)
     }

@@ -36,8 +36,8 @@ pub trait Order: Debug + Send + Sync {
     }
 
     /// Fills `order`, from leaf to id, for boxes that are new, and forgets those of the set before.
-    /// A box may have several leaves, of which no two are ever emitted with each other, if the order
-    /// does not outlast motion.
+    /// A box may have several leaves, of which no two are ever emitted with each other, if the
+    /// order does not outlast motion.
     fn sort(
         &mut self,
         threads: &Threads,
@@ -193,8 +193,8 @@ impl<'a> Rows<'a> {
 /// Rows that [`Gathered`] keeps: of eight leaves against eight blocks.
 const PENDING: usize = 64;
 
-/// Pairs of leaves that come one by one, some of which are gathered into rows: the same leaf and the
-/// same block come again soon where trees are descended, but not at once.
+/// Pairs of leaves that come one by one, gathered into rows: the same leaf and the same block come
+/// again soon where trees are descended, but not at once.
 pub struct Gathered<'r, 'a> {
     rows: &'r mut Rows<'a>,
     /// A row each for the leaves and blocks with the same last bits; a mask of 0: none.

@@ -223,7 +223,7 @@ fn oriented_boxes_spare_steps_where_things_are_slanted() {
             let tree = TreeOptions::default().traversal(traversal).volume(volume);
             let mut broad = BroadPhase::new(1, BroadPhaseMethod::Tree(tree)).unwrap();
             let n_pairs = broad.pairs(&beside, &strand).unwrap().len();
-            (n_pairs, broad.steps())
+            (n_pairs, broad.visits())
         });
         assert!(aabb.0 == obb.0 && aabb.0 > 50, "{traversal:?}: {aabb:?} {obb:?}");
         // The cut counts the pairs with which it begins.

@@ -1,4 +1,5 @@
-//! Candidates on their way from the source of pairs to the workers, by the pipeline that was chosen.
+//! Candidates on their way from the source of pairs to the workers, by the pipeline that was
+//! chosen.
 
 use crate::broad_phase::method::Method;
 use crate::broad_phase::pair_source::PairSource;

@@ -17,7 +17,7 @@ use ccd_core::broad_phase::key_intervals::{
     rows, sizes,
 };
 use ccd_core::broad_phase::morton_key;
-use ccd_core::broad_phase::uniform_grid::{TESTS_A_BOX, most_tests};
+use ccd_core::broad_phase::uniform_grid::TESTS_A_BOX;
 use ccd_core::kernel::Id;
 use ccd_core::layout::{Dispatch, Frame, Intervals, Params, Plain};
 use wgpu::BufferUsages as U;
@@ -136,9 +136,11 @@ fn asking(frame: &Frame, method: u32, kind: u32, row: u32) -> u32 {
     frame.count[asks(method, kind, row)[0] as usize].div_ceil(GROUP)
 }
 
-/// The greatest sum of squares of the numbers of boxes a cell for which a grid is not refused.
+/// The greatest sum of squares of the numbers of boxes a cell for which a grid is not refused: the
+/// tests within cells alone, of which there are at most 27 times as many in all (a product of the
+/// numbers of two cells is at most the mean of their squares).
 fn most_squares(n: u32) -> u64 {
-    (TESTS_A_BOX * n as f64 / most_tests(1.0)) as u64
+    TESTS_A_BOX * n as u64
 }
 
 impl PairSource for IntervalSource {
@@ -194,8 +196,8 @@ impl PairSource for IntervalSource {
             largest,
             mean: largest * wide(FULLNESS + 2) as f64 / (SIDE_UNITS as f64 * n as f64),
             fullest: words[FULLNESS + 4] as u64,
-            tests: (most_tests(squares as f64) / n as f64) as u64,
-            limit: TESTS_A_BOX as u64,
+            tests: squares / n.max(1) as u64,
+            limit: TESTS_A_BOX,
         }
         .into())
     }

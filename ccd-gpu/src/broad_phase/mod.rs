@@ -9,6 +9,7 @@ mod pair_descent;
 pub mod pair_source;
 mod radix_tree;
 mod tree;
+mod upload;
 
 use crate::device::Device;
 use crate::error::Error;
@@ -17,8 +18,6 @@ use crate::readback::{Plan, Readback};
 use crate::recorder::{Bench, Timing, submit};
 use ccd_core::Aabb;
 use ccd_core::layout::Pair;
-use ccd_core::math::aabb::GREATEST;
-use ccd_core::model::error::check_boxes;
 use ccd_core::model::method::BroadPhaseMethod;
 use method::source;
 use pair_source::{PairSource, Search, frame_of, kinds_of};
@@ -90,8 +89,21 @@ impl BroadPhase {
 
     /// Fills the list of pairs; returns their number.
     fn find(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<u32, Error> {
+        self.send(sets)?;
+        self.again()
+    }
+
+    /// Checks boxes and sends them to the device, by all threads of the host, and waits until they
+    /// are there: [`BroadPhase::again`] then finds their pairs.
+    pub fn send_boxes(&mut self, boxes: &[Aabb<f32>]) -> Result<(), Error> {
+        self.send([&[], boxes, &[]])?;
+        self.device.queue().submit([]);
+        self.device.wait()
+    }
+
+    fn send(&mut self, sets: [&[Aabb<f32>]; 3]) -> Result<(), Error> {
         for boxes in sets {
-            check_boxes(boxes, GREATEST as f64)?;
+            upload::check(boxes)?;
         }
         let count = sets.map(|boxes| boxes.len() as u32);
         let device = &self.device;
@@ -105,11 +117,10 @@ impl BroadPhase {
         };
         let mut at = 0;
         for boxes in sets {
-            let bytes = bytemuck::cast_slice(boxes);
-            device.queue().write_buffer(buffers.source.boxes(), at, bytes);
-            at += bytes.len() as u64;
+            upload::send(device, buffers.source.boxes(), at, boxes);
+            at += size_of_val(boxes) as u64;
         }
-        self.again()
+        Ok(())
     }
 
     /// The last call once more, with the boxes as they are on the device; returns the number of

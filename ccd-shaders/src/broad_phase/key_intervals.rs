@@ -48,7 +48,7 @@ pub fn survey_axis(
     for k in 0..SHARE {
         let i = (k * THREADS + lane) * params.dispatch.first;
         if i < params.dispatch.n {
-            moments = moments.merged(&Moments::of(&at(boxes, i as usize)));
+            moments = moments.merged(&Moments::of(i as usize, 1, boxes));
         }
     }
     set(shared, lane, moments);

@@ -17,7 +17,7 @@ pub enum Place {
 pub struct Measured {
     pub build: f64,
     pub search: f64,
-    pub steps: u64,
+    pub visits: u64,
     pub tree: Option<TreeStatistics>,
 }
 
@@ -103,8 +103,8 @@ fn on_cpu(
         }
     }
     let build = median(times.iter().map(|t| t.build));
-    let (search, steps) = (median(times.iter().map(|t| t.search)), broad.steps());
-    Ok(Measured { build, search, steps, tree: broad.tree_statistics() })
+    let (search, visits) = (median(times.iter().map(|t| t.search)), broad.visits());
+    Ok(Measured { build, search, visits, tree: broad.tree_statistics() })
 }
 
 fn on_gpu(
@@ -144,7 +144,7 @@ fn on_gpu(
         }
     }
     let search = median(searches.into_iter());
-    Ok(Ok(Measured { build: median(builds.into_iter()), search, steps: 0, tree: None }))
+    Ok(Ok(Measured { build: median(builds.into_iter()), search, visits: 0, tree: None }))
 }
 
 fn check(case: &Case, method: BroadPhaseMethod, found: usize) -> Result<(), String> {

@@ -115,14 +115,14 @@ impl Report {
 
     /// Recursive, iterative, leaf order, half: the ladder of [Karras 2012b].
     fn ladder(&mut self, cases: &[Case]) -> Result<String, String> {
-        let steps =
+        let rungs =
             [Traversal::Recursive, Traversal::Iterative, Traversal::LeafOrder, Traversal::Half];
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
             text += &self.head(&["ms, search alone"]);
             let mut bars = Bars::new(&case.name, "ms, search alone", &self.places);
-            for traversal in steps {
+            for traversal in rungs {
                 let method = tree(Builder::Lbvh, traversal);
                 let (cells, values) = self.row(method, case, |m| m.search)?;
                 let _ = writeln!(text, "| {} |{cells}", traversal.row().name);
@@ -135,7 +135,7 @@ impl Report {
         Ok(text)
     }
 
-    /// Simultaneous against independent traversal, in steps and in time.
+    /// Simultaneous against independent traversal, in visits and in time.
     fn simultaneous(&mut self, cases: &[Case]) -> Result<String, String> {
         let rows = [
             ("leaf-order", Traversal::LeafOrder),
@@ -148,13 +148,13 @@ impl Report {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, search alone", "steps"]);
+            text += &self.head(&["ms, search alone", "visits"]);
             for (name, traversal) in rows {
                 let method = tree(Builder::Lbvh, traversal);
                 let (cells, _) = self.row(method, case, |m| m.search)?;
-                let steps = measure(&Place::one_thread(), method, case, 1)?
-                    .map_or("-".to_owned(), |m| m.steps.to_string());
-                let _ = writeln!(text, "| {name} | {steps} |{cells}");
+                let visits = measure(&Place::one_thread(), method, case, 1)?
+                    .map_or("-".to_owned(), |m| m.visits.to_string());
+                let _ = writeln!(text, "| {name} | {visits} |{cells}");
             }
             text.push('\n');
         }
@@ -187,18 +187,18 @@ impl Report {
         Ok(text)
     }
 
-    /// Boxes along the axes against oriented ones, in steps and in time.
+    /// Boxes along the axes against oriented ones, in visits and in time.
     fn volumes(&mut self, cases: &[Case]) -> Result<String, String> {
         let mut text = String::new();
         for case in cases {
             let _ = writeln!(text, "{}\n", case.title());
-            text += &self.head(&["ms, build and search", "steps"]);
+            text += &self.head(&["ms, build and search", "visits"]);
             for row in Volume::ROWS {
                 let method = BroadPhaseMethod::Tree(TreeOptions::default().volume(row.value));
                 let (cells, _) = self.row(method, case, |m| m.build + m.search)?;
-                let steps = measure(&Place::one_thread(), method, case, 1)?
-                    .map_or("-".to_owned(), |m| m.steps.to_string());
-                let _ = writeln!(text, "| {} | {steps} |{cells}", row.name);
+                let visits = measure(&Place::one_thread(), method, case, 1)?
+                    .map_or("-".to_owned(), |m| m.visits.to_string());
+                let _ = writeln!(text, "| {} | {visits} |{cells}", row.name);
             }
             text.push('\n');
         }

@@ -9,8 +9,8 @@ impl<T: Real> Obb<T> {
     /// A box around points.
     ///
     /// Five loops over them: bounds, mean, covariance, the range along each axis, and how far they
-    /// are from its middle, rounded. Points that do not spread get axes along the coordinates; those
-    /// whose differences overflow get all of space.
+    /// are from its middle, rounded. Points that do not spread get axes along the coordinates;
+    /// those whose differences overflow get all of space.
     #[inline]
     pub fn around<const N: usize>(points: &[[T; 3]; N]) -> Self {
         let (mut low, mut high) = (points[0], points[0]);

@@ -20,12 +20,12 @@
 //! proves nothing, because what must be exceeded does not shrink with it.
 //!
 //! Cost: a fit some 600 operations, a test of two boxes 60 for the faces and 150 for the edges,
-//! against 6 comparisons of boxes along the axes. To choose where things are long, thin and slanted,
-//! and a pair that a box along the axes lets through costs much.
+//! against 6 comparisons of boxes along the axes. To choose where things are long, thin and
+//! slanted, and a pair that a box along the axes lets through costs much.
 //!
 //! # What is guaranteed
-//! Every point that a box was fitted around, and all of every box that it was joined from, is in it;
-//! two boxes that are told apart have no point in common. Exactly, whatever the axes are, with
+//! Every point that a box was fitted around, and all of every box that it was joined from, is in
+//! it; two boxes that are told apart have no point in common. Exactly, whatever the axes are, with
 //! scalar products within [`ORTHONORMAL`] of those of orthonormal ones.
 //!
 //! # The bounds
@@ -43,8 +43,8 @@
 //! `|l0| h0 + |l1| h1 + |l2| h2 + |r| |h|` beyond `c` along `w`: the sum is rounded three times,
 //! `57 u |h|` in all.
 //!
-//! *Joining.* The reach, its sum with the distance of the centres, and the bound on top: `59 u |h|`,
-//! `6 u` of the distance as for points with one sum more; `64` and `8` are used.
+//! *Joining.* The reach, its sum with the distance of the centres, and the bound on top: `59 u
+//! |h|`, `6 u` of the distance as for points with one sum more; `64` and `8` are used.
 //!
 //! *Faces.* Along `a_i` the box of `a` reaches `h_i`, exactly; the other one as above; the distance
 //! is off by `4 u |t|`.

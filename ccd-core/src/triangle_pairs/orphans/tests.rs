@@ -9,8 +9,11 @@ fn sets(mesh: &Mesh) -> OrphanSets {
     OrphanSets::new(mesh, &Triangles::new(mesh)).expect("few enough comparisons")
 }
 
+/// Orphans by their vertices: vertex and face, two edges.
+type Named = (Vec<(u32, [u32; 3])>, Vec<[[u32; 2]; 2]>);
+
 /// Orphans by vertices: a vertex and the corners of a face, the ends of two edges.
-fn named(mesh: &Mesh, sets: &OrphanSets) -> (Vec<(u32, [u32; 3])>, Vec<[[u32; 2]; 2]>) {
+fn named(mesh: &Mesh, sets: &OrphanSets) -> Named {
     let vf = sets.vf().iter().map(|p| (p.a, mesh.faces()[p.b as usize])).collect();
     let mut ee: Vec<_> =
         sets.ee().iter().map(|p| [p.a, p.b].map(|e| mesh.edges()[e as usize])).collect();

@@ -1,15 +1,15 @@
 //! A binary tree over boxes: nodes in the numbering of Karras, which every builder gives, so that
 //! one refit, one check and every traversal serve them all.
 //!
-//! Of `n` leaves, in the order in which a walk from left to right meets them, the nodes `0 .. n - 1`
-//! are internal, 0 is the root, and leaf `i` is node `n - 1 + i`. An internal node that is a left
-//! child has the number of its last leaf, one that is a right child that of its first: no two have
-//! the same, whatever the shape of the tree. A leaf's node carries its place in the order, not the
-//! id of its box.
+//! Of `n` leaves, in the order in which a walk from left to right meets them, the nodes
+//! `0 .. n - 1` are internal, 0 is the root, and leaf `i` is node `n - 1 + i`. An internal node
+//! that is a left child has the number of its last leaf, one that is a right child that of its
+//! first: no two have the same, whatever the shape of the tree. A leaf's node carries its place in
+//! the order, not the id of its box.
 //!
 //! Every node has a box along the axes. By [`Volume::Obb`] an internal node has an oriented box
-//! around the same leaves as well, and what does not reach into it is not looked for below: a second
-//! test, of those that the first lets through.
+//! around the same leaves as well, and what does not reach into it is not looked for below: a
+//! second test, of those that the first lets through.
 
 use crate::broad_phase::leaf_boxes::LeafBoxes;
 use crate::broad_phase::tree::shared_words::Shared;
@@ -57,8 +57,8 @@ impl BinaryTree {
         &self.oriented
     }
 
-    /// Whether leaves below an internal node, whose box along the axes overlaps the query, may do so,
-    /// as far as its oriented box tells.
+    /// Whether leaves below an internal node, whose box along the axes overlaps the query, may do
+    /// so, as far as its oriented box tells.
     #[inline]
     pub fn reaches(&self, node: u32, query: &Aabb<f32>) -> bool {
         match self.oriented.get(node as usize) {
@@ -165,7 +165,7 @@ impl BinaryTree {
     }
 
     /// Appends all leaves after leaf `after` ([`NONE`]: all leaves) that overlap `query`: in an
-    /// order that depends on the tree alone. Returns the number of internal nodes that were visited.
+    /// order that depends on the tree alone. Returns the number of internal nodes visited.
     pub fn query(&self, query: &Aabb<f32>, after: u32, out: &mut Vec<u32>) -> u64 {
         if self.branches.is_empty() {
             out.extend((after == NONE && self.nodes[0].aabb().overlaps(query)).then_some(0));

@@ -47,7 +47,8 @@ fn sets(n: usize) -> Vec<(&'static str, Vec<Aabb<f32>>)> {
 }
 
 /// Children split the range of their parent and have the numbers that say so, boxes are exactly
-/// those of the boxes and of both children, every box is one leaf, no way down has more than `max_depth` nodes.
+/// those of the boxes and of both children, every box is one leaf, no way down has more than
+/// `max_depth` nodes.
 fn check_well_formed(
     tree: &BinaryTree,
     order: &[u32],
@@ -255,8 +256,8 @@ fn nearest_pairs_are_refused_above_their_limit() {
     }
 }
 
-/// A tree of a joined chain of `n` leaves, as deep as there are leaves; `to_left`: on which side the
-/// long part is.
+/// A tree of a joined chain of `n` leaves, as deep as there are leaves; `to_left`: on which side
+/// the long part is.
 fn chain(
     n: usize,
     threads: &Threads,

@@ -43,6 +43,8 @@ impl<'a> BinaryPairs<'a> {
     pub fn descend(self, from: NodePair, scratch: &mut Scratch, rows: &mut Gathered) {
         let Scratch { pairs: stack, visits, .. } = scratch;
         stack.clear();
+        // As in a scheduler: so that which tasks a thread gets decides nothing about allocations.
+        stack.reserve(1024);
         stack.push(from);
         let (tree, sink, worker) = (self, &IntoRows::default(), rows);
         *visits += crate::simd::run_rows!(DepthFirst { tree, stack, sink, worker });

@@ -16,8 +16,8 @@
 //!
 //! Cost: the visits of [`super::simultaneous`], less those above the cut, and a test of boxes for
 //! every pair of the cut. Choose it where boxes are many and pairs few, on a CPU with several
-//! threads: there it takes a third of the time of [`super::half`]; where each box overlaps dozens, as
-//! much. On a GPU neighbouring threads have nothing in common.
+//! threads: there it takes a third of the time of [`super::half`]; where each box overlaps dozens,
+//! as much. On a GPU neighbouring threads have nothing in common.
 
 use super::binary_pairs::BinaryPairs;
 use super::{Traverse, Trees};

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! The last leaf below a node says whether anything below it comes later. It is the number of an
-//! internal left child, so that nothing needs to be read for it. Of two sets there is no such order,
-//! and this is [`super::leaf_order`].
+//! internal left child, so that nothing needs to be read for it. Of two sets there is no such
+//! order, and this is [`super::leaf_order`].
 //!
 //! Cost: about half of the nodes and half of the tests of [`super::leaf_order`], no pair twice.
 //! Choose it for boxes of which few overlap: it is the fastest of the queries.

@@ -8,9 +8,9 @@
 //! ```
 //!
 //! Changed here: where both children are visited, the function calls itself for the one with fewer
-//! leaves and goes on with the other in a loop. Each call then has at most half of the leaves of its
-//! caller's node, and at least two, so that of fewer than `2^31` leaves no more than 30 calls are
-//! within each other, in any tree, however deep.
+//! leaves and goes on with the other in a loop. Each call then has at most half of the leaves of
+//! its caller's node, and at least two, so that of fewer than `2^31` leaves no more than 30 calls
+//! are within each other, in any tree, however deep.
 //!
 //! Cost: the nodes of [`super::iterative`], with a call for many of them. A GPU has no recursion.
 //! It is here for comparison.
@@ -36,8 +36,8 @@ impl Query for Recursive {
     }
 }
 
-/// Appends the leaves below an internal node that overlap the query; returns how many internal nodes
-/// it visited.
+/// Appends the leaves below an internal node that overlap the query; returns how many internal
+/// nodes it visited.
 fn visit(tree: &BinaryTree, query: &Aabb<f32>, mut node: u32, hits: &mut Vec<u32>) -> u64 {
     let mut visits = 0;
     loop {

@@ -11,82 +11,20 @@
 //! they take minutes and `tests/gpu` makes them: reported with the reason, and counted. So are
 //! rows of scenes that the uniform grid refuses, which must be for the crowding of its cells.
 
+mod scenes;
+
 use ccd::any::{BroadPhase, Choice, Error, Session};
 use ccd::gpu::{self, Device, DeviceOptions};
-use ccd::scenes::{Random, Step, crumpled_sheet, debris_boxes, triangle_soup, uniform_boxes};
+use ccd::scenes::{Step, triangle_soup};
 use ccd::{
     Aabb, BroadPhaseMethod, Builder, Catalogued, Contact, Digest, Mesh, Options, Pair, Pipeline,
     State,
 };
-use ccd_testkit::compare::{agree, recorded_step, step_text};
-use ccd_testkit::{brute, data};
+use ccd_testkit::compare::{agree, step_text};
+use ccd_testkit::data;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
-use std::sync::{Arc, OnceLock};
-
-/// Boxes within which pairs are looked for, and two sets between which they are.
-struct Boxes {
-    within: Vec<Aabb<f32>>,
-    between: [Vec<Aabb<f32>>; 2],
-    /// What is right of both.
-    want: [Digest; 2],
-}
-
-/// A step and what is right of it.
-struct Motion {
-    step: Step,
-    want: Want,
-    /// Contacts may end undecided so often.
-    undecided: u64,
-}
-
-enum Want {
-    /// Of brute force: candidates, and every contact asked for by itself.
-    Brute([Digest; 2], Vec<Contact>),
-    /// What is recorded of a real scene, and the contacts that one thread of the CPU finds.
-    Recorded(String, Vec<Contact>),
-}
-
-/// What is loaded once for all rows of a scene.
-#[derive(Default)]
-struct Loaded {
-    boxes: OnceLock<Boxes>,
-    motion: OnceLock<Motion>,
-}
-
-/// Where a scene comes from.
-#[derive(Clone, Copy)]
-enum Source {
-    Boxes(fn() -> Vec<Aabb<f32>>),
-    Step(fn() -> Step),
-    Real(&'static data::Scene),
-}
-
-const GENERATED: [(&str, Source); 9] = [
-    ("uniform", Source::Boxes(|| uniform_boxes(20_000))),
-    ("debris", Source::Boxes(debris_boxes)),
-    ("crowded", Source::Boxes(|| inflated(&uniform_boxes(2000), 0.05))),
-    ("equal", Source::Boxes(|| vec![Aabb { min: [0.5; 3], max: [0.5; 3] }; 300])),
-    ("huge", Source::Boxes(huge)),
-    ("one", Source::Boxes(|| uniform_boxes(1))),
-    ("none", Source::Boxes(Vec::new)),
-    ("sheet", Source::Step(|| crumpled_sheet(24, 1))),
-    ("soup", Source::Step(|| triangle_soup(300, 0.15, 2))),
-];
-
-fn inflated(boxes: &[Aabb<f32>], by: f32) -> Vec<Aabb<f32>> {
-    let grown = |b: &Aabb<f32>| Aabb { min: b.min.map(|c| c - by), max: b.max.map(|c| c + by) };
-    boxes.iter().map(grown).collect()
-}
-
-/// Boxes whose extent is near the greatest `f32`.
-fn huge() -> Vec<Aabb<f32>> {
-    let mut random = Random::new(3);
-    let mut make = || {
-        let p = random.point().map(|c| (c as f32 - 0.5) * 3.4e38);
-        Aabb { min: p, max: p.map(|c| c + 4e37) }
-    };
-    (0..200).map(|_| make()).collect()
-}
+use scenes::{GENERATED, Loaded, Motion, Source, Want, load_boxes, load_motion};
+use std::sync::Arc;
 
 fn main() {
     let paths = [("gpu-passthrough", gpu::Path::Passthrough), ("gpu-wgsl", gpu::Path::Wgsl)];
@@ -239,9 +177,9 @@ fn check_pairs(
     Ok(within.and(between).map_or_else(refused, |_| Completion::Completed))
 }
 
-/// Pairs, or why they were refused: for nearest pairs above their limit, where they must be, and for
-/// real scenes whose sizes are so unequal that the cells of a grid are crowded. Any other error is
-/// one.
+/// Pairs, or why they were refused: for nearest pairs above their limit, where they must be, and
+/// for real scenes whose sizes are so unequal that the cells of a grid are crowded. Any other error
+/// is one.
 fn taken<T>(
     source: Source,
     method: BroadPhaseMethod,
@@ -287,69 +225,6 @@ fn same_pairs(what: &str, want: &Digest, found: &[Pair]) -> Result<(), String> {
     }
 }
 
-fn load_boxes(source: Source) -> Boxes {
-    let (within, between) = match source {
-        Source::Boxes(make) => {
-            let all = make();
-            let (a, b) = all.split_at(all.len() / 3);
-            let between = [a.to_vec(), b.to_vec()];
-            (all, between)
-        }
-        Source::Step(make) => {
-            let step = make();
-            let [x0, x1] = step.rounded();
-            let [v, e, f] = brute::swept_boxes(&step.mesh, &x0, &x1);
-            (e, [v, f])
-        }
-        Source::Real(scene) => {
-            let step = load_step(scene);
-            let boxes = brute::swept_boxes(&step.mesh, &step.x0, &step.x1);
-            let [v, e, f] = boxes.map(|set| set.iter().map(|b| b.round_out()).collect());
-            (e, [v, f])
-        }
-    };
-    let [a, b] = &between;
-    let want = if within.len() <= MAX_BRUTE {
-        [brute::self_pairs(&within), brute::pairs(a, b)]
-            .map(|pairs| Digest::of(0, pairs.into_iter()))
-    } else {
-        let mut one = ccd::BroadPhase::new(1, BroadPhaseMethod::Blocks).expect("one thread");
-        let within = Digest::of(0, one.self_pairs(&within).expect("valid boxes").iter());
-        [within, Digest::of(0, one.pairs(a, b).expect("valid boxes").iter())]
-    };
-    Boxes { within, between, want }
-}
-
-/// So many boxes are still tested each against each: 4e8 tests take half a second.
-const MAX_BRUTE: usize = 20_000;
-
-fn load_step(scene: &data::Scene) -> Step {
-    let dir = data::data_dir().expect("the row is ignored without the data");
-    let [t0, t1] = scene.load(&dir);
-    let mesh = t0.mesh().expect("a valid mesh");
-    Step { mesh, x0: t0.positions, x1: t1.positions }
-}
-
-fn load_motion(source: Source) -> Motion {
-    match source {
-        Source::Real(scene) => {
-            let step = load_step(scene);
-            let options = Options { threads: 1, ..Options::default() };
-            let one = ccd::step(&step.mesh, &step.x0, &step.x1, &options).expect("a valid step");
-            let want = Want::Recorded(recorded_step(scene.name), one.contacts);
-            Motion { step, want, undecided: scene.undecided }
-        }
-        Source::Step(make) => {
-            let step = make();
-            let candidates = brute::candidates(&step.mesh, &step.x0, &step.x1);
-            let contacts = brute::contacts(&step.mesh, &step.x0, &step.x1);
-            let digests = candidates.map(|pairs| Digest::of(0, pairs.into_iter()));
-            Motion { step, want: Want::Brute(digests, contacts), undecided: 0 }
-        }
-        Source::Boxes(_) => panic!("boxes do not move"),
-    }
-}
-
 fn check_contacts(
     loaded: &Loaded,
     source: Source,
@@ -360,7 +235,7 @@ fn check_contacts(
     let Step { mesh, x0, x1 } = step;
     let (method, n) = (options.broad_phase, mesh.edges().len().max(mesh.n_vertices()));
     let mut session = Session::new(choice, mesh.clone(), options).map_err(|e| e.to_string())?;
-    let answer = session.step(x0, x1).map(|report| report.clone());
+    let answer = session.step(x0, x1).cloned();
     let report = match taken(source, method, n, answer)? {
         Ok(report) => report,
         Err(why) => return Ok(Completion::ignored_with(format!("refused: {why}"))),

@@ -1,168 +1,7 @@
-//! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted
-//! here.
+//! What kernels are told besides their buffers.
 
-use crate::math::aabb::Aabb;
+use super::MAX_LEVELS;
 use bytemuck::{Pod, Zeroable};
-
-/// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Pod, Zeroable)]
-#[repr(C)]
-pub struct Pair {
-    /// The vertex of a vertex-face pair, the lesser edge id of an edge-edge pair.
-    pub a: u32,
-    /// The face of a vertex-face pair, the greater edge id of an edge-edge pair.
-    pub b: u32,
-}
-
-impl Pair {
-    /// The pair of two items of one set, lesser id first.
-    #[inline]
-    pub fn ordered(a: u32, b: u32) -> Self {
-        if a < b { Self { a, b } } else { Self { a: b, b: a } }
-    }
-}
-
-/// A node of a binary tree over `n` boxes: internal nodes are `0 .. n - 1`, leaves
-/// `n - 1 .. 2 n - 1` in Morton order.
-///
-/// | field | bytes |
-/// |---|---|
-/// | `min` | 0..12 |
-/// | `left` | 12..16 |
-/// | `max` | 16..28 |
-/// | `right` | 28..32 |
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Node {
-    /// Smallest corner of the node's box.
-    pub min: [f32; 3],
-    /// Left child; in a leaf, what a traversal finds: the id of its box, or its place among leaves.
-    pub left: u32,
-    /// Greatest corner of the node's box.
-    pub max: [f32; 3],
-    /// Right child; [`Node::LEAF`] in a leaf.
-    pub right: u32,
-}
-
-impl Node {
-    /// Marks a leaf in [`Node::right`].
-    pub const LEAF: u32 = u32::MAX;
-
-    /// The box of the node.
-    #[inline]
-    pub fn aabb(&self) -> Aabb<f32> {
-        Aabb { min: self.min, max: self.max }
-    }
-
-    /// Whether the node is a leaf.
-    #[inline]
-    pub fn is_leaf(&self) -> bool {
-        self.right == Self::LEAF
-    }
-}
-
-/// What an internal node of the tree knows besides its box: children (node indices) and the range
-/// of leaves below it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Branch {
-    /// Left child.
-    pub left: u32,
-    /// Right child.
-    pub right: u32,
-    /// First leaf below (leaf number, from 0).
-    pub first: u32,
-    /// Last leaf below (leaf number, inclusive).
-    pub last: u32,
-}
-
-/// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is
-/// not used.
-///
-/// | field | bytes |
-/// |---|---|
-/// | `t0` | 0..16 |
-/// | `t1` | 16..32 |
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Path {
-    /// Position at the start of the step.
-    pub t0: [f32; 4],
-    /// Position at its end.
-    pub t1: [f32; 4],
-}
-
-/// What a leaf of a block tree is besides its box.
-///
-/// | field | bytes |
-/// |---|---|
-/// | `vertices` | 0..12 |
-/// | `id` | 12..16 |
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Leaf {
-    /// Vertices of the feature; one that has fewer than three repeats its last.
-    pub vertices: [u32; 3],
-    /// Number of the feature among those of its kind; [`Leaf::NONE`] where there is none.
-    pub id: u32,
-}
-
-impl Leaf {
-    /// The id of a leaf that only fills up a block.
-    pub const NONE: u32 = u32::MAX;
-}
-
-/// A contact as a device writes it.
-///
-/// | field | bytes |
-/// |---|---|
-/// | `kind` | 0..4 |
-/// | `state` | 4..8 |
-/// | `a` | 8..12 |
-/// | `b` | 12..16 |
-/// | `toi` | 16..24 |
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Touch {
-    /// 0: vertex-face, 1: edge-edge.
-    pub kind: u32,
-    /// 0: certain, 1: undecided.
-    pub state: u32,
-    /// The vertex, or the lesser edge.
-    pub a: u32,
-    /// The face, or the greater edge.
-    pub b: u32,
-    /// Time of impact: the bits of an `f64`, low word first.
-    pub toi: [u32; 2],
-}
-
-/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits
-/// and translators forget that.
-const TWO_32: u64 = 1 << 32;
-
-/// An `f64` from its bits, low word first.
-#[inline(always)]
-pub fn join(words: [u32; 2]) -> f64 {
-    f64::from_bits(words[1] as u64 * TWO_32 + words[0] as u64)
-}
-
-/// The bits of an `f64`, low word first.
-#[inline(always)]
-pub fn split(x: f64) -> [u32; 2] {
-    let bits = x.to_bits();
-    [bits as u32, (bits / TWO_32) as u32]
-}
-
-/// Words before the first entry of a list that a device writes: the number of entries wanted, which
-/// may exceed the room; the number of candidates looked at; how often each of the two exceeded 32
-/// bits.
-pub const LIST_HEADER: usize = 4;
-
-/// Words of a [`Touch`].
-pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
-
-/// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
-pub const MAX_LEVELS: usize = 8;
 
 /// What kernels are told besides their buffers: what is the same for a whole frame, what one
 /// dispatch is about, and a record of one algorithm, one after the other without gaps, because all
@@ -366,8 +205,7 @@ pub struct ContactSort {
     pub pass: u32,
 }
 
-const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
-const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Frame>() == 96);
+const _: () = assert!(size_of::<Frame>() == 96);
 const _: () = assert!(size_of::<Dispatch>() == 16 && size_of::<Blocks>() == 144);
 const _: () = assert!(size_of::<SortPass>() == 8 && size_of::<Plain>() == 4);
 const _: () = assert!(size_of::<Queries>() == 8 && size_of::<Intervals>() == 20);
@@ -375,5 +213,3 @@ const _: () = assert!(size_of::<NodeDescent>() == 16);
 const _: () = assert!(size_of::<Decision>() == 4 && size_of::<ContactSort>() == 4);
 const _: () = assert!(size_of::<Params<Blocks>>() == 96 + 16 + 144);
 const _: () = assert!(size_of::<Params>() == 96 + 16 + 4);
-const _: () =
-    assert!(size_of::<Pair>() == 8 && size_of::<Node>() == 32 && size_of::<Branch>() == 16);

@@ -1,0 +1,224 @@
+//! Records that cross between host and device: `u32` and `[f32; N]` fields only, sizes asserted
+//! here.
+
+mod params;
+
+pub use params::{
+    Blocks, ContactSort, Decision, Dispatch, Frame, Intervals, NodeDescent, Params, Plain, Queries,
+    SortPass,
+};
+
+use crate::math::aabb::Aabb;
+use bytemuck::{Pod, Zeroable};
+
+/// A candidate pair of primitives: two vertices' or edges' ids, or a vertex id and a face id.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Pod, Zeroable)]
+#[repr(C)]
+pub struct Pair {
+    /// The vertex of a vertex-face pair, the lesser edge id of an edge-edge pair.
+    pub a: u32,
+    /// The face of a vertex-face pair, the greater edge id of an edge-edge pair.
+    pub b: u32,
+}
+
+impl Pair {
+    /// The pair of two items of one set, lesser id first.
+    #[inline]
+    pub fn ordered(a: u32, b: u32) -> Self {
+        if a < b { Self { a, b } } else { Self { a: b, b: a } }
+    }
+}
+
+/// A node of a binary tree over `n` boxes: internal nodes are `0 .. n - 1`, leaves
+/// `n - 1 .. 2 n - 1` in Morton order.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `min` | 0..12 |
+/// | `left` | 12..16 |
+/// | `max` | 16..28 |
+/// | `right` | 28..32 |
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Node {
+    /// Smallest corner of the node's box.
+    pub min: [f32; 3],
+    /// Left child; in a leaf, what a traversal finds: the id of its box, or its place among leaves.
+    pub left: u32,
+    /// Greatest corner of the node's box.
+    pub max: [f32; 3],
+    /// Right child; [`Node::LEAF`] in a leaf.
+    pub right: u32,
+}
+
+impl Node {
+    /// Marks a leaf in [`Node::right`].
+    pub const LEAF: u32 = u32::MAX;
+
+    /// The box of the node.
+    #[inline]
+    pub fn aabb(&self) -> Aabb<f32> {
+        Aabb { min: self.min, max: self.max }
+    }
+
+    /// Whether the node is a leaf.
+    #[inline]
+    pub fn is_leaf(&self) -> bool {
+        self.right == Self::LEAF
+    }
+}
+
+/// What an internal node of the tree knows besides its box: children (node indices) and the range
+/// of leaves below it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Branch {
+    /// Left child.
+    pub left: u32,
+    /// Right child.
+    pub right: u32,
+    /// First leaf below (leaf number, from 0).
+    pub first: u32,
+    /// Last leaf below (leaf number, inclusive).
+    pub last: u32,
+}
+
+/// An internal node of a binary tree with the boxes of both children: see
+/// [`wide_nodes`](crate::broad_phase::wide_nodes).
+///
+/// | field | bytes | | field | bytes |
+/// |---|---|---|---|---|
+/// | `left_min` | 0..12 | | `right_min` | 32..44 |
+/// | `left` | 12..16 | | `split` | 44..48 |
+/// | `left_max` | 16..28 | | `right_max` | 48..60 |
+/// | `right` | 28..32 | | `last` | 60..64 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct WideNode {
+    /// Smallest corner of the left child's box.
+    pub left_min: [f32; 3],
+    /// The left child: an internal node, or, with [`WideNode::MARK`], a leaf.
+    pub left: u32,
+    /// Greatest corner of the left child's box.
+    pub left_max: [f32; 3],
+    /// The right child, likewise.
+    pub right: u32,
+    /// Smallest corner of the right child's box.
+    pub right_min: [f32; 3],
+    /// Last leaf below the left child.
+    pub split: u32,
+    /// Greatest corner of the right child's box.
+    pub right_max: [f32; 3],
+    /// Last leaf below the node; with [`WideNode::MARK`] if the left child has fewer leaves.
+    pub last: u32,
+}
+
+impl WideNode {
+    /// The bit that numbers of nodes do not use.
+    pub const MARK: u32 = 1 << 31;
+
+    /// The box of the left child.
+    #[inline(always)]
+    pub fn left_box(&self) -> Aabb<f32> {
+        Aabb { min: self.left_min, max: self.left_max }
+    }
+
+    /// The box of the right child.
+    #[inline(always)]
+    pub fn right_box(&self) -> Aabb<f32> {
+        Aabb { min: self.right_min, max: self.right_max }
+    }
+}
+
+/// Both ends of the path of a vertex, in `f32`, possibly recentred; the last component of each is
+/// not used.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `t0` | 0..16 |
+/// | `t1` | 16..32 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Path {
+    /// Position at the start of the step.
+    pub t0: [f32; 4],
+    /// Position at its end.
+    pub t1: [f32; 4],
+}
+
+/// What a leaf of a block tree is besides its box.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `vertices` | 0..12 |
+/// | `id` | 12..16 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Leaf {
+    /// Vertices of the feature; one that has fewer than three repeats its last.
+    pub vertices: [u32; 3],
+    /// Number of the feature among those of its kind; [`Leaf::NONE`] where there is none.
+    pub id: u32,
+}
+
+impl Leaf {
+    /// The id of a leaf that only fills up a block.
+    pub const NONE: u32 = u32::MAX;
+}
+
+/// A contact as a device writes it.
+///
+/// | field | bytes |
+/// |---|---|
+/// | `kind` | 0..4 |
+/// | `state` | 4..8 |
+/// | `a` | 8..12 |
+/// | `b` | 12..16 |
+/// | `toi` | 16..24 |
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Touch {
+    /// 0: vertex-face, 1: edge-edge.
+    pub kind: u32,
+    /// 0: certain, 1: undecided.
+    pub state: u32,
+    /// The vertex, or the lesser edge.
+    pub a: u32,
+    /// The face, or the greater edge.
+    pub b: u32,
+    /// Time of impact: the bits of an `f64`, low word first.
+    pub toi: [u32; 2],
+}
+
+/// 2^32. Products and quotients, because a shader language counts the bits of a shift in 32 bits
+/// and translators forget that.
+const TWO_32: u64 = 1 << 32;
+
+/// An `f64` from its bits, low word first.
+#[inline(always)]
+pub fn join(words: [u32; 2]) -> f64 {
+    f64::from_bits(words[1] as u64 * TWO_32 + words[0] as u64)
+}
+
+/// The bits of an `f64`, low word first.
+#[inline(always)]
+pub fn split(x: f64) -> [u32; 2] {
+    let bits = x.to_bits();
+    [bits as u32, (bits / TWO_32) as u32]
+}
+
+/// Words before the first entry of a list that a device writes: the number of entries wanted, which
+/// may exceed the room; the number of candidates looked at; how often each of the two exceeded 32
+/// bits.
+pub const LIST_HEADER: usize = 4;
+
+/// Words of a [`Touch`].
+pub const TOUCH_WORDS: usize = size_of::<Touch>() / 4;
+
+/// Levels of a block tree: `32^7` exceeds every number of boxes, and level 0 is the boxes.
+pub const MAX_LEVELS: usize = 8;
+
+const _: () = assert!(size_of::<WideNode>() == 64);
+const _: () = assert!(size_of::<Path>() == 32 && size_of::<Leaf>() == 16);
+const _: () = assert!(size_of::<Touch>() == 24 && size_of::<Pair>() == 8);
+const _: () = assert!(size_of::<Node>() == 32 && size_of::<Branch>() == 16);
